@@ -27,8 +27,31 @@ enum { TAUT_FILM_POINTS_MAX = 2500 };
 /* How an edge is held. */
 typedef enum taut_film_edge_kind {
     TAUT_FILM_FIXED = 0, /* on `curve`, or on the straight line between its corners */
-    TAUT_FILM_CABLE      /* drawn by a cable */
+    TAUT_FILM_CABLE,     /* drawn by a cable */
+    TAUT_FILM_SLIDE,     /* free in `plane`: the film meets it at a right angle */
+    TAUT_FILM_POLE /* one point, free: an edge v0 or v1 of a ring along u, u0 or u1 of one along v */
 } taut_film_edge_kind;
+
+/* What goes around: a film that is closed in one direction, without corners. */
+typedef enum taut_film_ring {
+    TAUT_FILM_OPEN = 0,
+    TAUT_FILM_RING_U, /* along u: its edges u0 and u1 are one curve inside the film */
+    TAUT_FILM_RING_V  /* along v */
+} taut_film_ring;
+
+/* A plane, or a line. */
+typedef struct taut_film_guide {
+    double point[3];
+    double direction[3]; /* the normal of a plane, the direction of a line; of any length but 0 */
+} taut_film_guide;
+
+/* How a corner that is not held may move. */
+typedef enum taut_film_corner_kind {
+    TAUT_FILM_HELD = 0, /* where it is given, or where a curve ends */
+    TAUT_FILM_FREE,     /* wherever its edges draw it */
+    TAUT_FILM_ON_LINE,  /* along its guide */
+    TAUT_FILM_ON_PLANE  /* in its guide */
+} taut_film_corner_kind;
 
 /* What is given of a cable. */
 typedef enum taut_film_law {
@@ -47,20 +70,27 @@ typedef struct taut_film_edge {
     double sag;              /* above 0, below 1/2 */
     double unstressed;       /* above 0 */
     double stiffness;        /* above 0: a force, EA */
+    unsigned char has_plane; /* of a cable: it is kept in `plane`; a slide always has one */
+    unsigned char is_mirror; /* of a slide: the claim `mirror` too */
+    taut_film_guide plane;
 } taut_film_edge;
 
 /* Zero means default everywhere. */
 typedef struct taut_film_problem {
-    const char *name;            /* of the surface; NULL: "film" */
-    const taut_basis *u, *v;     /* bezier or bspline of degree 2 or more */
-    double corners[4][3];        /* u0v0, u1v0, u0v1, u1v1 */
-    unsigned char has_corner[4]; /* 0: the end of a curve of its edges */
-    taut_film_edge edges[4];     /* u0, u1 along v; v0, v1 along u */
-    double tension;              /* of the film; 0: 1 */
-    double tolerance;            /* of the claim `stationary`, from 1e-14 to 1e-3; 0: 1e-10 */
-    int max_iterations;          /* 0: 200 */
-    double equilibrium;          /* above 0: the claim of that name, below 1 */
-    int without_least;           /* nonzero: no bound is sought for the claim `least` */
+    const char *name;        /* of the surface; NULL: "film" */
+    const taut_basis *u, *v; /* bezier or bspline of degree 2 or more */
+    double corners[4][3];    /* u0v0, u1v0, u0v1, u1v1 */
+    unsigned char has_corner
+        [4]; /* 0: the end of a curve of its edges. Of a corner that moves: it starts here */
+    taut_film_edge edges[4]; /* u0, u1 along v; v0, v1 along u */
+    double tension;          /* of the film; 0: 1 */
+    double tolerance;        /* of the claim `stationary`, from 1e-14 to 1e-3; 0: 1e-10 */
+    int max_iterations;      /* 0: 200 */
+    double equilibrium;      /* above 0: the claim of that name, below 1 */
+    int without_least;       /* nonzero: no bound is sought for the claim `least` */
+    taut_film_ring ring;     /* bspline of 2 degree + 1 points or more that way, and no corners */
+    taut_film_corner_kind corner_kinds[4];
+    taut_film_guide guides[4]; /* of corners on lines and planes */
 } taut_film_problem;
 
 /* Reasons: word, meaning, remedy. */
@@ -72,6 +102,21 @@ typedef struct taut_film_problem {
       "give the corner")                                                                           \
     X("curve-ends", "a curve does not end in the corners of its edge",                             \
       "let u0 and u1 run with v, v0 and v1 with u, from corner to corner")                         \
+    X("edge-conflict", "an edge is in a seam, and held or drawn too", "leave out one of them")     \
+    X("corner-conflict",                                                                           \
+      "a corner is where a ring has none, not in the plane of its edge, or moves at the end of "   \
+      "a held edge",                                                                               \
+      "move the corner, or leave it out")                                                          \
+    X("seam-mismatch", "two edges that are not opposite ones of a patch are to be one",            \
+      "join u0 with u1, or v0 with v1")                                                            \
+    X("point-support", "a pole is held at a point, which holds no film",                           \
+      "use a ring, or cables that end there")                                                      \
+    X("no-corner", "two cables meet in a corner that is free: they draw it straight",              \
+      "hold it, or keep it on a line or in a plane")                                               \
+    X("floating", "held points, lines and planes leave a translation free", "hold a corner")       \
+    X("collapses", "the edges of a ring are too far apart: no film connects them",                 \
+      "bring them together")                                                                       \
+    X("slides-away", "the film gets smaller and smaller as an edge slides", "hold more of it")     \
     X("curve-fit", "a curve cannot be fitted to the basis of its edge",                            \
       "lower the degree, or even out the knots")                                                   \
     X("no-area", "the edges span no area, or two corners are one",                                 \

@@ -106,32 +106,57 @@ void taut_band_multiply_add(const taut_band *band, double factor, const double *
  *     u(i,j) = A(i,j) - sum_k u(i,k) L(j,k),    L(i,j) = u(i,j) / D(j),
  *     D(i)   = A(i,i) - sum_j u(i,j) L(i,j)
  * sums over the band, k < j < i. */
+/* Row i becomes that of the factors; its pivot is returned. */
+static double factor_row(const taut_band *band, int i, const taut_kernel *kernel)
+{
+    const int w = band->width, reach = i < w ? i : w;
+    double *row = taut_band_row(band, i);
+
+    for (int d = reach - 1; d >= 1; d--) {
+        const double *upper = taut_band_row(band, i - d);
+        if (kernel != NULL) {
+            row[d] -= kernel->dot((size_t)(reach - d), row + d + 1, upper + 1);
+            continue;
+        }
+        for (int e = reach; e > d; e--) {
+            row[d] -= row[e] * upper[e - d];
+        }
+    }
+    for (int d = reach; d >= 1; d--) {
+        const double u = row[d];
+        row[d] = u / taut_band_row(band, i - d)[0];
+        row[0] -= u * row[d];
+    }
+    return row[0];
+}
+
 taut_status taut_band_factor(taut_band *band)
 {
-    const int n = band->n, w = band->width;
-    const taut_kernel *kernel = w >= WIDE ? taut_kernel_best() : NULL;
+    const int n = band->n;
+    const taut_kernel *kernel = band->width >= WIDE ? taut_kernel_best() : NULL;
+
     for (int i = 0; i < n; i++) {
-        double *row = taut_band_row(band, i);
-        const double diagonal = row[0];
-        const int reach = i < w ? i : w;
-        for (int d = reach - 1; d >= 1; d--) {
-            const double *upper = taut_band_row(band, i - d);
-            if (kernel != NULL) {
-                row[d] -= kernel->dot((size_t)(reach - d), row + d + 1, upper + 1);
-                continue;
-            }
-            for (int e = reach; e > d; e--) {
-                row[d] -= row[e] * upper[e - d];
-            }
-        }
-        for (int d = reach; d >= 1; d--) {
-            const double u = row[d];
-            row[d] = u / taut_band_row(band, i - d)[0];
-            row[0] -= u * row[d];
-        }
-        if (!(row[0] > 8.0 * n * TAUT_UNIT_ROUNDOFF * diagonal)) {
+        const double diagonal = taut_band_row(band, i)[0];
+        if (!(factor_row(band, i, kernel) > 8.0 * n * TAUT_UNIT_ROUNDOFF * diagonal)) {
             return TAUT_NO_SOLUTION;
         }
+    }
+    return TAUT_OK;
+}
+
+taut_status taut_band_factor_signed(taut_band *band, int *negative)
+{
+    const int n = band->n;
+    const taut_kernel *kernel = band->width >= WIDE ? taut_kernel_best() : NULL;
+
+    *negative = 0;
+    for (int i = 0; i < n; i++) {
+        const double diagonal = taut_band_row(band, i)[0];
+        const double pivot = factor_row(band, i, kernel);
+        if (!(fabs(pivot) > 8.0 * n * TAUT_UNIT_ROUNDOFF * fabs(diagonal))) {
+            return TAUT_NO_SOLUTION;
+        }
+        *negative += pivot < 0;
     }
     return TAUT_OK;
 }

@@ -50,6 +50,11 @@ void taut_band_multiply_add(const taut_band *band, double factor, const double *
  * definite; `band` is then spoilt. Cost O(n width^2). */
 taut_status taut_band_factor(taut_band *band);
 
+/* The same for A that may have eigenvalues below 0: *negative of them (Sylvester). TAUT_NO_SOLUTION when a pivot is not
+ * safely different from 0. Without pivoting it is as exact as the least pivot lets it be: for A of which few eigenvalues are
+ * negative, and when what is made with it is judged. */
+taut_status taut_band_factor_signed(taut_band *band, int *negative);
+
 /* Solves A X = B in place; x double[n][count]; `factor` from taut_band_factor. Cost O(n width
  * count). */
 void taut_band_solve(const taut_band *factor, int count, double *x);

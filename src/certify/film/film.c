@@ -6,7 +6,10 @@
  *               parts of their ranges, proved (certify/common/curve_distance.h), over the size of
  *               the film; of several the one nearest to its limit. Limit: FIT of what a least squares fit of the certificate's own is proved to
  *               be off by (certify/plateau/fit.h), and rounding, 64 (p + q + n) 2^-53.
- *   held        largest distance of a corner from the problem's, over the size: 0.
+ *   held        largest distance of a corner from the problem's, over the size: 0. Where points are kept on planes or lines,
+ *               the largest distance of one from them too, and then the limit is 64 2^-53.
+ *   seams       of a film that goes around: the largest difference of two coordinates that are one: 0.
+ *   mirror      of edges in mirrors: largest distance of a point from the plane, over the size. Limit 64 2^-53.
  *   cables      how many numbers of the curves differ from the edges they are: 0.
  *   length      of cables of given length: the largest |L - given| / given, by the quadrature of
  *               `stationary`. Limit 1e-10.
@@ -45,7 +48,7 @@
 enum { GRID = 101 /* as taut_measure_surface */, FIT = 2, RULES = 6, SECOND_EXTRA = 1 };
 static const int extra_nodes[RULES] = {4, 8, 15, 27, 48, 76};
 static const double tolerance_default = 1e-10, largest_limit = 1e-6, stable_limit = 1e-6,
-                    length_limit = 1e-10;
+                    length_limit = 1e-10, kept_limit = 0x1p-47; /* 64 2^-53 */
 static const char *const edge_names[4] = {"u0", "u1", "v0", "v1"};
 static const char *const corner_names[4] = {"u0v0", "u1v0", "u0v1", "u1v1"};
 
@@ -200,7 +203,8 @@ static taut_status add_boundary(const request *r, taut_certificate *certificate,
     boundary b = {.worst = 0};
 
     for (int e = 0; e < 4; e++) {
-        if (r->problem->edges[e].kind == TAUT_FILM_FIXED) {
+        if (r->problem->edges[e].kind == TAUT_FILM_FIXED &&
+            taut_film_sheet_has_edge(r->problem, e)) {
             const taut_status status = check_edge(r, e, &b, error);
             if (status != TAUT_OK) {
                 return status;
@@ -222,22 +226,101 @@ static taut_status add_boundary(const request *r, taut_certificate *certificate,
     return taut_certificate_add(certificate, &claim) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 }
 
-/* Where a corner has to be, if the problem says so itself. */
+/* How far point (i, j) is from what guide it is kept on, over the size. */
+static double away_from(const request *r, int i, int j, const taut_film_guide *guide, int is_line)
+{
+    const double *x = taut_surface_points(r->surface) + 3 * ((size_t)i * (size_t)r->nv + (size_t)j);
+    double from[3], across[3];
+
+    taut_difference(x, guide->point, from);
+    taut_cross(from, guide->direction, across);
+    const double away = is_line ? taut_norm(across) : fabs(taut_dot(from, guide->direction));
+    return away / taut_norm(guide->direction) / (2 * r->half);
+}
+
+/* The farthest that a point of edge e is from its plane, over the size. */
+static double leave_plane(const request *r, int e)
+{
+    double largest = 0;
+
+    for (int k = 0; k < (e < 2 ? r->nv : r->nu); k++) {
+        const int i = e < 2 ? (e == 1 ? r->nu - 1 : 0) : k, j = e < 2 ? k : e == 3 ? r->nv - 1 : 0;
+        largest = taut_certify_max(largest, away_from(r, i, j, &r->problem->edges[e].plane, 0));
+    }
+    return largest;
+}
+
+/* The farther of two, and where. */
+static void take_farther(double away, const char *where, taut_claim *claim)
+{
+    if (!(away <= claim->residual)) {
+        claim->residual = away;
+        claim->where = where;
+    }
+}
+
+/* Where corners, lines and planes have to be. */
 static taut_status add_held(const request *r, taut_certificate *certificate)
 {
     taut_claim claim = {.claim = "held", .kind = TAUT_EXACT, .holds = TAUT_TRUE, .where = ""};
 
     for (int c = 0; c < 4; c++) {
-        const double apart = r->problem->has_corner[c]
-                                 ? taut_distance(corner_point(r, c), r->problem->corners[c])
-                                 : 0;
-        if (!(apart / (2 * r->half) <= claim.residual)) {
-            claim.residual = apart / (2 * r->half);
-            claim.where = corner_names[c];
+        const taut_film_corner_kind kind = r->problem->corner_kinds[c];
+        const int is_held = kind == TAUT_FILM_HELD;
+        if (is_held && r->problem->has_corner[c]) {
+            take_farther(taut_distance(corner_point(r, c), r->problem->corners[c]) / (2 * r->half),
+                         corner_names[c], &claim);
+        }
+        if (kind == TAUT_FILM_ON_LINE || kind == TAUT_FILM_ON_PLANE) {
+            claim.limit = kept_limit;
+            take_farther(away_from(r, c % 2 * (r->nu - 1), c / 2 * (r->nv - 1),
+                                   &r->problem->guides[c], kind == TAUT_FILM_ON_LINE),
+                         corner_names[c], &claim);
+        }
+    }
+    for (int e = 0; e < 4; e++) {
+        if (taut_film_sheet_in_plane(&r->problem->edges[e])) {
+            claim.limit = kept_limit;
+            take_farther(leave_plane(r, e), edge_names[e], &claim);
+        }
+    }
+    claim.holds = taut_certify_below(claim.residual, claim.limit);
+    return taut_certificate_add(certificate, &claim);
+}
+
+/* The first and the last row of a net that goes around are one. */
+static taut_status add_seams(const request *r, taut_certificate *certificate)
+{
+    const int along_u = r->problem->ring == TAUT_FILM_RING_U;
+    const double *points = taut_surface_points(r->surface);
+    taut_claim claim = {.claim = "seams", .kind = TAUT_EXACT, .where = ""};
+
+    for (int k = 0; k < (along_u ? r->nv : r->nu); k++) {
+        const size_t nv = (size_t)r->nv, last_u = (size_t)r->nu - 1;
+        const double *a = points + 3 * (along_u ? (size_t)k : (size_t)k * nv);
+        const double *b =
+            points + 3 * (along_u ? last_u * nv + (size_t)k : (size_t)k * nv + nv - 1);
+        for (int c = 0; c < 3; c++) {
+            claim.residual = taut_certify_max(claim.residual, fabs(a[c] - b[c]));
         }
     }
     claim.holds = taut_certify_below(claim.residual, 0);
-    return taut_certificate_add(certificate, &claim);
+    return r->problem->ring != TAUT_FILM_OPEN ? taut_certificate_add(certificate, &claim) : TAUT_OK;
+}
+
+static taut_status add_mirror(const request *r, taut_certificate *certificate)
+{
+    taut_claim claim = {.claim = "mirror", .kind = TAUT_EXACT, .limit = kept_limit, .where = ""};
+    int count = 0;
+
+    for (int e = 0; e < 4; e++) {
+        if (r->problem->edges[e].kind == TAUT_FILM_SLIDE && r->problem->edges[e].is_mirror) {
+            take_farther(leave_plane(r, e), edge_names[e], &claim);
+            count++;
+        }
+    }
+    claim.holds = taut_certify_below(claim.residual, claim.limit);
+    return count > 0 ? taut_certificate_add(certificate, &claim) : TAUT_OK;
 }
 
 /* How many coordinates of a curve are not those of its edge; all, where its basis is another. */
@@ -325,19 +408,21 @@ static void scale_gradient(const taut_film_sheet *sheet, double largest, double 
 static double largest_free(const taut_film_sheet *sheet, const double *gradient, int *point)
 {
     double largest = 0;
-    for (int i = 0; i < sheet->nu; i++) {
-        for (int j = 0; j < sheet->nv; j++) {
-            const int on_u = i == 0 ? 0 : i == sheet->nu - 1 ? 1 : -1;
-            const int on_v = j == 0 ? 2 : j == sheet->nv - 1 ? 3 : -1;
-            const int free = on_u < 0 && on_v < 0 ? 1
-                             : on_u >= 0 && on_v >= 0
-                                 ? 0
-                                 : taut_film_sheet_is_cable(sheet, on_u >= 0 ? on_u : on_v);
-            const double size = taut_largest_coordinate(gradient + 3 * (i * sheet->nv + j));
-            if (free && !(size <= largest) && !isnan(largest)) {
-                largest = size;
-                *point = i * sheet->nv + j;
-            }
+    for (int at = 0; at < sheet->nu * sheet->nv; at++) {
+        double g[3], normals[3][3];
+        int e = -1;
+        if (taut_film_sheet_way(sheet, at / sheet->nv, at % sheet->nv, &e) == TAUT_FILM_STILL) {
+            continue;
+        }
+        const int count = taut_film_sheet_normals(sheet, at / sheet->nv, at % sheet->nv, normals);
+        memcpy(g, gradient + 3 * at, sizeof g);
+        for (int n = 0; n < count; n++) {
+            taut_add_scaled(-taut_dot(g, normals[n]), normals[n], g);
+        }
+        const double size = taut_largest_coordinate(g);
+        if (!(size <= largest) && !isnan(largest)) {
+            largest = size;
+            *point = at;
         }
     }
     return largest;
@@ -595,6 +680,15 @@ static taut_status add_equilibrium(const request *r, double largest, taut_certif
     return r->problem->equilibrium > 0 ? taut_certificate_add(certificate, &claim) : TAUT_OK;
 }
 
+static int has_slide(const taut_film_problem *problem)
+{
+    int has = 0;
+    for (int e = 0; e < 4; e++) {
+        has = has || problem->edges[e].kind == TAUT_FILM_SLIDE;
+    }
+    return has;
+}
+
 static taut_status fill_figures(const request *r, const finding *found, taut_arena *arena,
                                 taut_record *figures, taut_certificate *certificate)
 {
@@ -617,11 +711,16 @@ static taut_status fill_figures(const request *r, const finding *found, taut_are
     taut_record_add_number(figures, "mean_curvature", mean);
     taut_record_add_number(figures, "cable_geodesic", defects.geodesic);
     taut_record_add_number(figures, "cable_normal", defects.normal);
+    if (has_slide(r->problem)) {
+        taut_record_add_number(figures, "slide_angle", defects.slide);
+    }
     if (status != TAUT_OK) {
         return status;
     }
-    status = add_equilibrium(
-        r, taut_certify_max(mean, taut_certify_max(defects.geodesic, defects.normal)), certificate);
+    status = add_equilibrium(r,
+                             taut_certify_max(taut_certify_max(mean, defects.slide),
+                                              taut_certify_max(defects.geodesic, defects.normal)),
+                             certificate);
     return status == TAUT_OK ? taut_record_status(figures) : status;
 }
 
@@ -644,6 +743,12 @@ static taut_status prove(const request *r, taut_certificate *certificate)
     finding found = {.lowest = NAN, .relative = NAN, .below = -1};
     taut_status status = add_held(r, certificate);
 
+    if (status == TAUT_OK) {
+        status = add_seams(r, certificate);
+    }
+    if (status == TAUT_OK) {
+        status = add_mirror(r, certificate);
+    }
     if (status == TAUT_OK) {
         status = add_cables(r, certificate);
     }

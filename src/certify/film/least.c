@@ -97,8 +97,15 @@ const char *taut_film_least(const taut_film_sheet *sheet, const double given[4],
     double sum = 0, sizes = 0;
     polygon p;
 
+    if (sheet->problem->ring != TAUT_FILM_OPEN) {
+        return "ring: the bound is one of films with four corners";
+    }
     for (int e = 0; e < 4; e++) {
         const taut_curve *curve = sheet->problem->edges[e].curve;
+        if (sheet->problem->edges[e].kind == TAUT_FILM_SLIDE ||
+            sheet->problem->corner_kinds[e] != TAUT_FILM_HELD) {
+            return "moving: the bound is one of corners that are held, and of no slides";
+        }
         if (curve != NULL && taut_basis_count(taut_curve_t(curve)) > 2) { /* two points: a line */
             return "curved: the bound is one of straight edges and cables";
         }

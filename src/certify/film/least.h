@@ -10,7 +10,7 @@
  *
  *     s A + sum T L  >=  s (polygon's area) + sum s R^2 (a + sin a cos a),    a = asin(c / (2 R))
  *
- * An elastic cable stores C(L) >= C(L*) + T (L - L*), L* its length under the force T, whatever T is;
+ * Cables that are kept in planes have fewer rivals, and the bound stays one. An elastic cable stores C(L) >= C(L*) + T (L - L*), L* its length under the force T, whatever T is;
  * of a given length T L is known. Nothing is used of the construction's, and of the film only the
  * forces of cables that have none of their own, for which any will do.
  */

@@ -61,19 +61,57 @@ static const taut_basis *basis_of(const taut_film_sheet *sheet, int e)
     return e < 2 ? taut_surface_v(sheet->surface) : taut_surface_u(sheet->surface);
 }
 
+/* What lies in the plane of an edge. */
+static void into_plane(const taut_film_edge *edge, double x[3])
+{
+    const double *n = edge->plane.direction, size = taut_norm(n);
+    const double unit[3] = {n[0] / size, n[1] / size, n[2] / size};
+    taut_add_scaled(-taut_dot(unit, x), unit, x);
+}
+
+/* |r c'' - (nu - (nu.N) N)|: c'' along arc length. */
+static double pull_in_plane(const taut_film_edge *edge, const spot *s, double r)
+{
+    const double square = s->speed * s->speed, along = taut_dot(s->dd, s->d) / square;
+    double out[3] = {s->out[0], s->out[1], s->out[2]};
+
+    into_plane(edge, out);
+    for (int c = 0; c < 3; c++) {
+        out[c] = r * (s->dd[c] - along * s->d[c]) / square - out[c];
+    }
+    return taut_length(out);
+}
+
+static void add_defects(const taut_film_sheet *sheet, int e, const spot *s,
+                        taut_film_defects *found)
+{
+    const taut_film_edge *edge = &sheet->problem->edges[e];
+    const double square = s->speed * s->speed, r = sheet->ratios[e];
+
+    if (edge->kind == TAUT_FILM_SLIDE) {
+        double out[3] = {s->out[0], s->out[1], s->out[2]};
+        into_plane(edge, out);
+        found->slide = taut_certify_max(found->slide, taut_length(out));
+    } else if (taut_film_sheet_in_plane(edge)) {
+        found->geodesic = taut_certify_max(found->geodesic, pull_in_plane(edge, s, r));
+    } else if (taut_film_sheet_is_cable(sheet, e)) {
+        found->geodesic =
+            taut_certify_max(found->geodesic, fabs(r * taut_dot(s->dd, s->out) / square - 1));
+        found->normal =
+            taut_certify_max(found->normal, fabs(r * taut_dot(s->dd, s->normal) / square));
+    }
+}
+
 taut_film_defects taut_film_defects_of(const taut_film_sheet *sheet)
 {
-    taut_film_defects found = {0, 0};
+    taut_film_defects found = {0, 0, 0};
 
     for (int e = 0; e < 4; e++) {
-        for (int k = 0; k < GRID && taut_film_sheet_is_cable(sheet, e); k++) {
+        const taut_film_edge_kind kind = sheet->problem->edges[e].kind;
+        for (int k = 0; k < GRID && (kind == TAUT_FILM_CABLE || kind == TAUT_FILM_SLIDE); k++) {
             spot s;
             look(sheet, e, parameter(basis_of(sheet, e), k), &s);
-            const double square = s.speed * s.speed, r = sheet->ratios[e];
-            found.geodesic =
-                taut_certify_max(found.geodesic, fabs(r * taut_dot(s.dd, s.out) / square - 1));
-            found.normal =
-                taut_certify_max(found.normal, fabs(r * taut_dot(s.dd, s.normal) / square));
+            add_defects(sheet, e, &s, &found);
         }
     }
     return found;
@@ -99,15 +137,39 @@ double taut_film_sag(const taut_film_sheet *sheet, int e)
     return largest;
 }
 
-/* sum += int nu ds over a held edge, in scaled lengths; *size that of int ds. */
+/* sum -= int nu ds over an edge, in scaled lengths, of one in a plane what lies across it; *size that of int ds. */
 static void add_held(const taut_film_sheet *sheet, int e, double sum[3], double *size)
 {
     const taut_film_nodes *nodes = e < 2 ? &sheet->v : &sheet->u;
+    const taut_film_edge *edge = &sheet->problem->edges[e];
     for (int k = 0; k < nodes->table->count; k++) {
         spot s;
+        double in[3] = {0, 0, 0};
         look(sheet, e, nodes->at[k], &s);
-        taut_add_scaled(-nodes->weights[k] * s.speed, s.out, sum);
+        if (taut_film_sheet_in_plane(edge)) {
+            memcpy(in, s.out, sizeof in);
+            into_plane(edge, in);
+        }
+        for (int c = 0; c < 3; c++) {
+            sum[c] -= nodes->weights[k] * s.speed * (s.out[c] - in[c]);
+        }
         *size += nodes->weights[k] * s.speed;
+    }
+}
+
+/* Its ends pull at corners, where they are held. */
+static void add_ends(const taut_film_sheet *sheet, int e, double forces[4][3], unsigned char has[4],
+                     double sum[3], double *size)
+{
+    for (int end = 0; end < 2; end++) {
+        const int corner = e < 2 ? e + 2 * end : end + 2 * (e - 2);
+        const double sign = end == 0 ? 1 : -1, r = sheet->ratios[e];
+        spot s;
+        look(sheet, e, parameter(basis_of(sheet, e), end * (GRID - 1)), &s);
+        has[corner] = sheet->problem->corner_kinds[corner] == TAUT_FILM_HELD;
+        taut_add_scaled(sign * sheet->forces[e] / s.speed, s.d, forces[corner]);
+        taut_add_scaled(sign * r / s.speed, s.d, sum);
+        *size += r;
     }
 }
 
@@ -119,19 +181,15 @@ void taut_film_reactions(const taut_film_sheet *sheet, double forces[4][3], unsi
     memset(forces, 0, 12 * sizeof(double));
     memset(has, 0, 4);
     for (int e = 0; e < 4; e++) {
-        if (!taut_film_sheet_is_cable(sheet, e)) {
-            add_held(sheet, e, sum, &size);
+        const taut_film_edge *edge = &sheet->problem->edges[e];
+        if (!taut_film_sheet_has_edge(sheet->problem, e) || edge->kind == TAUT_FILM_POLE) {
             continue;
         }
-        for (int end = 0; end < 2; end++) {
-            const int corner = e < 2 ? e + 2 * end : end + 2 * (e - 2);
-            const double sign = end == 0 ? 1 : -1, r = sheet->ratios[e];
-            spot s;
-            look(sheet, e, parameter(basis_of(sheet, e), end * (GRID - 1)), &s);
-            has[corner] = 1;
-            taut_add_scaled(sign * sheet->forces[e] / s.speed, s.d, forces[corner]);
-            taut_add_scaled(sign * r / s.speed, s.d, sum);
-            size += r;
+        if (!taut_film_sheet_is_cable(sheet, e) || taut_film_sheet_in_plane(edge)) {
+            add_held(sheet, e, sum, &size);
+        }
+        if (taut_film_sheet_is_cable(sheet, e) && sheet->problem->ring == TAUT_FILM_OPEN) {
+            add_ends(sheet, e, forces, has, sum, &size);
         }
     }
     *balance = size > 0 ? taut_length(sum) / size : 0; /* forces that vanish beside the tension */

@@ -8,10 +8,12 @@
 
 #include "certify/film/sheet.h"
 
-/* Largest over places of a uniform grid on every cable, its ends too. */
+/* Largest over places of a uniform grid on every cable and slide, its ends too. */
 typedef struct taut_film_defects {
-    double geodesic; /* |k_g T / s - 1| */
-    double normal;   /* |k_n| T / s */
+    double
+        geodesic; /* |k_g T / s - 1|; of a cable in a plane of normal N |T c'' - s (nu - (nu.N) N)| / s */
+    double normal; /* |k_n| T / s; of cables in planes none */
+    double slide;  /* |nu - (nu.N) N| */
 } taut_film_defects;
 
 taut_film_defects taut_film_defects_of(const taut_film_sheet *sheet);
@@ -20,8 +22,8 @@ taut_film_defects taut_film_defects_of(const taut_film_sheet *sheet);
 double taut_film_sag(const taut_film_sheet *sheet, int e);
 
 /* forces[c]: what the cables that end in corner c pull it with, in the user's unit; has[c]: is it
- * the end of one? *balance: |sum of these and of s nu over the held edges| over the sum of their
- * sizes, 0 where all is in balance. */
+ * the end of one, and held? *balance: |sum of these, of s nu over the held edges and of what planes take of it| over the
+ * sum of their sizes, 0 where all is in balance. */
 void taut_film_reactions(const taut_film_sheet *sheet, double forces[4][3], unsigned char has[4],
                          double *balance);
 

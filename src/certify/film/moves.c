@@ -18,14 +18,6 @@ static void make_unit(double x[3])
     }
 }
 
-/* The edge of a point that is no corner, -1 inside, -2 at a corner. */
-static int edge_of(const taut_film_sheet *sheet, int i, int j)
-{
-    const int on_u = i == 0 ? 0 : i == sheet->nu - 1 ? 1 : -1;
-    const int on_v = j == 0 ? 2 : j == sheet->nv - 1 ? 3 : -1;
-    return on_u >= 0 && on_v >= 0 ? -2 : on_u >= 0 ? on_u : on_v;
-}
-
 static void add_move(taut_film_moves *moves, int point, const double direction[3])
 {
     if (taut_dot(direction, direction) > 0.5) { /* unit, or none */
@@ -35,11 +27,18 @@ static void add_move(taut_film_moves *moves, int point, const double direction[3
     }
 }
 
-static void add_across(taut_film_moves *moves, int point, const double t[3])
+/* The moves across a tangent, in the plane of a normal where there is one. */
+static void add_across(taut_film_moves *moves, int point, const double t[3], const double *normal)
 {
     const double x = fabs(t[0]), y = fabs(t[1]), z = fabs(t[2]);
     double axis[3] = {0, 0, 0}, p[3], q[3];
 
+    if (normal != NULL) {
+        taut_cross(normal, t, p);
+        make_unit(p);
+        add_move(moves, point, p);
+        return;
+    }
     axis[x <= y && x <= z ? 0 : y <= z ? 1 : 2] = 1; /* least along the tangent */
     taut_cross(t, axis, p);
     make_unit(p);
@@ -48,31 +47,62 @@ static void add_across(taut_film_moves *moves, int point, const double t[3])
     add_move(moves, point, q);
 }
 
+/* All moves that leave the planes of the normals. */
+static void add_free(taut_film_moves *moves, int point, double normals[3][3], int count)
+{
+    for (int k = 0; count < 3 && k < 3; k++) {
+        double x[3] = {k == 0, k == 1, k == 2};
+        for (int n = 0; n < count; n++) {
+            taut_add_scaled(-taut_dot(x, normals[n]), normals[n], x);
+        }
+        if (taut_norm(x) > 0.5) { /* one of the axes is that far from every plane */
+            make_unit(x);
+            add_move(moves, point, x);
+            memcpy(normals[count++], x, sizeof x);
+        }
+    }
+}
+
+static void add_moves(const taut_film_sheet *sheet, const double *moments, int i, int j,
+                      taut_film_moves *moves)
+{
+    const int at = i * sheet->nv + j;
+    double x[3], normals[3][3];
+    int e = -1;
+    const taut_film_way way = taut_film_sheet_way(sheet, i, j, &e);
+
+    if (way == TAUT_FILM_STILL) {
+        return;
+    }
+    const int count = taut_film_sheet_normals(sheet, i, j, normals);
+    if (way == TAUT_FILM_INSIDE) {
+        memcpy(x, moments + 3 * at, sizeof x);
+        make_unit(x);
+        add_move(moves, at, x);
+    } else if (way == TAUT_FILM_ALONG) {
+        taut_film_sheet_tangent(sheet, e, e < 2 ? j : i, x);
+        add_across(moves, at, x, count > 0 ? normals[0] : NULL);
+    } else {
+        add_free(moves, at, normals, count);
+    }
+}
+
 taut_status taut_film_moves_new(const taut_film_sheet *sheet, const double *moments,
                                 taut_film_moves *moves)
 {
     const size_t points = (size_t)sheet->nu * (size_t)sheet->nv;
 
     *moves = (taut_film_moves){.count = 0};
-    moves->point = taut_arena_take(sheet->arena, 2 * points, sizeof(int));
-    moves->direction = taut_arena_take(sheet->arena, 2 * points, 3 * sizeof(double));
+    moves->point = taut_arena_take(sheet->arena, 2 * points + 4, sizeof(int));
+    moves->direction = taut_arena_take(sheet->arena, 2 * points + 4, 3 * sizeof(double));
     moves->first = taut_arena_take(sheet->arena, points + 1, sizeof(int));
     if (taut_arena_status(sheet->arena) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
     for (int i = 0; i < sheet->nu; i++) {
         for (int j = 0; j < sheet->nv; j++) {
-            const int at = i * sheet->nv + j, e = edge_of(sheet, i, j);
-            double x[3];
-            moves->first[at] = moves->count;
-            if (e == -1) {
-                memcpy(x, moments + 3 * at, sizeof x);
-                make_unit(x);
-                add_move(moves, at, x);
-            } else if (e >= 0 && taut_film_sheet_is_cable(sheet, e)) {
-                taut_film_sheet_tangent(sheet, e, e < 2 ? j : i, x);
-                add_across(moves, at, x);
-            }
+            moves->first[i * sheet->nv + j] = moves->count;
+            add_moves(sheet, moments, i, j, moves);
         }
     }
     moves->first[points] = moves->count;
@@ -122,6 +152,24 @@ typedef struct pencil {
     double small[4][4]; /* D - G^T K^-1 G as L D L^T: below the diagonal L, on it D */
 } pencil;
 
+/* The moves that are alive together begin no later than the first of them. */
+static void begin_rows(const taut_film_sheet *sheet, const taut_film_moves *moves, int i, int j,
+                       int *begin)
+{
+    const int local_v = sheet->v.table->local, count = sheet->u.table->local * local_v;
+    int least = moves->count;
+
+    for (int round = 0; round < 2; round++) {
+        for (int p = 0; p < count; p++) {
+            const int point = taut_film_sheet_owner(sheet, i + p / local_v, j + p % local_v);
+            for (int k = moves->first[point]; k < moves->first[point + 1]; k++) {
+                least = k < least ? k : least;
+                begin[k] = round == 1 && least < begin[k] ? least : begin[k];
+            }
+        }
+    }
+}
+
 static taut_status make_pencil(const taut_film_sheet *sheet, const taut_film_moves *moves,
                                pencil *p)
 {
@@ -135,11 +183,14 @@ static taut_status make_pencil(const taut_film_sheet *sheet, const taut_film_mov
     }
     p->shape = (profile){.count = moves->count, .begin = begin, .at = at};
     for (int k = 0; k < moves->count; k++) {
-        const int i = moves->point[k] / sheet->nv, j = moves->point[k] % sheet->nv;
-        const int least_i = i - u->local + 1 > 0 ? i - u->local + 1 : 0;
-        const int least_j = j - v->local + 1 > 0 ? j - v->local + 1 : 0;
-        begin[k] = moves->first[least_i * sheet->nv + least_j];
-        begin[k] = begin[k] > k ? k : begin[k];
+        begin[k] = k;
+    }
+    for (int a = 0; a < u->count; a++) {
+        for (int b = 0; b < v->count; b++) {
+            begin_rows(sheet, moves, u->first[a], v->first[b], begin);
+        }
+    }
+    for (int k = 0; k < moves->count; k++) {
         at[k] = p->shape.size;
         p->shape.size += (size_t)(k - begin[k] + 1);
     }
@@ -149,8 +200,10 @@ static taut_status make_pencil(const taut_film_sheet *sheet, const taut_film_mov
     return taut_arena_status(arena);
 }
 
-static size_t entry(const profile *shape, int i, int j)
+/* Of the lower triangle: either order will do. */
+static size_t entry(const profile *shape, int a, int b)
 {
+    const int i = a > b ? a : b, j = a > b ? b : a;
     return shape->at[i] + (size_t)(j - shape->begin[i]);
 }
 
@@ -165,11 +218,11 @@ typedef struct moved {
 static int gather(const taut_film_sheet *sheet, const taut_film_moves *moves, int a, int b,
                   const double n[3], moved *list)
 {
-    const taut_table *u = sheet->u.table, *v = sheet->v.table;
+    const taut_table *u = sheet->u.moves, *v = sheet->v.moves;
     int count = 0;
     for (int i = 0; i < u->local; i++) {
         for (int j = 0; j < v->local; j++) {
-            const int point = (u->first[a] + i) * sheet->nv + v->first[b] + j;
+            const int point = taut_film_sheet_owner(sheet, u->first[a] + i, v->first[b] + j);
             const double nu = taut_table_row(u, a, 0)[i], du = taut_table_row(u, a, 1)[i];
             const double nv = taut_table_row(v, b, 0)[j], dv = taut_table_row(v, b, 1)[j];
             for (int k = moves->first[point]; k < moves->first[point + 1]; k++) {
@@ -201,44 +254,51 @@ static void add_place(pencil *p, const taut_film_place *place, const double n[3]
             const double turn = place->weight * taut_det(s->direction, o->direction, n) *
                                 (s->u * o->v - o->u * s->v);
             const size_t at = entry(&p->shape, s->index, o->index);
-            p->k[at] += o->along * (along_u * o->u + along_v * o->v) + turn;
-            p->m[at] += mass * s->along * s->value * o->along * o->value;
+            const double times = x != y && s->index == o->index ? 2 : 1; /* of a pole */
+            p->k[at] += times * (o->along * (along_u * o->u + along_v * o->v) + turn);
+            p->m[at] += times * mass * s->along * s->value * o->along * o->value;
         }
     }
 }
 
-/* Across the cable of edge e. */
-static void add_cable(const taut_film_sheet *sheet, const taut_film_moves *moves, int e,
-                      double size, pencil *p)
+/* What moves k and o of a line weigh together at a node: functions x and y there. */
+static void add_line_pair(const taut_film_sheet *sheet, int e, int node, const double t[3],
+                          double speed, double size, const taut_film_moves *moves, int x, int k,
+                          int y, int o, pencil *p)
 {
     const taut_film_nodes *nodes = e < 2 ? &sheet->v : &sheet->u;
-    const taut_table *table = nodes->table;
-    size_t first = 0, step = 0;
-    int count = 0;
+    const double *n = taut_table_row(nodes->moves, node, 0);
+    const double *slope = taut_table_row(nodes->moves, node, 1), weight = nodes->weights[node];
+    const double *s = moves->direction + 3 * k, *d = moves->direction + 3 * o;
+    const double across = taut_dot(s, d) - taut_dot(s, t) * taut_dot(d, t);
+    const size_t at = entry(&p->shape, k, o);
 
-    taut_film_sheet_edge(sheet, e, &first, &step, &count);
+    p->k[at] += sheet->ratios[e] * weight / speed * slope[x] * slope[y] * across;
+    p->m[at] += size * weight * speed * n[x] * n[y] * across;
+}
+
+/* Across the cable or the slide of edge e. */
+static void add_line(const taut_film_sheet *sheet, const taut_film_moves *moves, int e, double size,
+                     pencil *p)
+{
+    const taut_film_nodes *nodes = e < 2 ? &sheet->v : &sheet->u;
+    const taut_table *table = nodes->moves;
+
     for (int node = 0; node < table->count; node++) {
         double t[3];
         taut_film_sheet_slope(sheet, e, node, t);
-        const double speed = taut_length(t), weight = nodes->weights[node];
+        const double speed = taut_length(t);
         for (int c = 0; c < 3; c++) {
             t[c] /= speed;
         }
         for (int x = 0; x < table->local; x++) {
-            const size_t px = first + (size_t)(table->first[node] + x) * step;
-            for (int k = moves->first[px]; k < moves->first[px + 1]; k++) {
-                const double *s = moves->direction + 3 * k, s_t = taut_dot(s, t);
-                for (int y = 0; y <= x; y++) {
-                    const size_t py = first + (size_t)(table->first[node] + y) * step;
-                    for (int o = moves->first[py]; o < moves->first[py + 1] && o <= k; o++) {
-                        const double *d = moves->direction + 3 * o;
-                        const double across = taut_dot(s, d) - s_t * taut_dot(d, t);
-                        const size_t at = entry(&p->shape, k, o);
-                        const double *n = taut_table_row(table, node, 0);
-                        const double *slope = taut_table_row(table, node, 1);
-                        p->k[at] +=
-                            sheet->ratios[e] * weight / speed * slope[x] * slope[y] * across;
-                        p->m[at] += size * weight * speed * n[x] * n[y] * across;
+            const int px = taut_film_sheet_on_edge(sheet, e, table->first[node] + x);
+            for (int y = 0; y <= x; y++) {
+                const int py = taut_film_sheet_on_edge(sheet, e, table->first[node] + y);
+                for (int k = moves->first[px]; k < moves->first[px + 1]; k++) {
+                    const int end = y == x ? k + 1 : moves->first[py + 1];
+                    for (int o = moves->first[py]; o < end; o++) {
+                        add_line_pair(sheet, e, node, t, speed, size, moves, x, k, y, o, p);
                     }
                 }
             }
@@ -251,13 +311,11 @@ static taut_status add_condition(const taut_film_sheet *sheet, const taut_film_m
                                  pencil *p)
 {
     const taut_film_law law = sheet->problem->edges[e].law;
-    size_t first = 0, step = 0;
-    int count = 0;
+    const int count = e < 2 ? sheet->nv : sheet->nu;
 
     if (law == TAUT_FILM_FORCE) {
         return TAUT_OK;
     }
-    taut_film_sheet_edge(sheet, e, &first, &step, &count);
     double *pull = taut_arena_take(sheet->arena, (size_t)count, 3 * sizeof(double));
     condition *c = &p->conditions[p->condition_count++];
     c->g = taut_arena_take(sheet->arena, (size_t)moves->count, sizeof(double));
@@ -268,9 +326,9 @@ static taut_status add_condition(const taut_film_sheet *sheet, const taut_film_m
     }
     taut_film_sheet_pull(sheet, e, pull);
     for (int i = 0; i < count; i++) {
-        const size_t at = first + (size_t)i * step;
+        const int at = taut_film_sheet_on_edge(sheet, e, i);
         for (int k = moves->first[at]; k < moves->first[at + 1]; k++) {
-            c->g[k] = taut_dot(pull + 3 * i, moves->direction + 3 * k);
+            c->g[k] += taut_dot(pull + 3 * i, moves->direction + 3 * k);
         }
     }
     return TAUT_OK;
@@ -279,7 +337,7 @@ static taut_status add_condition(const taut_film_sheet *sheet, const taut_film_m
 static taut_status fill_pencil(const taut_film_sheet *sheet, const taut_film_moves *moves,
                                double size, pencil *p)
 {
-    const size_t most = 2 * (size_t)sheet->u.table->local * (size_t)sheet->v.table->local;
+    const size_t most = 2 * (size_t)sheet->u.table->local * (size_t)sheet->v.table->local + 4;
     moved *list = taut_arena_take(sheet->arena, most, sizeof *list);
 
     if (list == NULL) {
@@ -297,8 +355,11 @@ static taut_status fill_pencil(const taut_film_sheet *sheet, const taut_film_mov
         }
     }
     for (int e = 0; e < 4; e++) {
+        if (sheet->problem->edges[e].kind == TAUT_FILM_SLIDE) {
+            add_line(sheet, moves, e, size, p);
+        }
         if (taut_film_sheet_is_cable(sheet, e)) {
-            add_cable(sheet, moves, e, size, p);
+            add_line(sheet, moves, e, size, p);
             if (add_condition(sheet, moves, e, p) != TAUT_OK) {
                 return TAUT_NO_MEMORY;
             }

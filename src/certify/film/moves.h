@@ -2,8 +2,10 @@
  *
  * Area does not see moves within the surface. What it sees of a net are
  *
- *     a point inside      one move, along n_a = iint N_a x_u x x_v du dv
- *     a point of a cable  two, across the tangent at the Greville abscissa of its function
+ *     a point inside      one move, along n_a = iint N_a x_u x x_v du dv; a pole too
+ *     a point of a cable  two, across the tangent at the Greville abscissa of its function; one where the
+ *     or a slide          edge is kept in a plane
+ *     a corner            all that its line or its planes leave, where it is not held
  *
  * On them, with a = n . d_u, b = n . d_v, in units of the film's tension (docs/film.md):
  *

@@ -37,8 +37,154 @@ static taut_status make_nodes(const taut_basis *basis, int extra, taut_arena *ar
     if (status != TAUT_OK || !taut_keep_table(arena, table)) {
         return TAUT_NO_MEMORY;
     }
-    nodes->table = table;
+    nodes->table = nodes->moves = table;
     return TAUT_OK;
+}
+
+/* The functions of a direction that goes around. */
+static taut_status open_nodes(const taut_basis *basis, taut_arena *arena, taut_film_nodes *nodes)
+{
+    const taut_table *table = nodes->table;
+    taut_loop loop;
+    taut_table *moves = NULL;
+
+    if (taut_loop_new(basis, arena, &loop) != TAUT_OK ||
+        taut_table_new(basis, table->count, nodes->at, NULL, 1, &moves) != TAUT_OK ||
+        !taut_keep_table(arena, moves)) {
+        return TAUT_NO_MEMORY;
+    }
+    for (int k = 0; k < table->count; k++) {
+        moves->first[k] = table->first[k];
+        for (int order = 0; order <= 1; order++) {
+            double *row = moves->values + ((size_t)k * 2 + (size_t)order) * (size_t)moves->local;
+            memcpy(row, taut_table_row(table, k, order), (size_t)moves->local * sizeof(double));
+            taut_loop_open(&loop, moves->first[k], row);
+        }
+    }
+    nodes->moves = moves;
+    nodes->period = loop.period;
+    return TAUT_OK;
+}
+
+/* ---- who moves ---- */
+
+int taut_film_sheet_owner(const taut_film_sheet *sheet, int i, int j)
+{
+    const taut_film_ring ring = sheet->problem->ring;
+
+    i = sheet->u.period > 0 ? i % sheet->u.period : i;
+    j = sheet->v.period > 0 ? j % sheet->v.period : j;
+    const int at_edge = ring == TAUT_FILM_RING_U ? (j == 0               ? 2
+                                                    : j == sheet->nv - 1 ? 3
+                                                                         : -1)
+                                                 : (i == 0               ? 0
+                                                    : i == sheet->nu - 1 ? 1
+                                                                         : -1);
+    if (ring != TAUT_FILM_OPEN && at_edge >= 0 &&
+        sheet->problem->edges[at_edge].kind == TAUT_FILM_POLE) {
+        i = ring == TAUT_FILM_RING_U ? 0 : i;
+        j = ring == TAUT_FILM_RING_V ? 0 : j;
+    }
+    return i * sheet->nv + j;
+}
+
+/* The edges that point (i, j) lies on. */
+static int edges_at(const taut_film_sheet *sheet, int i, int j, int edges[2])
+{
+    int count = 0;
+    if (sheet->u.period == 0 && (i == 0 || i == sheet->nu - 1)) {
+        edges[count++] = i > 0;
+    }
+    if (sheet->v.period == 0 && (j == 0 || j == sheet->nv - 1)) {
+        edges[count++] = 2 + (j > 0);
+    }
+    return count;
+}
+
+taut_film_way taut_film_sheet_way(const taut_film_sheet *sheet, int i, int j, int *edge)
+{
+    int edges[2] = {-1, -1};
+    const int count = edges_at(sheet, i, j, edges);
+
+    *edge = edges[0];
+    if (taut_film_sheet_owner(sheet, i, j) != i * sheet->nv + j) {
+        return TAUT_FILM_STILL;
+    }
+    if (count == 2) {
+        const int corner = (i > 0) + 2 * (j > 0);
+        return sheet->problem->corner_kinds[corner] == TAUT_FILM_HELD ? TAUT_FILM_STILL
+                                                                      : TAUT_FILM_CORNER;
+    }
+    if (count == 0) {
+        return TAUT_FILM_INSIDE;
+    }
+    switch (sheet->problem->edges[edges[0]].kind) {
+    case TAUT_FILM_FIXED:
+        return TAUT_FILM_STILL;
+    case TAUT_FILM_POLE:
+        return TAUT_FILM_INSIDE;
+    case TAUT_FILM_CABLE:
+    case TAUT_FILM_SLIDE:
+        break;
+    }
+    return TAUT_FILM_ALONG;
+}
+
+/* One normal more, if it is none of those that are there. */
+static int add_normal(const double normal[3], double normals[3][3], int count)
+{
+    double n[3] = {normal[0], normal[1], normal[2]};
+
+    for (int k = -1; k < count; k++) { /* unit first, then across the others */
+        const double size = taut_norm(n);
+        for (int c = 0; k < 0 && c < 3; c++) {
+            n[c] /= size;
+        }
+        if (k >= 0) {
+            taut_add_scaled(-taut_dot(n, normals[k]), normals[k], n);
+        }
+    }
+    const double left = taut_norm(n);
+    if (!(left > 1e-9)) {
+        return count;
+    }
+    for (int c = 0; c < 3; c++) {
+        normals[count][c] = n[c] / left;
+    }
+    return count + 1;
+}
+
+static int add_guide(const taut_film_sheet *sheet, int corner, double normals[3][3], int count)
+{
+    const double *d = sheet->problem->guides[corner].direction;
+
+    if (sheet->problem->corner_kinds[corner] == TAUT_FILM_ON_PLANE) {
+        return add_normal(d, normals, count);
+    }
+    for (int k = 0; sheet->problem->corner_kinds[corner] == TAUT_FILM_ON_LINE && k < 3; k++) {
+        const double axis[3] = {k == 0, k == 1, k == 2}, size = taut_norm(d);
+        const double unit[3] = {d[0] / size, d[1] / size, d[2] / size};
+        double across[3];
+        taut_cross(unit, axis, across);
+        if (taut_norm(across) > 0.1 && count < 3) {
+            count = add_normal(across, normals, count);
+        }
+    }
+    return count;
+}
+
+int taut_film_sheet_normals(const taut_film_sheet *sheet, int i, int j, double normals[3][3])
+{
+    int edges[2] = {-1, -1}, found = 0;
+    const int count = edges_at(sheet, i, j, edges);
+
+    for (int k = 0; k < count; k++) {
+        const taut_film_edge *edge = &sheet->problem->edges[edges[k]];
+        if (taut_film_sheet_in_plane(edge)) {
+            found = add_normal(edge->plane.direction, normals, found);
+        }
+    }
+    return count == 2 ? add_guide(sheet, (i > 0) + 2 * (j > 0), normals, found) : found;
 }
 
 static void scale_points(taut_film_sheet *sheet)
@@ -97,9 +243,18 @@ static taut_status find_multiplier(taut_film_sheet *sheet, int e)
     taut_film_sheet_gradient(sheet, gradient, moments, &area, &largest, lengths); /* r is 0 yet */
     taut_film_sheet_pull(sheet, e, pull);
     taut_film_sheet_edge(sheet, e, &first, &step, &points);
-    for (int k = 1; k < points - 1; k++) {
-        const double *g = gradient + 3 * (first + (size_t)k * step), *p = pull + 3 * k;
-        double t[3];
+    for (int k = 0; k < points; k++) {
+        const size_t at = first + (size_t)k * step;
+        const double *g = gradient + 3 * at;
+        double t[3], normals[3][3], p[3] = {pull[3 * k], pull[3 * k + 1], pull[3 * k + 2]};
+        int edge = -1;
+        if (taut_film_sheet_way(sheet, (int)at / sheet->nv, (int)at % sheet->nv, &edge) !=
+            TAUT_FILM_ALONG) {
+            continue;
+        }
+        if (taut_film_sheet_normals(sheet, (int)at / sheet->nv, (int)at % sheet->nv, normals) > 0) {
+            taut_add_scaled(-taut_dot(p, normals[0]), normals[0], p);
+        }
         taut_film_sheet_tangent(sheet, e, k, t);
         both += taut_dot(g, p) - taut_dot(g, t) * taut_dot(p, t);
         square += taut_dot(p, p) - taut_dot(p, t) * taut_dot(p, t);
@@ -145,6 +300,12 @@ taut_status taut_film_sheet_new(const taut_surface *surface, const taut_film_pro
         make_nodes(taut_surface_v(surface), extra, arena, &sheet->v) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
+    if ((problem->ring == TAUT_FILM_RING_U &&
+         open_nodes(taut_surface_u(surface), arena, &sheet->u) != TAUT_OK) ||
+        (problem->ring == TAUT_FILM_RING_V &&
+         open_nodes(taut_surface_v(surface), arena, &sheet->v) != TAUT_OK)) {
+        return TAUT_NO_MEMORY;
+    }
     scale_points(sheet);
     sheet->tension = problem->tension > 0 ? problem->tension : 1;
     for (int e = 0; e < 4; e++) {
@@ -169,6 +330,9 @@ void taut_film_sheet_tangent(const taut_film_sheet *sheet, int e, int k, double 
     taut_basis_spec_of(basis, &spec);
     for (int p = 1; p <= degree; p++) {
         at += (spec.knots != NULL ? spec.knots[k + p] : lo) / degree;
+    }
+    if (sheet->problem->ring != TAUT_FILM_OPEN) {
+        at = taut_loop_greville(basis, k);
     }
     at = spec.knots != NULL ? fmin(hi, fmax(lo, at)) : lo + (hi - lo) * k / (n - 1);
     const int span = taut_basis_span(basis, at);
@@ -241,7 +405,7 @@ void taut_film_sheet_slope(const taut_film_sheet *sheet, int e, int node, double
 static void spread_place(const taut_film_sheet *sheet, int a, int b, const taut_film_place *p,
                          double *gradient, double *moments)
 {
-    const taut_table *u = sheet->u.table, *v = sheet->v.table;
+    const taut_table *u = sheet->u.moves, *v = sheet->v.moves;
     const double *n = taut_table_row(u, a, 0), *d = taut_table_row(u, a, 1);
     const double *m = taut_table_row(v, b, 0), *s = taut_table_row(v, b, 1);
     double along_u[3], along_v[3];
@@ -251,9 +415,9 @@ static void spread_place(const taut_film_sheet *sheet, int a, int b, const taut_
         along_v[c] = p->weight * (p->e * p->v[c] - p->f * p->u[c]) / p->w;
     }
     for (int i = 0; i < u->local; i++) {
-        const size_t row = (size_t)(u->first[a] + i) * (size_t)sheet->nv + (size_t)v->first[b];
         for (int j = 0; j < v->local; j++) {
-            double *g = gradient + 3 * (row + (size_t)j), *q = moments + 3 * (row + (size_t)j);
+            const int owner = taut_film_sheet_owner(sheet, u->first[a] + i, v->first[b] + j);
+            double *g = gradient + 3 * (size_t)owner, *q = moments + 3 * (size_t)owner;
             taut_add_scaled(d[i] * m[j], along_u, g);
             taut_add_scaled(n[i] * s[j], along_v, g);
             taut_add_scaled(p->weight * n[i] * m[j], p->normal, q);
@@ -266,7 +430,7 @@ static double add_cable(const taut_film_sheet *sheet, int e, double r, size_t fr
                         double *net)
 {
     const taut_film_nodes *nodes = e < 2 ? &sheet->v : &sheet->u;
-    const taut_table *t = nodes->table;
+    const taut_table *t = nodes->moves;
     taut_sum sum = {0, 0};
 
     for (int node = 0; node < t->count; node++) {
@@ -276,7 +440,8 @@ static double add_cable(const taut_film_sheet *sheet, int e, double r, size_t fr
         const double speed = taut_length(d);
         taut_sum_add(&sum, nodes->weights[node] * speed);
         for (int k = 0; k < t->local; k++) {
-            const size_t at = from + (size_t)(t->first[node] + k) * by;
+            const int own = t->first[node] + k;
+            const size_t at = from + (size_t)(nodes->period > 0 ? own % nodes->period : own) * by;
             taut_add_scaled(r * nodes->weights[node] * slopes[k] / speed, d, net + 3 * at);
         }
     }

@@ -19,11 +19,15 @@
 
 #include "core/arena.h"
 #include "geometry/grid/table.h"
+#include "geometry/nurbs/loop.h"
 #include "taut/film.h"
 
-/* Gauss nodes in one direction. */
+/* Gauss nodes in one direction. Where the film goes around, moves are those of the functions that do
+ * (geometry/nurbs/loop.h), m of them; what is measured is the model's own net all the same. */
 typedef struct taut_film_nodes {
     taut_table *table; /* order 1; of the arena */
+    taut_table *moves; /* the same of the functions that move */
+    int period;        /* of these; 0: the film does not go around */
     double *weights;   /* [table->count] */
     double *at;        /* [table->count] */
 } taut_film_nodes;
@@ -43,6 +47,14 @@ typedef struct taut_film_sheet {
     taut_film_nodes u, v;
 } taut_film_sheet;
 
+/* How a point of the net may move. */
+typedef enum taut_film_way {
+    TAUT_FILM_STILL,  /* not at all, or with another */
+    TAUT_FILM_INSIDE, /* with the film: a point inside, a pole */
+    TAUT_FILM_ALONG,  /* with a cable or a slide */
+    TAUT_FILM_CORNER  /* a corner that is not held */
+} taut_film_way;
+
 /* x, x_u, x_v at a node, scaled. */
 typedef struct taut_film_place {
     double u[3], v[3], normal[3]; /* x_u, x_v, x_u x x_v */
@@ -59,6 +71,25 @@ static inline int taut_film_sheet_is_cable(const taut_film_sheet *sheet, int e)
     return sheet->problem->edges[e].kind == TAUT_FILM_CABLE;
 }
 
+/* Is edge e one that the film has, no seam? */
+static inline int taut_film_sheet_has_edge(const taut_film_problem *problem, int e)
+{
+    return problem->ring == TAUT_FILM_OPEN || (problem->ring == TAUT_FILM_RING_U) == (e >= 2);
+}
+
+/* Is it kept in its plane? */
+static inline int taut_film_sheet_in_plane(const taut_film_edge *edge)
+{
+    return edge->kind == TAUT_FILM_SLIDE || (edge->kind == TAUT_FILM_CABLE && edge->has_plane);
+}
+
+/* The point of the net that function (i, j) of those that move belongs to. */
+int taut_film_sheet_owner(const taut_film_sheet *sheet, int i, int j);
+/* How point (i, j) moves; *edge: of a line, which. */
+taut_film_way taut_film_sheet_way(const taut_film_sheet *sheet, int i, int j, int *edge);
+/* The normals of the planes that point (i, j) is kept on, unit and orthogonal: how many. */
+int taut_film_sheet_normals(const taut_film_sheet *sheet, int i, int j, double normals[3][3]);
+
 /* The surface is that of the problem. `extra` nodes a span more than functions alive. The arena
  * owns it all. TAUT_NO_MEMORY. */
 taut_status taut_film_sheet_new(const taut_surface *surface, const taut_film_problem *problem,
@@ -69,16 +100,23 @@ void taut_film_sheet_place(const taut_film_sheet *sheet, int a, int b, taut_film
 /* Where the points of edge e lie: the first, from one to the next, how many. */
 void taut_film_sheet_edge(const taut_film_sheet *sheet, int e, size_t *first, size_t *step,
                           int *count);
+/* The point of the net that function k of edge e belongs to. */
+static inline int taut_film_sheet_on_edge(const taut_film_sheet *sheet, int e, int k)
+{
+    return e < 2 ? taut_film_sheet_owner(sheet, e == 1 ? sheet->nu - 1 : 0, k)
+                 : taut_film_sheet_owner(sheet, k, e == 3 ? sheet->nv - 1 : 0);
+}
+
 /* x_t of edge e at a node of its direction. */
 void taut_film_sheet_slope(const taut_film_sheet *sheet, int e, int node, double d[3]);
 
-/* pull double[count][3] = dL of edge e, scaled; returns its length, scaled. */
+/* pull double[count][3] = dL of edge e by its functions that move, scaled; returns its length, scaled. */
 double taut_film_sheet_pull(const taut_film_sheet *sheet, int e, double *pull);
 
 /* The unit tangent of edge e at the Greville abscissa of its function k. */
 void taut_film_sheet_tangent(const taut_film_sheet *sheet, int e, int k, double t[3]);
 
-/* gradient, moments double[nu][nv][3]; *area, and lengths of the cables, all scaled. *largest: the
+/* gradient, moments double[nu][nv][3], at the points that own; *area, and lengths of the cables, all scaled. *largest: the
  * largest coordinate of the gradient of the area alone, held points too. */
 void taut_film_sheet_gradient(const taut_film_sheet *sheet, double *gradient, double *moments,
                               double *area, double *largest, double lengths[4]);

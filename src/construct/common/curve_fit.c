@@ -17,6 +17,7 @@ enum { LOCAL = TAUT_DEGREE_MAX + 1 };
 typedef struct fit {
     const taut_curve *curve;
     const taut_basis *basis, *test;
+    const taut_loop *around;     /* or NULL */
     int count, unknowns, offset; /* offset: of the first test function that is used */
     int cells;
     double *breaks;         /* [cells + 1] in the basis's range */
@@ -88,6 +89,9 @@ static taut_status choose_tests(fit *f)
 
     f->test = f->basis;
     f->offset = 1;
+    if (f->around != NULL) {
+        return TAUT_OK;
+    }
     taut_basis_spec_of(f->basis, &spec);
     inner = spec.knot_count - 2 * (spec.degree + 1);
     if (strcmp(taut_basis_type(f->basis), "bspline") != 0 || inner < 2) {
@@ -111,6 +115,41 @@ static taut_status choose_tests(fit *f)
     f->test = test;
     f->offset = 0;
     return taut_keep_basis(f->arena, test) ? TAUT_OK : TAUT_NO_MEMORY;
+}
+
+/* The functions alive at t, and the first of them. */
+static int look_up(const fit *f, double t, double n[LOCAL])
+{
+    const int span = taut_basis_span(f->basis, t), first = taut_basis_first(f->basis, span);
+
+    taut_basis_eval(f->basis, span, t, 0, n);
+    if (f->around != NULL) {
+        taut_loop_open(f->around, first, n);
+    }
+    return first;
+}
+
+/* Where function j of the basis stands among the points. */
+static int place_of(const fit *f, int j)
+{
+    return f->around != NULL ? j % f->around->period : j;
+}
+
+/* The same of a space that goes around: the functions are their own tests, and all are unknown. */
+static void add_node_around(fit *f, double t, double weight, const double x[3])
+{
+    double n[LOCAL];
+    const int first = look_up(f, t, n), local = taut_basis_local(f->basis);
+
+    for (int a = 0; a < local; a++) {
+        double *row = f->rows + (size_t)place_of(f, first + a) * (size_t)(f->unknowns + 3);
+        for (int b = 0; b < local; b++) {
+            row[place_of(f, first + b)] += weight * n[a] * n[b];
+        }
+        for (int c = 0; c < 3; c++) {
+            row[f->unknowns + c] += weight * n[a] * x[c];
+        }
+    }
 }
 
 /* Adds what node t gives to the moments; x, the curve's point there, is spoilt. */
@@ -161,14 +200,17 @@ static void visit_nodes(fit *f, const double ends[2][3], const double *points, d
             evaluate_curve(f, t, f->samples + 3 * (size_t)k);
         }
         memcpy(x, f->samples + 3 * (size_t)k, sizeof x);
-        if (points == NULL) {
+        if (points == NULL && f->around != NULL) {
+            add_node_around(f, t, weight[k % NODES] * (hi - lo), x);
+        } else if (points == NULL) {
             add_node(f, t, weight[k % NODES] * (hi - lo), ends, x);
+        }
+        if (points == NULL) {
             continue;
         }
-        const int span = taut_basis_span(f->basis, t), first = taut_basis_first(f->basis, span);
-        taut_basis_eval(f->basis, span, t, 0, n);
+        const int first = look_up(f, t, n);
         for (int b = 0; b < taut_basis_local(f->basis); b++) {
-            taut_add_scaled(-n[b], points + 3 * (first + b), x);
+            taut_add_scaled(-n[b], points + 3 * place_of(f, first + b), x);
         }
         const double miss = taut_norm(x);
         if (!(miss <= *deviation || isnan(*deviation))) { /* fmax passes over what is no number */
@@ -177,7 +219,7 @@ static void visit_nodes(fit *f, const double ends[2][3], const double *points, d
     }
 }
 
-/* points[1..n-2] from the moments, by QR: row by row, each only as long as it has to be. */
+/* The unknown points from the moments, by QR: row by row, each only as long as it has to be. */
 static taut_status solve_moments(fit *f, double *points)
 {
     const int width = f->unknowns + 3;
@@ -195,7 +237,7 @@ static taut_status solve_moments(fit *f, double *points)
             return TAUT_NOT_CONVERGED;
         }
         for (int i = 0; i < f->unknowns; i++) {
-            points[3 * (i + 1) + c] = f->row[i];
+            points[3 * (i + (f->around == NULL)) + c] = f->row[i];
         }
     }
     return TAUT_OK;
@@ -238,5 +280,23 @@ taut_status taut_curve_fit(const taut_curve *curve, const taut_basis *basis,
     memcpy(points + 3 * (count - 1), ends[1], 3 * sizeof(double));
     status = fit_points(&f, ends, points, deviation);
     taut_arena_free(f.arena);
+    return status;
+}
+
+taut_status taut_curve_fit_around(const taut_curve *curve, const taut_basis *basis,
+                                  const taut_loop *around, double *points, double *deviation)
+{
+    fit f = {.curve = curve,
+             .basis = basis,
+             .around = around,
+             .count = taut_basis_count(basis),
+             .unknowns = around->period,
+             .arena = taut_arena_new()};
+    const taut_status status = fit_points(&f, NULL, points, deviation);
+
+    taut_arena_free(f.arena);
+    for (int j = 0; j < around->degree; j++) {
+        memcpy(points + 3 * (around->period + j), points + 3 * j, 3 * sizeof(double));
+    }
     return status;
 }

@@ -11,6 +11,7 @@
 #ifndef TAUT_CONSTRUCT_COMMON_CURVE_FIT_H
 #define TAUT_CONSTRUCT_COMMON_CURVE_FIT_H
 
+#include "geometry/nurbs/loop.h"
 #include "taut/curve.h"
 
 /* The ranges correspond by an affine map. points double[count of basis][3], its ends those given
@@ -18,5 +19,10 @@
  * TAUT_NO_MEMORY; TAUT_NOT_CONVERGED when the moments do not determine the points. */
 taut_status taut_curve_fit(const taut_curve *curve, const taut_basis *basis,
                            const double ends[2][3], double *points, double *deviation);
+
+/* The same of a closed curve by splines that go around, with T = N the functions of
+ * geometry/nurbs/loop.h: points double[count of basis][3], the last of them copies. */
+taut_status taut_curve_fit_around(const taut_curve *curve, const taut_basis *basis,
+                                  const taut_loop *around, double *points, double *deviation);
 
 #endif /* TAUT_CONSTRUCT_COMMON_CURVE_FIT_H */

@@ -48,7 +48,7 @@ static void fill_hull(taut_mask *mask)
 taut_status taut_mask_new(int nu, int nv, const unsigned char *known, taut_arena *arena,
                           taut_mask *mask)
 {
-    taut_mask made = {nu, nv, known, 0, 0, 0, NULL, NULL, 0, 0, NULL};
+    taut_mask made = {.nu = nu, .nv = nv, .known = known};
     unsigned char *in_row = taut_arena_take(arena, (size_t)nu, 1);
     unsigned char *in_column = taut_arena_take(arena, (size_t)nv, 1);
 
@@ -102,5 +102,30 @@ void taut_mask_clear_known(const taut_mask *mask, double *net)
         if (mask->known[i]) {
             memset(net + 3 * i, 0, 3 * sizeof(double));
         }
+    }
+}
+
+void taut_mask_reduce(const taut_mask *mask, double *net)
+{
+    const size_t count = (size_t)mask->nu * (size_t)mask->nv;
+
+    for (size_t i = 0; mask->leader != NULL && i < count; i++) {
+        const size_t leader = (size_t)mask->leader[i];
+        for (size_t c = 0; leader != i && c < 3; c++) {
+            net[3 * leader + c] += net[3 * i + c];
+        }
+    }
+    taut_mask_clear_known(mask, net);
+    for (size_t i = 0; mask->allowed != NULL && i < count; i++) {
+        taut_mask_project(mask->allowed + 6 * i, net + 3 * i);
+    }
+}
+
+void taut_mask_follow(const taut_mask *mask, double *net)
+{
+    const size_t count = (size_t)mask->nu * (size_t)mask->nv;
+
+    for (size_t i = 0; mask->leader != NULL && i < count; i++) {
+        memmove(net + 3 * i, net + 3 * (size_t)mask->leader[i], 3 * sizeof(double));
     }
 }

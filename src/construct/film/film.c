@@ -11,8 +11,10 @@
 #include "construct/common/build.h"
 #include "construct/construct_ops.h"
 #include "construct/film/flat.h"
+#include "construct/film/ring.h"
 #include "construct/film/solve.h"
 #include "core/fail.h"
+#include "core/vec3.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -99,17 +101,110 @@ static taut_status check_law(const taut_film_edge *edge, int e, taut_error *erro
                      "cable %s has no law", taut_film_edge_names[e]);
 }
 
-static taut_status check_edge(const taut_film_edge *edge, int e, taut_error *error)
+static taut_status check_guide(const taut_film_guide *guide, const char *where, taut_error *error)
 {
-    if (edge->kind == TAUT_FILM_FIXED) {
+    const double size = taut_norm(guide->direction), from = taut_norm(guide->point);
+
+    if (size > 0 && isfinite(size) && isfinite(from)) {
         return TAUT_OK;
     }
-    if (edge->kind != TAUT_FILM_CABLE || edge->curve != NULL) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
-                         "edge %s is neither fixed nor a cable without a curve",
+    return taut_fail_expected(error, TAUT_BAD_INPUT, "value", where, size,
+                              "a finite point, and a direction of a length above 0",
+                              "found a direction of length %.3g", size);
+}
+
+static taut_status check_edge(const taut_film_problem *problem, int e, taut_error *error)
+{
+    const taut_film_edge *edge = &problem->edges[e];
+    const int is_seam = !taut_film_has_edge(problem, e);
+    char where[32];
+    taut_status status = TAUT_OK;
+
+    snprintf(where, sizeof where, "/edges/%s", taut_film_edge_names[e]);
+    if (is_seam && (edge->kind != TAUT_FILM_FIXED || edge->curve != NULL)) {
+        return taut_fail(error, TAUT_BAD_INPUT, "edge-conflict", where, taut_none, taut_none,
+                         "edge %s is in a seam, and held or drawn too: leave out one of them",
                          taut_film_edge_names[e]);
     }
-    return check_law(edge, e, error);
+    if (edge->kind == TAUT_FILM_POLE && problem->ring == TAUT_FILM_OPEN) {
+        return taut_fail(error, TAUT_BAD_INPUT, "not-yet", where, taut_none, taut_none,
+                         "edge %s is a pole, which only rings can have in this version: give it "
+                         "another edge",
+                         taut_film_edge_names[e]);
+    }
+    if (taut_film_has_plane(edge)) {
+        status = check_guide(&edge->plane, where, error);
+    }
+    if (status != TAUT_OK || edge->kind == TAUT_FILM_FIXED) {
+        return status;
+    }
+    if (edge->kind < TAUT_FILM_FIXED || edge->kind > TAUT_FILM_POLE || edge->curve != NULL) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
+                         "edge %s has a curve and is not fixed, or is of no kind",
+                         taut_film_edge_names[e]);
+    }
+    if (edge->kind == TAUT_FILM_CABLE && edge->law == TAUT_FILM_SAG &&
+        problem->ring != TAUT_FILM_OPEN) {
+        return taut_fail(error, TAUT_BAD_INPUT, "value", where, edge->sag, taut_none,
+                         "cable %s closes and has no chord to sag from: give its length or force",
+                         taut_film_edge_names[e]);
+    }
+    return edge->kind == TAUT_FILM_CABLE ? check_law(edge, e, error) : TAUT_OK;
+}
+
+/* Corners of rings are none, and those of a straight edge are held. */
+static taut_status check_moving(const taut_film_problem *problem, int c, taut_error *error)
+{
+    const taut_film_edge *edges[2] = {&problem->edges[c % 2], &problem->edges[2 + c / 2]};
+    char where[32];
+
+    snprintf(where, sizeof where, "/corners/%s", taut_film_corner_names[c]);
+    if (problem->ring != TAUT_FILM_OPEN &&
+        (problem->has_corner[c] || problem->corner_kinds[c] != TAUT_FILM_HELD)) {
+        return taut_fail(error, TAUT_BAD_INPUT, "corner-conflict", where, taut_none, taut_none,
+                         "corner %s is given, and the film goes around there: leave it out",
+                         taut_film_corner_names[c]);
+    }
+    if (problem->corner_kinds[c] == TAUT_FILM_HELD) {
+        return TAUT_OK;
+    }
+    if (edges[0]->kind == TAUT_FILM_FIXED || edges[1]->kind == TAUT_FILM_FIXED) {
+        return taut_fail(error, TAUT_BAD_INPUT, "corner-conflict", where, taut_none, taut_none,
+                         "corner %s moves, and an edge that is held ends there: hold the corner",
+                         taut_film_corner_names[c]);
+    }
+    if (problem->corner_kinds[c] != TAUT_FILM_FREE) {
+        return check_guide(&problem->guides[c], where, error);
+    }
+    if (edges[0]->kind == TAUT_FILM_CABLE && edges[1]->kind == TAUT_FILM_CABLE) {
+        return taut_fail(
+            error, TAUT_NO_SOLUTION, "no-corner", where, taut_none, taut_none,
+            "the two cables that meet in the free corner %s draw it straight, and it is "
+            "none: hold it, or keep it on a line or in a plane",
+            taut_film_corner_names[c]);
+    }
+    return TAUT_OK;
+}
+
+static taut_status check_ring(const taut_film_problem *problem, taut_error *error)
+{
+    const int along_u = problem->ring == TAUT_FILM_RING_U;
+    const taut_basis *basis = along_u ? problem->u : problem->v;
+    const int least = taut_loop_least(taut_basis_degree(basis)), count = taut_basis_count(basis);
+
+    if (problem->ring == TAUT_FILM_OPEN) {
+        return TAUT_OK;
+    }
+    if (strcmp(taut_basis_type(basis), "bspline") != 0) {
+        return taut_fail_expected(error, TAUT_BAD_INPUT, "basis", along_u ? "/u" : "/v", taut_none,
+                                  "a bspline", "found a basis of type \"%s\" that goes around",
+                                  taut_basis_type(basis));
+    }
+    return count >= least
+               ? TAUT_OK
+               : taut_fail(error, TAUT_BAD_INPUT, "basis", along_u ? "/u" : "/v", count, least,
+                           "%d points around, expected at least 2 degree + 1 = %d: give more",
+                           count, least);
 }
 
 static taut_status check_corner(const taut_film_problem *problem, int c, taut_error *error)
@@ -166,10 +261,14 @@ static taut_status check_problem(const taut_film_problem *problem, taut_error *e
                          TAUT_FILM_POINTS_MAX);
     }
     for (int k = 0; status == TAUT_OK && k < 4; k++) {
-        status = check_edge(&problem->edges[k], k, error);
+        status = check_edge(problem, k, error);
     }
     for (int k = 0; status == TAUT_OK && k < 4; k++) {
         status = check_corner(problem, k, error);
+        status = status == TAUT_OK ? check_moving(problem, k, error) : status;
+    }
+    if (status == TAUT_OK) {
+        status = check_ring(problem, error);
     }
     return status == TAUT_OK ? check_options(problem, error) : status;
 }
@@ -192,8 +291,9 @@ static void describe_cables(const taut_film_space *space, const taut_film_soluti
         }
     }
     taut_record *supports = taut_record_add_list(details, "supports");
-    for (int c = 0; c < 4; c++) {
-        if (space->ratios[c % 2] > 0 || space->ratios[2 + c / 2] > 0) {
+    for (int c = 0; c < 4 && space->around == NULL; c++) {
+        if (space->problem->corner_kinds[c] == TAUT_FILM_HELD &&
+            (space->ratios[c % 2] > 0 || space->ratios[2 + c / 2] > 0)) {
             taut_record_add_text(supports, NULL, taut_film_corner_names[c]);
         }
     }
@@ -214,7 +314,18 @@ static taut_record *details_of(const taut_film_space *space, const taut_film_sol
     taut_record *verdict = taut_record_add_object(details, "verdict");
     taut_record_add_text(verdict, "exists", "found");
     taut_record_add_text(verdict, "stable", "found");
-    taut_record_add_null(verdict, "least");
+    const int is_beaten = solution->rival > 0 && solution->rival < solution->area;
+    if (is_beaten) {
+        taut_record_add_bool(verdict, "least", 0);
+    } else {
+        taut_record_add_null(verdict, "least");
+    }
+    taut_record *rivals = space->around != NULL ? taut_record_add_list(details, "rivals") : NULL;
+    if (is_beaten) {
+        taut_record *rival = taut_record_add_object(rivals, NULL);
+        taut_record_add_text(rival, "kind", "discs");
+        taut_record_add_number(rival, "area", solution->rival);
+    }
     for (int e = 0; e < 4; e++) {
         fitted += problem->edges[e].curve != NULL;
     }
@@ -261,7 +372,8 @@ static taut_status build(void *context, taut_arena *arena, taut_model *model, ta
     taut_status status = taut_film_space_new(problem, arena, &space, error);
 
     if (status == TAUT_OK) {
-        status = taut_film_flat_check(&space, error);
+        status = space.around != NULL ? taut_film_ring_cone(&space, error)
+                                      : taut_film_flat_check(&space, error);
     }
     if (status == TAUT_OK) {
         status = taut_film_solve(&space, r->monitor, arena, &solution, error);

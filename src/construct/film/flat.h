@@ -15,7 +15,7 @@
 
 #include "construct/film/space.h"
 
-/* TAUT_OK where the film is not flat, or exists. TAUT_NO_SOLUTION: cable-too-weak, error->limit the
+/* TAUT_OK where the film is not flat, has points that move elsewhere than in cables, or exists. TAUT_NO_SOLUTION: cable-too-weak, error->limit the
  * least force of the cable named in error->where, all forces raised alike; crossed. */
 taut_status taut_film_flat_check(const taut_film_space *space, taut_error *error);
 

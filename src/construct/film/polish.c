@@ -13,11 +13,13 @@ static const double stiffness = 1e4; /* over the largest of H: what is left move
 
 typedef struct work {
     taut_area_functional *functional;
+    const taut_film_space *space;
     const taut_mask *mask;
     size_t count;
     double *net, *gradient, *step, *before; /* [nu][nv][3] */
-    double *directions;                     /* [nu][nv][2][3] */
+    double *directions;                     /* [nu][nv][3][3] */
     double *moments;                        /* [nu][nv][3] */
+    double any;                             /* of the last look */
 } work;
 
 static void make_unit(double x[3])
@@ -71,73 +73,161 @@ static void find_moments(work *w)
             }
         }
     }
+    taut_mask_reduce(w->mask, w->moments);
 }
 
-/* Two directions across the tangent of the cable at the Greville abscissa of its function k. */
-static void lay_across(work *w, const taut_area_cable *cable, const taut_basis *basis, double at,
-                       int k)
+/* Up to three vectors become unit and orthogonal, the longest first; what is left of the others beside it
+ * is nothing where it is small. */
+static void orthonormalise(double (*d)[3])
 {
-    double values[2 * (TAUT_DEGREE_MAX + 1)], t[3] = {0, 0, 0}, axis[3] = {0, 0, 0};
-    const double lo = taut_basis_lo(basis), hi = taut_basis_hi(basis);
-    const double where = fmin(hi, lo + at * (hi - lo));
-    const int span = taut_basis_span(basis, where), local = cable->local;
-    double *p = w->directions + 6 * (cable->first + (size_t)k * cable->step), *q = p + 3;
+    const double small = 1e-6;
 
-    if (taut_basis_eval(basis, span, where, 1, values) != TAUT_OK) {
-        return;
-    }
-    for (int a = 0; a < local; a++) {
-        const size_t from =
-            cable->first + (size_t)(taut_basis_first(basis, span) + a) * cable->step;
-        taut_add_scaled(values[local + a], w->net + 3 * from, t);
-    }
-    make_unit(t);
-    const double x = fabs(t[0]), y = fabs(t[1]), z = fabs(t[2]);
-    axis[x <= y && x <= z ? 0 : y <= z ? 1 : 2] = 1; /* least along the tangent */
-    taut_cross(t, axis, p);
-    make_unit(p);
-    taut_cross(t, p, q);
-}
-
-static void find_directions(work *w, const taut_basis *bases[2], double *const greville[2])
-{
-    find_moments(w);
-    memset(w->directions, 0, 6 * w->count * sizeof(double));
-    for (size_t i = 0; i < w->count; i++) {
-        memcpy(w->directions + 6 * i, w->moments + 3 * i, 3 * sizeof(double));
-        make_unit(w->directions + 6 * i);
-    }
-    for (int k = 0; k < w->functional->cable_count; k++) {
-        const taut_area_cable *cable = w->functional->cables + k;
-        const int along_v = cable->step == 1;
-        const int count = along_v ? w->mask->nv : w->mask->nu;
-        for (int i = 1; i < count - 1; i++) {
-            lay_across(w, cable, bases[along_v], greville[along_v][i], i);
+    for (int k = 0; k < 3; k++) {
+        int longest = k;
+        for (int m = k + 1; m < 3; m++) {
+            longest = taut_length(d[m]) > taut_length(d[longest]) ? m : longest;
+        }
+        double x[3];
+        memcpy(x, d[longest], sizeof x);
+        memcpy(d[longest], d[k], sizeof x);
+        const double size = taut_length(x);
+        for (int c = 0; c < 3; c++) {
+            d[k][c] = size > small ? x[c] / size : 0;
+        }
+        for (int m = k + 1; m < 3; m++) {
+            taut_add_scaled(-taut_dot(d[k], d[m]), d[k], d[m]);
         }
     }
 }
 
-/* The gradient of the net, its part along the directions in `step`, and what that is of all. */
+/* The directions of point `at`, unit or 0, become what is allowed of them. */
+static void allow(work *w, size_t at)
+{
+    double(*d)[3] = (double(*)[3])(w->directions + 9 * at);
+
+    if (w->mask->allowed == NULL) {
+        return;
+    }
+    for (int k = 0; k < 3; k++) {
+        taut_mask_project(w->mask->allowed + 6 * at, d[k]);
+    }
+    orthonormalise(d);
+}
+
+/* x_t on the edge at the Greville abscissa of its function k. */
+static void find_tangent(const work *w, const taut_basis *basis, double greville, size_t first,
+                         size_t step, int k, double t[3])
+{
+    const taut_loop *around = w->space->around;
+    double values[2 * (TAUT_DEGREE_MAX + 1)];
+    const double lo = taut_basis_lo(basis), hi = taut_basis_hi(basis);
+    const double where =
+        around != NULL ? taut_loop_greville(basis, k) : fmin(hi, lo + greville * (hi - lo));
+    const int span = taut_basis_span(basis, where), local = taut_basis_local(basis);
+    const int alive = taut_basis_first(basis, span);
+
+    memset(t, 0, 3 * sizeof(double));
+    if (taut_basis_eval(basis, span, where, 1, values) != TAUT_OK) {
+        return;
+    }
+    if (around != NULL) {
+        taut_loop_open(around, alive, values + local);
+    }
+    for (int a = 0; a < local; a++) {
+        taut_add_scaled(values[local + a], w->net + 3 * (first + (size_t)(alive + a) * step), t);
+    }
+    make_unit(t);
+}
+
+/* Two directions across the tangent. */
+static void lay_across(work *w, const double t[3], size_t at)
+{
+    double axis[3] = {0, 0, 0}, *p = w->directions + 9 * at, *q = p + 3;
+    const double x = fabs(t[0]), y = fabs(t[1]), z = fabs(t[2]);
+
+    axis[x <= y && x <= z ? 0 : y <= z ? 1 : 2] = 1; /* least along the tangent */
+    taut_cross(t, axis, p);
+    make_unit(p);
+    taut_cross(t, p, q);
+    allow(w, at);
+}
+
+static void lay_edge(work *w, int e, const taut_basis *basis, const double *greville)
+{
+    const taut_loop *around = w->space->around;
+    size_t first = 0, step = 0;
+    int count = 0;
+
+    taut_film_edge_points(w->mask->nu, w->mask->nv, e, &first, &step, &count);
+    const int begin = around != NULL ? 0 : 1, end = around != NULL ? around->period : count - 1;
+    for (int k = begin; k < end; k++) {
+        double t[3];
+        find_tangent(w, basis, greville[k], first, step, k, t);
+        lay_across(w, t, first + (size_t)k * step);
+    }
+}
+
+/* A point that moves in every way that is allowed. */
+static void lay_vertex(work *w, size_t at)
+{
+    double *d = w->directions + 9 * at;
+
+    for (int c = 0; c < 9 && !w->mask->known[at]; c++) {
+        d[c] = c % 4 == 0;
+    }
+    allow(w, at);
+}
+
+static void find_directions(work *w, const taut_basis *bases[2], double *const greville[2])
+{
+    const taut_film_problem *problem = w->space->problem;
+    const size_t nu = (size_t)w->mask->nu, nv = (size_t)w->mask->nv;
+
+    find_moments(w);
+    memset(w->directions, 0, 9 * w->count * sizeof(double));
+    for (size_t i = 0; i < w->count; i++) {
+        memcpy(w->directions + 9 * i, w->moments + 3 * i, 3 * sizeof(double));
+        make_unit(w->directions + 9 * i);
+    }
+    for (int e = 0; e < 4; e++) {
+        const taut_film_edge_kind kind = problem->edges[e].kind;
+        if (taut_film_has_edge(problem, e) &&
+            (kind == TAUT_FILM_CABLE || kind == TAUT_FILM_SLIDE)) {
+            lay_edge(w, e, bases[e < 2], greville[e < 2]);
+        }
+    }
+    for (size_t c = 0; problem->ring == TAUT_FILM_OPEN && c < 4; c++) {
+        lay_vertex(w, c % 2 * (nu - 1) * nv + c / 2 * (nv - 1));
+    }
+}
+
+/* The gradient of the net, its part along the directions in `step`, and what that is of all; `any`: what the largest
+ * derivative is of all, in whatever way is allowed. */
 static double look(work *w)
 {
-    double along = 0, all = 0;
+    double along = 0, all = 0, any = 0;
 
     taut_area_functional_gradient(w->functional, w->net, w->gradient);
     memset(w->step, 0, 3 * w->count * sizeof(double));
     for (size_t i = 0; i < w->count; i++) {
+        all = fmax(all, taut_largest_coordinate(w->gradient + 3 * i));
+    }
+    taut_mask_reduce(w->mask, w->gradient);
+    for (size_t i = 0; i < w->count; i++) {
         const double *g = w->gradient + 3 * i;
-        all = fmax(all, taut_largest_coordinate(g));
-        for (int k = 0; k < 2 && !w->mask->known[i]; k++) {
-            const double *p = w->directions + 6 * i + 3 * k;
+        any = fmax(any, taut_largest_coordinate(g));
+        for (int k = 0; k < 3 && !w->mask->known[i]; k++) {
+            const double *p = w->directions + 9 * i + 3 * k;
             const double size = taut_dot(g, p);
             along = fmax(along, fabs(size));
             taut_add_scaled(size, p, w->step + 3 * i);
         }
     }
+    w->any = all > 0 ? any / all : 0;
     return all > 0 ? along / all : 0;
 }
 
-static taut_status polish(work *w, taut_area_hessian *hessian, double residual[2])
+static taut_status polish(work *w, taut_area_hessian *hessian, double residual[3])
 {
     double found = look(w);
 
@@ -162,6 +252,7 @@ static taut_status polish(work *w, taut_area_hessian *hessian, double residual[2
     }
     residual[1] = found;
     look(w);
+    residual[2] = w->any;
     return TAUT_OK;
 }
 
@@ -171,10 +262,9 @@ static void lay_pull(const work *w, const taut_area_cable *cable, double *net)
     memset(net, 0, 3 * w->count * sizeof(double));
     for (int k = 0; k < cable->count; k++) {
         const size_t at = cable->first + (size_t)k * cable->step;
-        if (!w->mask->known[at]) {
-            memcpy(net + 3 * at, cable->pull + 3 * k, 3 * sizeof(double));
-        }
+        memcpy(net + 3 * at, cable->pull + 3 * k, 3 * sizeof(double));
     }
+    taut_mask_reduce(w->mask, net);
 }
 
 static taut_status respond(work *w, taut_area_hessian *hessian, double response[4][4])
@@ -205,11 +295,10 @@ static taut_status respond(work *w, taut_area_hessian *hessian, double response[
 }
 
 /* Arrays, directions, the matrix: what both calls below begin with. */
-static taut_status prepare(work *w, const taut_basis *u, const taut_basis *v, taut_arena *arena,
-                           taut_area_hessian **hessian)
+static taut_status prepare(work *w, taut_arena *arena, taut_area_hessian **hessian)
 {
     const taut_mask *mask = w->mask;
-    const taut_basis *bases[2] = {u, v};
+    const taut_basis *bases[2] = {w->space->problem->u, w->space->problem->v};
     double *greville[2];
 
     w->count = (size_t)mask->nu * (size_t)mask->nv;
@@ -217,7 +306,7 @@ static taut_status prepare(work *w, const taut_basis *u, const taut_basis *v, ta
     w->step = taut_arena_take(arena, w->count, 3 * sizeof(double));
     w->before = taut_arena_take(arena, w->count, 3 * sizeof(double));
     w->moments = taut_arena_take(arena, w->count, 3 * sizeof(double));
-    w->directions = taut_arena_take(arena, w->count, 6 * sizeof(double));
+    w->directions = taut_arena_take(arena, w->count, 9 * sizeof(double));
     greville[0] = taut_arena_take(arena, (size_t)mask->nu, sizeof(double));
     greville[1] = taut_arena_take(arena, (size_t)mask->nv, sizeof(double));
     taut_status status = taut_arena_status(arena);
@@ -225,25 +314,24 @@ static taut_status prepare(work *w, const taut_basis *u, const taut_basis *v, ta
         status = taut_area_hessian_new(w->functional, mask, hessian);
     }
     if (status == TAUT_OK) {
-        taut_film_greville(u, greville[0]);
-        taut_film_greville(v, greville[1]);
+        taut_film_greville(bases[0], greville[0]);
+        taut_film_greville(bases[1], greville[1]);
         find_directions(w, bases, greville);
     }
     return status;
 }
 
-taut_status taut_film_respond(taut_area_functional *functional, const taut_mask *mask,
-                              const taut_basis *u, const taut_basis *v, double *net,
-                              double response[4][4])
+taut_status taut_film_respond(taut_area_functional *functional, const taut_film_space *space,
+                              double *net, double response[4][4])
 {
-    work w = {.functional = functional, .mask = mask, .net = net};
+    work w = {.functional = functional, .space = space, .mask = &space->mask, .net = net};
     taut_area_hessian *hessian = NULL;
 
-    if (!taut_area_hessian_pays(functional, mask)) {
+    if (!taut_area_hessian_pays(functional, w.mask)) {
         return TAUT_NO_SOLUTION;
     }
     taut_arena *arena = taut_arena_new();
-    taut_status status = prepare(&w, u, v, arena, &hessian);
+    taut_status status = prepare(&w, arena, &hessian);
     if (status == TAUT_OK) {
         status = respond(&w, hessian, response);
     }
@@ -252,19 +340,18 @@ taut_status taut_film_respond(taut_area_functional *functional, const taut_mask 
     return status;
 }
 
-taut_status taut_film_polish(taut_area_functional *functional, const taut_mask *mask,
-                             const taut_basis *u, const taut_basis *v, double *net,
-                             double residual[2])
+taut_status taut_film_polish(taut_area_functional *functional, const taut_film_space *space,
+                             double *net, double residual[3])
 {
-    work w = {.functional = functional, .mask = mask, .net = net};
+    work w = {.functional = functional, .space = space, .mask = &space->mask, .net = net};
     taut_area_hessian *hessian = NULL;
 
-    residual[0] = residual[1] = 0;
-    if (!taut_area_hessian_pays(functional, mask)) {
+    residual[0] = residual[1] = residual[2] = 0;
+    if (!taut_area_hessian_pays(functional, w.mask)) {
         return TAUT_OK;
     }
     taut_arena *arena = taut_arena_new();
-    taut_status status = prepare(&w, u, v, arena, &hessian);
+    taut_status status = prepare(&w, arena, &hessian);
     if (status == TAUT_OK) {
         status = polish(&w, hessian, residual);
     }

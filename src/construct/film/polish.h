@@ -1,27 +1,26 @@
 /* polish.h -- the last steps of a film, along the moves that its energy sees.
  *
  * Where the whole net has come to rest to what moves within the surface let it, those are held and
- * Newton's steps go on in the others: an inner point along iint N x_u x x_v du dv, a point of a
- * cable across the tangent at its Greville abscissa. They converge to rounding.
+ * Newton's steps go on in the others: an inner point and a pole along iint N x_u x x_v du dv, a
+ * point of a cable or a slide across the tangent at its Greville abscissa, a corner in every way; all of them as far as
+ * they are allowed. They converge to rounding.
  */
 #ifndef TAUT_CONSTRUCT_FILM_POLISH_H
 #define TAUT_CONSTRUCT_FILM_POLISH_H
 
-#include "construct/common/mask.h"
+#include "construct/film/space.h"
 #include "construct/plateau/area.h"
 
-/* Improves net double[nu][nv][3], on the bases u and v, in place. residual:
- * the largest derivative along those moves over the largest in the net, before and after. Nets whose
- * factors do not pay stay as they are. TAUT_NO_MEMORY. */
-taut_status taut_film_polish(taut_area_functional *functional, const taut_mask *mask,
-                             const taut_basis *u, const taut_basis *v, double *net,
-                             double residual[2]);
+/* Improves net double[nu][nv][3] in place. residual:
+ * the largest derivative along those moves over the largest in the net, before and after, and the largest in any way that is allowed
+ * after. Nets whose factors do not pay stay as they are. TAUT_NO_MEMORY. */
+taut_status taut_film_polish(taut_area_functional *functional, const taut_film_space *space,
+                             double *net, double residual[3]);
 
 /* How lengths answer to forces: response[k][l] = dL_k . B^-1 dL_l over those moves, B the second
  * derivative of all, for the cables that give way (others 0). TAUT_NO_SOLUTION: B is not positive
  * definite, or its factors do not pay; TAUT_NO_MEMORY. */
-taut_status taut_film_respond(taut_area_functional *functional, const taut_mask *mask,
-                              const taut_basis *u, const taut_basis *v, double *net,
-                              double response[4][4]);
+taut_status taut_film_respond(taut_area_functional *functional, const taut_film_space *space,
+                              double *net, double response[4][4]);
 
 #endif /* TAUT_CONSTRUCT_FILM_POLISH_H */

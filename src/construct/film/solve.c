@@ -28,7 +28,9 @@
  */
 #include "construct/film/solve.h"
 
+#include "construct/film/freedom.h"
 #include "construct/film/polish.h"
+#include "construct/film/ring.h"
 #include "construct/plateau/newton_step.h"
 #include "construct/plateau/small.h"
 #include "construct/plateau/trust_region.h"
@@ -36,16 +38,30 @@
 #include "core/vec3.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
-enum { ITERATIONS_DEFAULT = 200, RULES = 8, DOUBLINGS = 8, LOWERINGS = 64, MULTIPLIERS = 40 };
+enum {
+    ITERATIONS_DEFAULT = 200,
+    RULES = 8,
+    DOUBLINGS = 8,
+    LOWERINGS = 64,
+    LEADS = 128,
+    PATIENCE = 40,
+    POLISHES = 6,
+    MULTIPLIERS = 40
+};
 static const double tolerance_default = 1e-10;
 /* Nodes on a span beyond the functions alive there. */
 static const int extra_nodes[RULES] = {1, 3, 6, 10, 16, 26, 42, 68};
 static const double energy_agreement = 1e-13; /* share: two rules that agree */
 static const double residual_agreement = 0.1; /* of the tolerance */
+static const double residual_any = 5e-7;      /* of all coordinates: the certificate allows 1e-6 */
+static const double gain_enough = 3e-10;      /* the same: how they slide along themselves creeps */
 static const double area_none = 1e-12;        /* of the size squared */
 static const double step_least = 0x1p-10;     /* of the logarithm of the factor of all forces */
+static const double lead_least = 0x1p-15;     /* of the distance of a ring's edges */
+static const double neck_most = 0.95;         /* of the shorter edge: it is half where films part */
 static const double theta_least = 1e-6;       /* of the metric operator in every step */
 static const double work_most = 2e11;         /* flops of all films on the way: minutes */
 /* Of given lengths: share. Rounding is 1e-15, the certificate's limit 1e-10. */
@@ -53,6 +69,7 @@ static const double length_agreement = 1e-12;
 /* Stiffness of a cable at the start, over force / length. A film of a given length is stable where
  * one of given force is not, beyond half a circle: this makes it convex up to a whole one. */
 static const double stiffness_first = 2;
+static const double stiffness_closed = 20; /* of cables that close, whose force is a worse guess */
 
 /* What a cable does for now: a force, or more with its length (construct/plateau/cable.h). */
 typedef struct law {
@@ -80,7 +97,8 @@ static void start_laws(work *w)
     for (int e = 0; e < 4; e++) {
         const taut_film_cable *cable = &w->space->cables[e];
         const double force = w->space->ratios[e];
-        const double soft = cable->start > 0 ? stiffness_first * force / cable->start : 0;
+        const double first = w->space->around != NULL ? stiffness_closed : stiffness_first;
+        const double soft = cable->start > 0 ? first * force / cable->start : 0;
         w->laws[e] = (law){.force = force, .stiffness = soft, .target = cable->start};
         if (cable->stiffness > 0 && cable->stiffness <= soft) {
             w->laws[e] = (law){.stiffness = cable->stiffness, .target = cable->target};
@@ -122,12 +140,19 @@ static taut_status take_rule(work *w, int rule, double factor)
                                     step, w->arena, &w->cables[found]) != TAUT_OK) {
                 return TAUT_NO_MEMORY;
             }
+            if (w->space->around != NULL) {
+                taut_area_cable_open(w->space->around, &w->cables[found]);
+            }
             w->edges[found] = e;
             set_law(&w->cables[found++], &w->laws[e], factor);
         }
     }
-    if (taut_area_functional_new(problem->u, problem->v, NULL, extra_nodes[rule], &w->functional) !=
-        TAUT_OK) {
+    const taut_film_ring ring = problem->ring;
+    const taut_loop *around = w->space->around;
+    if (taut_area_functional_around(problem->u, problem->v,
+                                    ring == TAUT_FILM_RING_U ? around : NULL,
+                                    ring == TAUT_FILM_RING_V ? around : NULL, extra_nodes[rule],
+                                    &w->functional) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
     w->functional->cables = w->cables;
@@ -209,16 +234,39 @@ static taut_status minimise(work *w, taut_error *error)
     return status == TAUT_OK ? TAUT_OK : tell_ending(w, &inner, status, error);
 }
 
-/* Steps along the moves that the energy sees; refused where the film has a fold. *before: the
- * residual along them. */
+/* Steps along the moves that the energy sees. Where lines slide along themselves these leave something to the other
+ * coordinates, and steps in all of them follow, until both are at rest. residual: as taut_film_polish has it. */
+static taut_status polish_moves(work *w, double residual[3], taut_error *error)
+{
+    const int patience = w->region.patience;
+    taut_status status = TAUT_OK;
+
+    for (int k = 0; status == TAUT_OK; k++) {
+        double found[3];
+        if (taut_film_polish(w->functional, w->space, w->net, found) != TAUT_OK) {
+            return taut_fail_memory(error);
+        }
+        residual[0] = k == 0 ? found[0] : residual[0];
+        residual[1] = found[1];
+        residual[2] = found[2];
+        if (w->space->leader == NULL || found[2] <= residual_any || k == POLISHES) {
+            break;
+        }
+        w->region.patience = 0;
+        status = minimise(w, error);
+        w->region.patience = patience;
+    }
+    return status;
+}
+
+/* The same; refused where the film has a fold. *before: the residual along the moves. */
 static taut_status polish(work *w, double *before, taut_error *error)
 {
-    const taut_film_problem *problem = w->space->problem;
-    double residual[2];
+    double residual[3] = {0, 0, 0};
+    const taut_status status = polish_moves(w, residual, error);
 
-    if (taut_film_polish(w->functional, &w->space->mask, problem->u, problem->v, w->net,
-                         residual) != TAUT_OK) {
-        return taut_fail_memory(error);
+    if (status != TAUT_OK) {
+        return status;
     }
     *before = residual[0];
     w->region.residual = residual[1];
@@ -284,11 +332,9 @@ static double find_errors(const work *w, double off[4])
 /* The next multipliers of cables of given length. */
 static taut_status move_multipliers(work *w, const double off[4])
 {
-    const taut_film_problem *problem = w->space->problem;
     double response[4][4], small[4][4], step[4];
     int which[4], count = 0;
-    const taut_status status =
-        taut_film_respond(w->functional, &w->space->mask, problem->u, problem->v, w->net, response);
+    const taut_status status = taut_film_respond(w->functional, w->space, w->net, response);
 
     for (int k = 0; k < w->functional->cable_count; k++) {
         if (w->space->cables[w->edges[k]].length > 0) {
@@ -337,7 +383,7 @@ static taut_status settle(work *w, int far, taut_error *error)
 static taut_status enforce_laws(work *w, taut_error *error)
 {
     double off[4];
-    int changed = 0;
+    int changed = 0, rests = w->space->around == NULL; /* in all coordinates, or does not mind */
     taut_status status = TAUT_OK;
 
     harden(w, &changed);
@@ -346,7 +392,7 @@ static taut_status enforce_laws(work *w, taut_error *error)
     }
     for (int k = 0; status == TAUT_OK; k++) {
         const double worst = find_errors(w, off);
-        if (worst <= length_agreement) {
+        if (worst <= length_agreement && (rests || k == 0)) {
             return TAUT_OK;
         }
         if (k == MULTIPLIERS) {
@@ -359,7 +405,23 @@ static taut_status enforce_laws(work *w, taut_error *error)
         if (move_multipliers(w, off) != TAUT_OK) {
             return taut_fail_memory(error);
         }
-        status = settle(w, 0, error);
+        const int far =
+            worst <= 1e3 * length_agreement && !rests; /* what forces moved lies askew */
+        rests = rests || far;
+        status = settle(w, far, error);
+    }
+    return status;
+}
+
+/* Corners that move leave a net behind that lies askew: it is laid anew between the edges once these are about where they
+ * belong. */
+static taut_status minimise_moving(work *w, taut_error *error)
+{
+    taut_status status = minimise(w, error);
+
+    if (status == TAUT_OK && w->rule == 0 && w->space->around == NULL) {
+        taut_film_space_fill(w->space, w->net);
+        status = minimise(w, error);
     }
     return status;
 }
@@ -376,7 +438,7 @@ static taut_status find_film(work *w, double factor, taut_error *error)
     }
     for (int agree = 0; status == TAUT_OK && !agree;) {
         const int before = w->region.iterations;
-        status = minimise(w, error);
+        status = w->space->leader != NULL ? minimise_moving(w, error) : minimise(w, error);
         w->iterations += w->region.iterations - before;
         if (status == TAUT_OK) {
             status = polish(w, &residual, error);
@@ -466,6 +528,148 @@ static taut_status try_stronger(work *w, taut_arena *arena, taut_error *error)
     return status == TAUT_OK ? lower_forces(w, factor, saved, error) : status;
 }
 
+/* ---- edges of a ring that are far apart ---- */
+
+/* The edges across which a ring is led: its second ones. */
+static int far_edge(const work *w)
+{
+    return w->space->problem->ring == TAUT_FILM_RING_U ? 3 : 1;
+}
+
+/* The mean of the points of an edge that goes around. */
+static void find_middle(const work *w, const double *net, int e, double middle[3])
+{
+    const int period = w->space->around->period;
+    size_t first = 0, step = 0;
+    int count = 0;
+
+    taut_film_edge_points(w->space->nu, w->space->nv, e, &first, &step, &count);
+    memset(middle, 0, 3 * sizeof(double));
+    for (int k = 0; k < period; k++) {
+        taut_add_scaled(1.0 / period, net + 3 * (first + (size_t)k * step), middle);
+    }
+}
+
+/* Moves the second edge by `share` of the way between both at the start, and what is between them along with it. */
+static void shift_edge(const work *w, double share, double *net)
+{
+    const int along_u = w->space->problem->ring == TAUT_FILM_RING_U;
+    const int across = along_u ? w->space->nv : w->space->nu;
+    double from[3], way[3];
+
+    find_middle(w, w->space->start, far_edge(w) - 1, from);
+    find_middle(w, w->space->start, far_edge(w), way);
+    taut_add_scaled(-1, from, way);
+    for (size_t i = 0; i < w->space->count; i++) {
+        const int at = along_u ? (int)i % w->space->nv : (int)i / w->space->nv;
+        taut_add_scaled(share * at / (across - 1), way, net + 3 * i);
+    }
+}
+
+/* The shortest closed line of a net's control polygons; *edge: of the shorter edge. */
+static double shortest_line(const work *w, const double *net, double *edge)
+{
+    const int along_u = w->space->problem->ring == TAUT_FILM_RING_U;
+    const int across = along_u ? w->space->nv : w->space->nu, period = w->space->around->period;
+    const size_t nv = (size_t)w->space->nv, line = along_u ? 1 : nv, step = along_u ? nv : 1;
+    double shortest = INFINITY;
+
+    *edge = INFINITY;
+    for (int k = 0; k < across; k++) {
+        double length = 0;
+        for (int i = 0; i < period; i++) {
+            const double *x = net + 3 * ((size_t)k * line + (size_t)i * step);
+            length += taut_length_between(x, x + 3 * step);
+        }
+        shortest = fmin(shortest, length);
+        *edge = k == 0 || k == across - 1 ? fmin(*edge, length) : *edge;
+    }
+    return shortest;
+}
+
+/* The neck of the net over the shorter edge that it began with. */
+static double find_neck(const work *w)
+{
+    double edge = 0, now = 0;
+    (void)shortest_line(w, w->space->start, &edge);
+    return shortest_line(w, w->net, &now) / edge;
+}
+
+/* Did the film come near to parting, or is there an edge that may shrink? Else it is the net that folds. */
+static int may_part(const work *w)
+{
+    const int e = far_edge(w);
+    return w->space->problem->edges[e].kind != TAUT_FILM_FIXED ||
+           w->space->problem->edges[e - 1].kind != TAUT_FILM_FIXED || find_neck(w) < neck_most;
+}
+
+static taut_status refuse_far(const work *w, double share, taut_error *error)
+{
+    const int e = far_edge(w), slides = w->space->problem->edges[e].kind == TAUT_FILM_SLIDE ||
+                                        w->space->problem->edges[e - 1].kind == TAUT_FILM_SLIDE;
+    char where[32];
+
+    snprintf(where, sizeof where, "/edges/%s", taut_film_edge_names[e]);
+    return taut_fail(
+        error, TAUT_NO_SOLUTION, slides ? "slides-away" : "collapses", where, 1, share,
+        "no film connects the edges: led apart from where there is one, they lose it at "
+        "%.6g of their distance, where its neck is %.3g of the shorter edge at the start%s",
+        share, find_neck(w),
+        slides ? "; it slides off, bring the plane nearer"
+               : "; bring them together, or make the cable's force less");
+}
+
+/* net: a film with the edges at *share of their distance, from the start. */
+static taut_status find_near(work *w, double *share, taut_error *error)
+{
+    taut_error inner = {.status = TAUT_NOT_CONVERGED};
+
+    *share = 1;
+    for (int k = 0; inner.status == TAUT_NOT_CONVERGED && k < DOUBLINGS; k++) {
+        *share *= 0.5;
+        memcpy(w->net, w->space->start, 3 * w->space->count * sizeof(double));
+        shift_edge(w, *share - 1, w->net);
+        inner.status = find_film(w, 1, &inner);
+    }
+    if (inner.status == TAUT_NOT_CONVERGED && may_part(w)) {
+        return refuse_far(w, *share, error);
+    }
+    return inner.status == TAUT_OK ? TAUT_OK : pass_on(&inner, error);
+}
+
+/* Leads the edges apart, from film to film, by steps that are halved where one fails. */
+static taut_status lead_apart(work *w, taut_arena *arena, taut_error *error)
+{
+    const size_t bytes = 3 * w->space->count * sizeof(double);
+    double *saved = taut_arena_take(arena, w->space->count, 3 * sizeof(double));
+    double share = 1, step = 0.5;
+    taut_status status = saved != NULL ? find_near(w, &share, error) : taut_fail_memory(error);
+    taut_error inner = {.status = TAUT_OK};
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    for (int k = 0; share < 1 && k < LEADS && step > lead_least; k++) {
+        const double next = fmin(1, share + step);
+        memcpy(saved, w->net, bytes);
+        shift_edge(w, next - share, w->net);
+        inner.status = find_film(w, 1, &inner);
+        if (inner.status == TAUT_OK) {
+            share = next;
+            continue;
+        }
+        memcpy(w->net, saved, bytes);
+        if (inner.status != TAUT_NOT_CONVERGED) {
+            return pass_on(&inner, error);
+        }
+        step *= 0.5;
+    }
+    if (share < 1 && may_part(w)) {
+        return refuse_far(w, share, error);
+    }
+    return share < 1 ? pass_on(&inner, error) : TAUT_OK;
+}
+
 /* ---- the whole ---- */
 
 /* Are there cables, and forces of all of them given? */
@@ -495,11 +699,45 @@ static taut_status find_net(work *w, taut_arena *arena, taut_error *error)
     }
     taut_error inner = {.status = TAUT_OK};
     inner.status = find_film(w, 1, &inner);
+    if (inner.status == TAUT_NOT_CONVERGED && w->space->around != NULL &&
+        w->region.iterations < w->region.max_iterations) {
+        return lead_apart(w, arena, error);
+    }
     if (inner.status == TAUT_NOT_CONVERGED && has_forces(w->space) &&
         w->region.iterations < w->region.max_iterations) {
         return try_stronger(w, arena, error);
     }
     return inner.status == TAUT_OK ? TAUT_OK : pass_on(&inner, error);
+}
+
+/* Points that are kept somewhere are brought there, copies follow, and the net is clamped. */
+static taut_status settle_points(const taut_film_space *space, double *points, taut_error *error)
+{
+    const int nu = space->nu, nv = space->nv;
+
+    for (int i = 0; i < nu; i++) {
+        for (int j = 0; j < nv; j++) {
+            const size_t at = (size_t)i * (size_t)nv + (size_t)j;
+            taut_film_place place;
+            const taut_status status = taut_film_place_of(space, i, j, &place, error);
+            if (status != TAUT_OK) {
+                return status;
+            }
+            if (!space->known[at]) {
+                taut_film_place_onto(&place, points + 3 * at);
+            }
+        }
+    }
+    taut_mask_follow(&space->mask, points);
+    for (int k = 0;
+         space->around != NULL && k < (space->problem->ring == TAUT_FILM_RING_U ? nv : nu); k++) {
+        if (space->problem->ring == TAUT_FILM_RING_U) {
+            taut_loop_clamp(space->around, (size_t)nv, points + 3 * k);
+        } else {
+            taut_loop_clamp(space->around, 1, points + 3 * (size_t)k * (size_t)nv);
+        }
+    }
+    return TAUT_OK;
 }
 
 static taut_status fill_solution(work *w, taut_arena *arena, taut_film_solution *solution,
@@ -520,8 +758,19 @@ static taut_status fill_solution(work *w, taut_arena *arena, taut_film_solution 
     solution->iterations = w->iterations;
     solution->residual = w->region.residual;
     solution->method = w->method;
-    return taut_scaling_undo(&space->scaling, space->count, space->points, space->known, w->net,
-                             solution->points, error);
+    w->functional->cable_count = 0;
+    solution->area = taut_scaling_undo_square(
+        &space->scaling, taut_area_functional_value(w->functional, w->net).area);
+    taut_status status = taut_scaling_undo(&space->scaling, space->count, space->points,
+                                           space->known, w->net, solution->points, error);
+    if (status == TAUT_OK && space->leader != NULL) {
+        status = settle_points(space, solution->points, error);
+    }
+    if (status == TAUT_OK && space->around != NULL &&
+        taut_film_ring_discs(space, solution->points, &solution->rival) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    return status;
 }
 
 taut_status taut_film_solve(const taut_film_space *space, const taut_monitor *monitor,
@@ -537,6 +786,10 @@ taut_status taut_film_solve(const taut_film_space *space, const taut_monitor *mo
         problem->max_iterations > 0 ? problem->max_iterations : ITERATIONS_DEFAULT;
     w.region.work_max = work_most;
     w.region.theta_least = theta_least;
+    if (space->leader != NULL) {
+        w.region.gain_enough = gain_enough;
+        w.region.patience = PATIENCE;
+    }
     w.net = taut_arena_copy(arena, space->start, space->count, 3 * sizeof(double));
     if (w.net == NULL) {
         return taut_fail_memory(error);

@@ -11,7 +11,9 @@
 
 #include "construct/common/curve_fit.h"
 #include "construct/film/arc.h"
+#include "construct/film/freedom.h"
 #include "construct/film/greville.h"
+#include "construct/film/ring.h"
 #include "core/constants.h"
 #include "core/elementary/elementary.h"
 #include "core/fail.h"
@@ -21,21 +23,10 @@
 #include <stdio.h>
 #include <string.h>
 
-const char *const taut_film_edge_names[4] = {"u0", "u1", "v0", "v1"};
-const char *const taut_film_corner_names[4] = {"u0v0", "u1v0", "u0v1", "u1v1"};
-
 /* An end of a curve and a corner are one when they are this close, over the size of the boundary. */
 static const double gap_meeting = 1e-9;
 /* Corners are two when they are further apart than this, over the size. */
 static const double gap_apart = 1e-9;
-
-void taut_film_edge_points(int nu, int nv, int e, size_t *first, size_t *step, int *count)
-{
-    const size_t columns = (size_t)nv;
-    *first = e == 1 ? (size_t)(nu - 1) * columns : e == 3 ? columns - 1 : 0;
-    *step = e < 2 ? 1 : columns;
-    *count = e < 2 ? nv : nu;
-}
 
 static const taut_basis *basis_of(const taut_film_problem *problem, int e)
 {
@@ -67,6 +58,9 @@ static taut_status take_corner(const taut_film_problem *problem, int c, double c
     if (problem->has_corner[c]) {
         memcpy(corner, problem->corners[c], 3 * sizeof(double));
         return TAUT_OK;
+    }
+    if (problem->corner_kinds[c] != TAUT_FILM_HELD) {
+        return TAUT_OK; /* find_starts */
     }
     edges_at(c, edge, end);
     for (int k = 0; k < 2; k++) {
@@ -137,6 +131,49 @@ static taut_status check_apart(const taut_film_space *space, double size, taut_e
     return TAUT_OK;
 }
 
+/* Corners that move and do not say where they start: the mean of those that their edges lead to. */
+static void find_starts(taut_film_space *space)
+{
+    const taut_film_problem *problem = space->problem;
+    unsigned char is_known[4];
+
+    for (int c = 0; c < 4; c++) {
+        is_known[c] = problem->has_corner[c] || problem->corner_kinds[c] == TAUT_FILM_HELD;
+    }
+    for (int round = 0; round < 2; round++) {
+        for (int c = 0; c < 4; c++) {
+            const int next[2] = {c ^ 1, c ^ 2};
+            const int count = is_known[next[0]] + is_known[next[1]];
+            if (is_known[c] || count == 0) {
+                continue;
+            }
+            memset(space->corners[c], 0, sizeof space->corners[c]);
+            for (int k = 0; k < 2; k++) {
+                taut_add_scaled(is_known[next[k]] ? 1.0 / count : 0, space->corners[next[k]],
+                                space->corners[c]);
+            }
+            is_known[c] = 1;
+        }
+    }
+}
+
+/* Moving corners go where their planes and lines are. */
+static taut_status place_corners(taut_film_space *space, taut_error *error)
+{
+    for (int c = 0; c < 4; c++) {
+        taut_film_place place;
+        const taut_status status = taut_film_place_of(space, c % 2 * (space->nu - 1),
+                                                      c / 2 * (space->nv - 1), &place, error);
+        if (status != TAUT_OK) {
+            return status;
+        }
+        if (space->problem->corner_kinds[c] != TAUT_FILM_HELD) {
+            taut_film_place_onto(&place, space->corners[c]);
+        }
+    }
+    return TAUT_OK;
+}
+
 static taut_status find_corners(taut_film_space *space, taut_error *error)
 {
     taut_status status = TAUT_OK;
@@ -146,7 +183,8 @@ static taut_status find_corners(taut_film_space *space, taut_error *error)
     if (status != TAUT_OK) {
         return status;
     }
-    const double size = boundary_size(space);
+    find_starts(space);
+    const double size = space->size = boundary_size(space);
     if (!isfinite(size)) {
         return taut_fail(error, TAUT_NO_SOLUTION, "overflow", "/corners", size, taut_none,
                          "the corners are farther apart than doubles reach: scale them down");
@@ -155,6 +193,9 @@ static taut_status find_corners(taut_film_space *space, taut_error *error)
         if (space->problem->edges[e].curve != NULL) {
             status = check_ends(space, e, size, error);
         }
+    }
+    if (status == TAUT_OK) {
+        status = place_corners(space, error);
     }
     return status == TAUT_OK ? check_apart(space, size, error) : status;
 }
@@ -207,8 +248,7 @@ static taut_status lay_curve(taut_film_space *space, int e, taut_arena *arena, t
 }
 
 /* Edge e of the points: its curve, or its chord; a cable is its chord for now. */
-static taut_status lay_edge(taut_film_space *space, int e, double *const greville[2],
-                            taut_arena *arena, taut_error *error)
+static taut_status lay_edge(taut_film_space *space, int e, taut_arena *arena, taut_error *error)
 {
     size_t first = 0, step = 0;
     int count = 0;
@@ -223,7 +263,7 @@ static taut_status lay_edge(taut_film_space *space, int e, double *const grevill
         }
     }
     lay_chord(space->corners[taut_film_corner_of(e, 0)], space->corners[taut_film_corner_of(e, 1)],
-              count, greville[e < 2], step, space->points + 3 * first);
+              count, space->greville[e < 2], step, space->points + 3 * first);
     return TAUT_OK;
 }
 
@@ -249,12 +289,30 @@ static void blend(const taut_film_space *space, const double *net, double a, dou
     }
 }
 
-static void fill_inside(taut_film_space *space, double *const greville[2])
+/* Between the two edges of a ring, on straight lines. */
+static void fill_ring(const taut_film_space *space, double *net)
 {
+    const int along_u = space->problem->ring == TAUT_FILM_RING_U;
+    const int across = along_u ? space->nv : space->nu, around = along_u ? space->nu : space->nv;
+    const size_t nv = (size_t)space->nv, step = along_u ? 1 : nv, line = along_u ? nv : 1;
+
+    for (int k = 0; k < around; k++) {
+        double *x = net + 3 * (size_t)k * line;
+        lay_chord(x, x + 3 * (size_t)(across - 1) * step, across, space->greville[along_u], step,
+                  x);
+    }
+}
+
+void taut_film_space_fill(const taut_film_space *space, double *net)
+{
+    if (space->around != NULL) {
+        fill_ring(space, net);
+        return;
+    }
     for (int i = 1; i < space->nu - 1; i++) {
         for (int j = 1; j < space->nv - 1; j++) {
-            blend(space, space->start, greville[0][i], greville[1][j], (size_t)i, (size_t)j,
-                  space->start + 3 * ((size_t)i * (size_t)space->nv + (size_t)j));
+            blend(space, net, space->greville[0][i], space->greville[1][j], (size_t)i, (size_t)j,
+                  net + 3 * ((size_t)i * (size_t)space->nv + (size_t)j));
         }
     }
 }
@@ -330,6 +388,32 @@ static taut_status take_elastic(taut_film_space *space, int e, double chord, dou
                : check_ratio(e, "unstressed", space->ratios[e], edge->unstressed, error);
 }
 
+/* A cable that closes: by its length or its law a circle, as it is in a flat film around it. */
+static taut_status find_closed_cable(taut_film_space *space, int e, taut_error *error)
+{
+    const taut_film_edge *edge = &space->problem->edges[e];
+    const double s = space->problem->tension > 0 ? space->problem->tension : 1;
+    const int unit = space->scaling.outer + space->scaling.inner;
+    taut_film_cable *cable = &space->cables[e];
+
+    if (edge->law == TAUT_FILM_LENGTH) {
+        cable->length = cable->start = ldexp(edge->length, -unit);
+        space->ratios[e] = cable->length / (2 * TAUT_PI);
+        return check_ratio(e, "length", space->ratios[e], edge->length, error);
+    }
+    if (edge->law == TAUT_FILM_ELASTIC) {
+        const double k = ldexp(edge->stiffness / s, -unit) / ldexp(edge->unstressed, -unit);
+        const double unstressed = ldexp(edge->unstressed, -unit), turn = 2 * TAUT_PI;
+        space->ratios[e] = turn * k > 2 ? k * unstressed / (turn * k - 1) : unstressed;
+        *cable = (taut_film_cable){
+            .stiffness = k, .target = unstressed, .start = unstressed + space->ratios[e] / k};
+        return check_ratio(e, "stiffness", ldexp(edge->stiffness / s, -unit), edge->stiffness,
+                           error);
+    }
+    space->ratios[e] = ldexp(edge->force / s, -unit);
+    return check_ratio(e, "force", space->ratios[e], edge->force, error);
+}
+
 static taut_status find_cable(taut_film_space *space, int e, taut_error *error)
 {
     const taut_film_edge *edge = &space->problem->edges[e];
@@ -339,6 +423,9 @@ static taut_status find_cable(taut_film_space *space, int e, taut_error *error)
                                              space->corners[taut_film_corner_of(e, 1)]),
                                -unit);
 
+    if (space->around != NULL) {
+        return find_closed_cable(space, e, error);
+    }
     switch (edge->law) {
     case TAUT_FILM_LENGTH:
         return take_length(space, e, chord, ldexp(edge->length, -unit), error);
@@ -376,10 +463,51 @@ double taut_film_force(const taut_film_space *space, int e, double share)
                : s * ldexp(share * space->ratios[e], space->scaling.outer + space->scaling.inner);
 }
 
+static void mark_boundary(const taut_film_space *space, unsigned char *laid)
+{
+    for (int e = 0; e < 4; e++) {
+        size_t first = 0, step = 0;
+        int count = 0;
+        taut_film_edge_points(space->nu, space->nv, e, &first, &step, &count);
+        for (int k = 0; taut_film_has_edge(space->problem, e) && k < count; k++) {
+            laid[first + (size_t)k * step] = 1;
+        }
+    }
+}
+
+static taut_status lay_open(taut_film_space *space, taut_arena *arena, taut_error *error)
+{
+    taut_status status = find_corners(space, error);
+
+    for (int e = 0; status == TAUT_OK && e < 4; e++) {
+        status = lay_edge(space, e, arena, error);
+    }
+    for (int c = 0; c < 4; c++) {
+        const size_t at = (size_t)(c % 2 * (space->nu - 1)) * (size_t)space->nv +
+                          (size_t)(c / 2 * (space->nv - 1));
+        space->known[at] |= space->problem->corner_kinds[c] == TAUT_FILM_HELD;
+    }
+    return status;
+}
+
+static taut_status lay_ring(taut_film_space *space, taut_arena *arena, taut_error *error)
+{
+    const taut_film_problem *problem = space->problem;
+    const int along_u = problem->ring == TAUT_FILM_RING_U;
+    taut_loop *around = taut_arena_take(arena, 1, sizeof *around);
+
+    if (around == NULL ||
+        taut_loop_new(along_u ? problem->u : problem->v, arena, around) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    space->around = around;
+    return taut_film_ring_lay(space, arena, error);
+}
+
 taut_status taut_film_space_new(const taut_film_problem *problem, taut_arena *arena,
                                 taut_film_space *space, taut_error *error)
 {
-    double *greville[2];
+    unsigned char *laid = NULL;
     taut_status status = TAUT_OK;
 
     *space = (taut_film_space){
@@ -388,33 +516,26 @@ taut_status taut_film_space_new(const taut_film_problem *problem, taut_arena *ar
     space->points = taut_arena_take(arena, space->count, 3 * sizeof(double));
     space->start = taut_arena_take(arena, space->count, 3 * sizeof(double));
     space->known = taut_arena_take(arena, space->count, 1);
-    greville[0] = taut_arena_take(arena, (size_t)space->nu, sizeof(double));
-    greville[1] = taut_arena_take(arena, (size_t)space->nv, sizeof(double));
+    laid = taut_arena_take(arena, space->count, 1);
+    space->greville[0] = taut_arena_take(arena, (size_t)space->nu, sizeof(double));
+    space->greville[1] = taut_arena_take(arena, (size_t)space->nv, sizeof(double));
     if (taut_arena_status(arena) != TAUT_OK) {
         return taut_fail_memory(error);
     }
-    status = find_corners(space, error);
+    mark_boundary(space, laid);
+    taut_film_greville(problem->u, space->greville[0]);
+    taut_film_greville(problem->v, space->greville[1]);
+    status = problem->ring == TAUT_FILM_OPEN ? lay_open(space, arena, error)
+                                             : lay_ring(space, arena, error);
+    if (status == TAUT_OK) {
+        status = taut_film_freedom(space, arena, error);
+    }
     if (status != TAUT_OK) {
         return status;
     }
-    taut_film_greville(problem->u, greville[0]);
-    taut_film_greville(problem->v, greville[1]);
-    for (int e = 0; status == TAUT_OK && e < 4; e++) {
-        status = lay_edge(space, e, greville, arena, error);
-    }
-    if (status != TAUT_OK) {
-        return status;
-    }
-    for (int c = 0; c < 4; c++) { /* cables end in corners that are held */
-        const size_t at = (size_t)(c % 2 * (space->nu - 1)) * (size_t)space->nv +
-                          (size_t)(c / 2 * (space->nv - 1));
-        space->known[at] = 1;
-    }
-    if (taut_mask_new(space->nu, space->nv, space->known, arena, &space->mask) != TAUT_OK) {
-        return taut_fail_memory(error);
-    }
-    space->scaling = taut_scaling_of(space->count, space->points, space->known);
+    space->scaling =
+        taut_scaling_of(space->count, space->points, space->leader == NULL ? space->known : laid);
     taut_scaling_apply(&space->scaling, space->count, space->points, NULL, space->start);
-    fill_inside(space, greville);
+    taut_film_space_fill(space, space->start);
     return find_cables(space, error);
 }

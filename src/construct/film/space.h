@@ -4,7 +4,9 @@
 
 #include "construct/common/mask.h"
 #include "construct/common/scaling.h"
+#include "construct/film/edges.h"
 #include "core/arena.h"
+#include "geometry/nurbs/loop.h"
 #include "taut/film.h"
 
 /* What a cable does, scaled. */
@@ -18,12 +20,18 @@ typedef struct taut_film_cable {
 typedef struct taut_film_space {
     const taut_film_problem *problem;
     int nu, nv;
-    size_t count;            /* nu nv */
-    double corners[4][3];    /* u0v0, u1v0, u0v1, u1v1 */
-    double deviation;        /* of fitted edges from their curves */
-    double *points;          /* [nu][nv][3]: what is held, in the user's unit; else 0 */
+    size_t count;         /* nu nv */
+    double corners[4][3]; /* u0v0, u1v0, u0v1, u1v1 */
+    double deviation;     /* of fitted edges from their curves */
+    double size;          /* of the boundary: of a point of it from the first corner */
+    const taut_loop
+        *around;    /* of the direction that goes around, or NULL; nets are on its functions then */
+    double *points; /* [nu][nv][3]: what is held, in the user's unit; else 0 */
     unsigned char *known;    /* [nu][nv] */
+    int *leader;             /* [nu][nv] as a mask has them, or NULL */
+    double *allowed;         /* [nu][nv][6] as a mask has them, or NULL */
     taut_mask mask;          /* of known */
+    double *greville[2];     /* [nu], [nv]: abscissae over [0, 1] */
     taut_scaling scaling;    /* of the points held */
     double *start;           /* [nu][nv][3], scaled: chords for cables, a Coons net inside */
     double ratios[4];        /* force over tension of each cable, in the scaled unit; 0: no cable.
@@ -32,19 +40,6 @@ typedef struct taut_film_space {
     taut_film_cable cables[4];
 } taut_film_space;
 
-/* Names of edges and corners, as documents have them. */
-extern const char *const taut_film_edge_names[4];
-extern const char *const taut_film_corner_names[4];
-
-/* Which of the corners edge e runs from (end 0) and to (1). */
-static inline int taut_film_corner_of(int e, int end)
-{
-    return e < 2 ? e + 2 * end : end + 2 * (e - 2);
-}
-
-/* Where the points of edge e lie in a net of nu by nv: the first, from one to the next, how many. */
-void taut_film_edge_points(int nu, int nv, int e, size_t *first, size_t *step, int *count);
-
 /* The force of cable e, in the user's unit, at `share` of its ratio. */
 double taut_film_force(const taut_film_space *space, int e, double share);
 
@@ -52,5 +47,8 @@ double taut_film_force(const taut_film_space *space, int e, double share);
  * taut/film.h; TAUT_NO_MEMORY. */
 taut_status taut_film_space_new(const taut_film_problem *problem, taut_arena *arena,
                                 taut_film_space *space, taut_error *error);
+
+/* Lays the inside of net double[nu][nv][3] between its edges: a net of Coons, of a ring straight lines. */
+void taut_film_space_fill(const taut_film_space *space, double *net);
 
 #endif /* TAUT_CONSTRUCT_FILM_SPACE_H */

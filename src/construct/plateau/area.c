@@ -333,20 +333,40 @@ static taut_status take_arrays(taut_area_functional *functional)
     return taut_arena_status(arena);
 }
 
-static taut_status make_parts(const taut_basis *u, const taut_basis *v, const double *weights,
-                              int extra, taut_area_functional *functional)
+/* The tables of an axis become those of the functions that go around. */
+static void open_axis(const taut_loop *around, taut_area_axis *a)
+{
+    for (int k = 0; around != NULL && k < a->count; k++) {
+        taut_loop_open(around, a->first[k], a->value + (size_t)k * (size_t)a->local);
+        taut_loop_open(around, a->first[k], a->slope + (size_t)k * (size_t)a->local);
+    }
+}
+
+/* What a functional is made from. */
+typedef struct request {
+    const taut_basis *u, *v;
+    const double *weights;
+    const taut_loop *around_u, *around_v;
+    int extra;
+} request;
+
+static taut_status make_parts(const request *r, taut_area_functional *functional)
 {
     taut_arena *arena = functional->arena;
+    const double *weights = r->weights;
     const int nu = functional->nu, nv = functional->nv;
-    taut_status status = make_axis(u, nv, weights, (size_t)nv, 1, extra, arena, &functional->u);
+    taut_status status =
+        make_axis(r->u, nv, weights, (size_t)nv, 1, r->extra, arena, &functional->u);
 
     if (status != TAUT_OK) {
         return status;
     }
-    status = make_axis(v, nu, weights, 1, (size_t)nv, extra, arena, &functional->v);
+    status = make_axis(r->v, nu, weights, 1, (size_t)nv, r->extra, arena, &functional->v);
     if (status != TAUT_OK) {
         return status;
     }
+    open_axis(r->around_u, &functional->u);
+    open_axis(r->around_v, &functional->v);
     status = arrange_axis(functional->ops->lanes, arena, &functional->v);
     if (status != TAUT_OK) {
         return status;
@@ -355,9 +375,7 @@ static taut_status make_parts(const taut_basis *u, const taut_basis *v, const do
     return status == TAUT_OK ? take_weights(weights, functional) : status;
 }
 
-taut_status taut_area_functional_new(const taut_basis *u, const taut_basis *v,
-                                     const double *weights, int extra,
-                                     taut_area_functional **functional)
+static taut_status functional_new(const request *r, taut_area_functional **functional)
 {
     taut_area_functional *made = taut_alloc_zero(1, sizeof *made);
     taut_status status = TAUT_OK;
@@ -366,16 +384,32 @@ taut_status taut_area_functional_new(const taut_basis *u, const taut_basis *v,
         return TAUT_NO_MEMORY;
     }
     made->arena = taut_arena_new();
-    made->nu = taut_basis_count(u);
-    made->nv = taut_basis_count(v);
+    made->nu = taut_basis_count(r->u);
+    made->nv = taut_basis_count(r->v);
     made->ops = taut_area_ops_chosen();
-    status = make_parts(u, v, weights, extra, made);
+    status = make_parts(r, made);
     if (status != TAUT_OK) {
         taut_area_functional_free(made);
         return status;
     }
     *functional = made;
     return TAUT_OK;
+}
+
+taut_status taut_area_functional_new(const taut_basis *u, const taut_basis *v,
+                                     const double *weights, int extra,
+                                     taut_area_functional **functional)
+{
+    const request r = {.u = u, .v = v, .weights = weights, .extra = extra};
+    return functional_new(&r, functional);
+}
+
+taut_status taut_area_functional_around(const taut_basis *u, const taut_basis *v,
+                                        const taut_loop *around_u, const taut_loop *around_v,
+                                        int extra, taut_area_functional **functional)
+{
+    const request r = {.u = u, .v = v, .around_u = around_u, .around_v = around_v, .extra = extra};
+    return functional_new(&r, functional);
 }
 
 /* At each point 6 numbers from the functions alive along v, and what is made of them. */

@@ -24,6 +24,7 @@
 #include "construct/plateau/area_kernel.h"
 #include "construct/plateau/cable.h"
 #include "core/arena.h"
+#include "geometry/nurbs/loop.h"
 #include "taut/basis.h"
 
 #include <stddef.h>
@@ -72,6 +73,11 @@ typedef struct taut_area_value {
 taut_status taut_area_functional_new(const taut_basis *u, const taut_basis *v,
                                      const double *weights, int extra,
                                      taut_area_functional **functional);
+/* The same of nets on the functions that go around where a loop is given, NULL else
+ * (geometry/nurbs/loop.h); copies count as points of their own. */
+taut_status taut_area_functional_around(const taut_basis *u, const taut_basis *v,
+                                        const taut_loop *around_u, const taut_loop *around_v,
+                                        int extra, taut_area_functional **functional);
 void taut_area_functional_free(taut_area_functional *functional); /* NULL is fine */
 
 /* The area of net double[nu][nv][3]. */

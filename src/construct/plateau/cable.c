@@ -53,6 +53,13 @@ taut_status taut_area_cable_new(const taut_basis *basis, int extra, size_t first
     return status;
 }
 
+void taut_area_cable_open(const taut_loop *around, taut_area_cable *cable)
+{
+    for (int k = 0; k < cable->nodes; k++) {
+        taut_loop_open(around, cable->alive[k], cable->slope + (size_t)k * (size_t)cable->local);
+    }
+}
+
 /* x_t of a net at a node. */
 static void find_slope(const taut_area_cable *cable, const double *net, int node, double d[3])
 {

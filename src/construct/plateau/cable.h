@@ -19,6 +19,7 @@
 #define TAUT_CONSTRUCT_PLATEAU_CABLE_H
 
 #include "core/arena.h"
+#include "geometry/nurbs/loop.h"
 #include "taut/basis.h"
 
 #include <stddef.h>
@@ -42,6 +43,9 @@ typedef struct taut_area_cable {
 /* local + extra nodes a span, in the arena. TAUT_NO_MEMORY. */
 taut_status taut_area_cable_new(const taut_basis *basis, int extra, size_t first, size_t step,
                                 taut_arena *arena, taut_area_cable *cable);
+
+/* The cable goes around: its points are those of geometry/nurbs/loop.h. */
+void taut_area_cable_open(const taut_loop *around, taut_area_cable *cable);
 
 /* C at a length. */
 double taut_area_cable_energy(const taut_area_cable *cable, double length);

@@ -11,11 +11,15 @@
 /* k dL dL^T of each cable that gives way, beside the band: with G their sqrt(k) dL,
  *
  *     (B + G G^T)^-1 = B^-1 - B^-1 G (I + G^T B^-1 G)^-1 G^T B^-1     ([GolubVanLoan2013] 2.1.4)
+ *
+ * A film may stand by the length of a cable alone: B has eigenvalues below 0 then, and B + G G^T has none exactly when
+ * I + G^T B^-1 G has as many.
  */
 typedef struct border {
     int count;
     double *pull[TAUT_SMALL_MAX], *image[TAUT_SMALL_MAX]; /* [unknowns][3]: of G, of B^-1 G */
     double small[TAUT_SMALL_MAX][TAUT_SMALL_MAX];         /* the factors of I + G^T B^-1 G */
+    int is_signed;                                        /* are both factors those of any signs? */
 } border;
 
 /* What factors may cost; beyond it conjugate gradients serve. */
@@ -39,23 +43,47 @@ struct taut_area_hessian {
     double *normal;                   /* [v.nodes][TAUT_AREA_BLOCK - 1] */
     double *right;                    /* [unknowns][3] */
     double *work;                     /* of the factors of wide bands */
+    const double **
+        allowed; /* [unknowns]: the projector of each that is kept on a line or in a plane, else NULL; or
+                             * NULL: none is */
     border border;
 };
 
-/* Numbers the unknown points; returns how many. */
-static int number_unknowns(const taut_mask *mask, int *index)
+static size_t net_size(const taut_area_hessian *hessian)
 {
-    const int by_rows = mask->rows >= mask->columns;
+    return (size_t)hessian->mask->nu * (size_t)hessian->mask->nv;
+}
+
+/* Is point i unknown, and no copy? */
+static int is_leader(const taut_area_hessian *hessian, size_t i)
+{
+    return !hessian->mask->known[i];
+}
+
+/* The a-th of `count` lines: one from each end in turn where the net goes around, so that lines
+ * which meet across the seam stay near each other. */
+static int line_of(int a, int count, int is_folded)
+{
+    return !is_folded ? a : a % 2 == 0 ? a / 2 : count - 1 - a / 2;
+}
+
+/* Numbers the unknown points, one line after another; returns how many. */
+static int number_lines(const taut_mask *mask, int by_rows, int is_folded, int *index)
+{
     const int outer = by_rows ? mask->nu : mask->nv;
     const int inner = by_rows ? mask->nv : mask->nu;
     int next = 0;
 
-    for (int a = 0; a < outer; a++) {
+    for (int k = 0; k < outer; k++) {
+        const int a = line_of(k, outer, is_folded);
         for (int b = 0; b < inner; b++) {
             const size_t at = by_rows ? (size_t)a * (size_t)mask->nv + (size_t)b
                                       : (size_t)b * (size_t)mask->nv + (size_t)a;
             index[at] = mask->known[at] ? -1 : next++;
         }
+    }
+    for (size_t i = 0; mask->leader != NULL && i < (size_t)outer * (size_t)inner; i++) {
+        index[i] = index[mask->leader[i]];
     }
     return next;
 }
@@ -78,6 +106,25 @@ static int half_width(const taut_area_functional *functional, const int *index)
         }
     }
     return widest;
+}
+
+/* Numbers them so that the band is narrow. */
+static int number_unknowns(const taut_area_functional *functional, const taut_mask *mask,
+                           int *index)
+{
+    const int by_rows = mask->rows >= mask->columns;
+    int best = 0, width = 0;
+
+    for (int k = 0; mask->leader != NULL && k < 4; k++) {
+        (void)number_lines(mask, k % 2, k / 2, index);
+        const int found = half_width(functional, index);
+        if (k == 0 || found < width) {
+            best = k;
+            width = found;
+        }
+    }
+    return mask->leader != NULL ? number_lines(mask, best % 2, best / 2, index)
+                                : number_lines(mask, by_rows, 0, index);
 }
 
 /* Of a banded matrix of three unknowns a point, numbered along the shorter side. */
@@ -152,8 +199,21 @@ static taut_status make_matrices(const taut_area_functional *functional, taut_ar
     if (status != TAUT_OK) {
         return status;
     }
-    hessian->unknowns = number_unknowns(hessian->mask, hessian->index);
+    if (hessian->mask->allowed != NULL) {
+        hessian->allowed =
+            taut_arena_take(hessian->arena, hessian->mask->unknowns, sizeof *hessian->allowed);
+        if (hessian->allowed == NULL) {
+            return TAUT_NO_MEMORY;
+        }
+    }
+    hessian->unknowns = number_unknowns(functional, hessian->mask, hessian->index);
     width = half_width(functional, hessian->index);
+    for (size_t i = 0; hessian->allowed != NULL && i < net_size(hessian); i++) {
+        const double *p = hessian->mask->allowed + 6 * i;
+        if (is_leader(hessian, i) && p[0] + p[2] + p[5] < 2.5) { /* the trace is its rank */
+            hessian->allowed[hessian->index[i]] = p;
+        }
+    }
     count = hessian->unknowns;
     hessian->work = taut_arena_take(hessian->arena, taut_band_tiles_work(3 * count, 3 * width + 2),
                                     sizeof(double));
@@ -282,6 +342,20 @@ static void add_block(taut_area_hessian *hessian, int a, int b, double sign, con
     taut_band_row(&hessian->metric, a)[a - b] += block[9];
 }
 
+/* Adds the block of points a and b, in the order that the band keeps; of two points that are one, both
+ * that they have. */
+static void add_pair(taut_area_hessian *hessian, int a, int b, int are_two, const double *block)
+{
+    if (b > a) {
+        add_block(hessian, b, a, -1, block);
+    } else if (b >= 0) {
+        add_block(hessian, a, b, 1, block);
+    }
+    if (a == b && are_two) {
+        add_block(hessian, a, b, -1, block);
+    }
+}
+
 /* Adds the element of the cells that begin at this node. */
 static void add_element(taut_area_hessian *hessian, const taut_area_functional *functional,
                         int line, int k)
@@ -299,11 +373,7 @@ static void add_element(taut_area_hessian *hessian, const taut_area_functional *
             for (size_t c = 0; c < TAUT_AREA_BLOCK; c++) {
                 block[c] = row[c * (size_t)hessian->wide + (size_t)q];
             }
-            if (b > a) {
-                add_block(hessian, b, a, -1, block);
-            } else if (b >= 0) {
-                add_block(hessian, a, b, 1, block);
-            }
+            add_pair(hessian, a, b, p != q, block);
         }
     }
 }
@@ -327,9 +397,7 @@ static void add_cable_node(taut_area_hessian *hessian, const taut_area_cable *ca
             for (int c = 0; c < 6; c++) {
                 block[c] = block[9] * across[c];
             }
-            if (b >= 0) { /* numbers grow along an edge */
-                add_block(hessian, a, b, 1, block);
-            }
+            add_pair(hessian, a, b, p != q, block);
         }
     }
 }
@@ -343,7 +411,12 @@ static void add_border(taut_area_hessian *hessian, const taut_area_cable *cable)
     for (int k = 0; k < cable->count; k++) {
         const int at = hessian->index[cable->first + (size_t)k * cable->step];
         for (int c = 0; at >= 0 && c < 3; c++) {
-            pull[3 * at + c] = sqrt(cable->stiffness) * cable->pull[3 * k + c];
+            pull[3 * at + c] += sqrt(cable->stiffness) * cable->pull[3 * k + c];
+        }
+    }
+    for (size_t i = 0; hessian->mask->allowed != NULL && i < net_size(hessian); i++) {
+        if (is_leader(hessian, i)) {
+            taut_mask_project(hessian->mask->allowed + 6 * i, pull + 3 * hessian->index[i]);
         }
     }
 }
@@ -381,14 +454,12 @@ void taut_area_hessian_assemble(taut_area_hessian *hessian, const taut_area_func
 
 void taut_area_hessian_stiffen(taut_area_hessian *hessian, const double *directions, double weight)
 {
-    const size_t count = (size_t)hessian->mask->nu * (size_t)hessian->mask->nv;
-
-    for (size_t i = 0; i < count; i++) {
-        const double *p = directions + 6 * i, *q = p + 3;
-        for (int c = 0; c < 3 && hessian->index[i] >= 0; c++) {
+    for (size_t i = 0; i < net_size(hessian); i++) {
+        const double *p = directions + 9 * i, *q = p + 3, *r = p + 6;
+        for (int c = 0; c < 3 && is_leader(hessian, i); c++) {
             double *row = taut_band_row(&hessian->second, 3 * hessian->index[i] + c);
             for (int d = 0; d <= c; d++) {
-                row[c - d] += weight * ((c == d) - p[c] * p[d] - q[c] * q[d]);
+                row[c - d] += weight * ((c == d) - p[c] * p[d] - q[c] * q[d] - r[c] * r[d]);
             }
         }
     }
@@ -458,6 +529,67 @@ static void combine_matrices(taut_area_hessian *hessian, double theta)
     }
 }
 
+/* block = P block P', projectors as a mask has them, block [3][3]; NULL: all is allowed. */
+static void restrict_block(const double *left, const double *right, double block[3][3])
+{
+    for (int c = 0; c < 3; c++) {
+        taut_mask_project(right, block[c]);
+    }
+    for (int d = 0; d < 3; d++) {
+        double x[3] = {block[0][d], block[1][d], block[2][d]};
+        taut_mask_project(left, x);
+        for (int c = 0; c < 3; c++) {
+            block[c][d] = x[c];
+        }
+    }
+}
+
+/* Blocks (a, b) of the factor, a >= b, without what is not allowed; on the diagonal its mean size there in
+ * the place of it. */
+static void restrict_pair(taut_area_hessian *hessian, int a, int b, const double *left,
+                          const double *right)
+{
+    double block[3][3], full[3][3];
+    const double size = a == b ? taut_band_row(&hessian->factor, 3 * a)[0] : 0;
+
+    for (int c = 0; c < 3; c++) {
+        for (int d = 0; d < 3; d++) {
+            const int below = 3 * (a - b) + c - d;
+            full[c][d] = below >= 0 ? taut_band_row(&hessian->factor, 3 * a + c)[below]
+                                    : taut_band_row(&hessian->factor, 3 * b + d)[-below];
+        }
+    }
+    memcpy(block, full, sizeof block);
+    restrict_block(left, right, block);
+    for (int c = 0, at = 0; c < 3; c++) {
+        for (int d = 0; d <= c && a == b; d++, at++) {
+            block[c][d] += size * ((c == d) - left[at]);
+        }
+    }
+    for (int c = 0; c < 3; c++) {
+        for (int d = 0; d < 3; d++) {
+            const int below = 3 * (a - b) + c - d;
+            if (below >= 0) {
+                taut_band_row(&hessian->factor, 3 * a + c)[below] = block[c][d];
+            }
+        }
+    }
+}
+
+/* Takes moves that are not allowed out of the factor: P B P + size (I - P). */
+static void restrict_moves(taut_area_hessian *hessian)
+{
+    const double **allowed = hessian->allowed;
+
+    for (int a = 0; a < hessian->unknowns && allowed != NULL; a++) {
+        for (int b = a - hessian->metric.width > 0 ? a - hessian->metric.width : 0; b <= a; b++) {
+            if (allowed[a] != NULL || allowed[b] != NULL) {
+                restrict_pair(hessian, a, b, allowed[a], allowed[b]);
+            }
+        }
+    }
+}
+
 static double dot(size_t count, const double *a, const double *b)
 {
     double sum = 0;
@@ -467,8 +599,8 @@ static double dot(size_t count, const double *a, const double *b)
     return sum;
 }
 
-/* The border by the factors at hand. */
-static taut_status factor_border(taut_area_hessian *hessian)
+/* The border by the factors at hand; `negative` of B's eigenvalues are below 0. */
+static taut_status factor_border(taut_area_hessian *hessian, int negative)
 {
     border *b = &hessian->border;
     const size_t size = 3 * (size_t)hessian->unknowns;
@@ -480,16 +612,38 @@ static taut_status factor_border(taut_area_hessian *hessian)
             b->small[k][m] = (k == m) + dot(size, b->pull[m], b->image[k]);
         }
     }
+    if (b->is_signed) {
+        return taut_small_factor_signed(b->count, b->small) == negative ? TAUT_OK
+                                                                        : TAUT_NO_SOLUTION;
+    }
     return taut_small_factor(b->count, b->small) ? TAUT_OK : TAUT_NO_SOLUTION;
+}
+
+/* Once more, where only the border can make it definite. */
+static taut_status factor_signed(taut_area_hessian *hessian, double theta)
+{
+    int negative = 0;
+
+    combine_matrices(hessian, theta);
+    restrict_moves(hessian);
+    hessian->border.is_signed = 1;
+    const taut_status status = taut_band_factor_signed(&hessian->factor, &negative);
+    return status == TAUT_OK && negative <= hessian->border.count ? factor_border(hessian, negative)
+                                                                  : TAUT_NO_SOLUTION;
 }
 
 taut_status taut_area_hessian_factor(taut_area_hessian *hessian, double theta)
 {
     combine_matrices(hessian, theta);
+    restrict_moves(hessian);
     const taut_status status = hessian->factor.width >= TAUT_BAND_TILES_LEAST
                                    ? taut_band_factor_tiled(&hessian->factor, hessian->work, NULL)
                                    : taut_band_factor(&hessian->factor);
-    return status == TAUT_OK ? factor_border(hessian) : status;
+    hessian->border.is_signed = 0;
+    if (status == TAUT_NO_SOLUTION && hessian->border.count > 0 && hessian->mask->leader != NULL) {
+        return factor_signed(hessian, theta);
+    }
+    return status == TAUT_OK ? factor_border(hessian, 0) : status;
 }
 
 /* right = (B + G G^T)^-1 right, B^-1 right given. */
@@ -502,7 +656,11 @@ static void solve_border(taut_area_hessian *hessian)
     for (int k = 0; k < b->count; k++) {
         along[k] = dot(size, b->pull[k], hessian->right);
     }
-    taut_small_solve(b->count, b->small, along);
+    if (b->is_signed) {
+        taut_small_solve_signed(b->count, b->small, along);
+    } else {
+        taut_small_solve(b->count, b->small, along);
+    }
     for (int k = 0; k < b->count; k++) {
         for (size_t i = 0; i < size; i++) {
             hessian->right[i] -= along[k] * b->image[k][i];
@@ -515,7 +673,7 @@ void taut_area_hessian_solve(taut_area_hessian *hessian, double *net)
     const size_t count = (size_t)hessian->mask->nu * (size_t)hessian->mask->nv;
 
     for (size_t i = 0; i < count; i++) {
-        if (hessian->index[i] >= 0) {
+        if (is_leader(hessian, i)) {
             memcpy(hessian->right + 3 * (size_t)hessian->index[i], net + 3 * i, 3 * sizeof(double));
         }
     }

@@ -34,8 +34,8 @@ void taut_area_hessian_free(taut_area_hessian *hessian); /* NULL is fine */
 void taut_area_hessian_assemble(taut_area_hessian *hessian, const taut_area_functional *functional);
 
 /* Stiffens every unknown point against moves other than those given: adds weight (I - P) to its
- * block of H, P the projector of its two directions, double[nu][nv][2][3], unit and orthogonal, the
- * second 0 where there is one. The steps of factor 0 are then along them, to 1 / weight. */
+ * block of H, P the projector of its directions, double[nu][nv][3][3], unit and orthogonal, 0 where there
+ * are fewer. The steps of factor 0 are then along them, to 1 / weight. */
 void taut_area_hessian_stiffen(taut_area_hessian *hessian, const double *directions, double weight);
 
 /* Stiffens the surface against leaving places: adds c c^T of each condition to H, by the weight that makes it a hundred times as

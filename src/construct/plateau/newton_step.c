@@ -158,7 +158,7 @@ void taut_newton_step_reduce(const taut_newton_step *newton, const double *net, 
 
     if (newton->directions == NULL) {
         memcpy(z, net, 3 * count * sizeof(double));
-        taut_mask_clear_known(newton->mask, z);
+        taut_mask_reduce(newton->mask, z);
     }
     for (size_t i = 0; newton->directions != NULL && i < count; i++) {
         z[i] = known[i] ? 0 : taut_dot(newton->directions + 3 * i, net + 3 * i);
@@ -175,6 +175,7 @@ void taut_newton_step_expand(const taut_newton_step *newton, const double *z, do
     for (size_t i = 0; i < 3 * count; i++) {
         net[i] = newton->directions == NULL ? z[i] : z[i / 3] * newton->directions[i];
     }
+    taut_mask_follow(newton->mask, net);
 }
 
 void taut_newton_step_renew(taut_newton_step *newton)

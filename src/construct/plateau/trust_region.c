@@ -45,14 +45,15 @@ static const struct {
     double area_rise;       /* share: what rounding alone may add */
     double gain_flat;     /* share: a model that promises less has moves within the surface left */
     double residual_flat; /* residual: only below it a net may count as flat or slow */
-    double loss_slow;     /* of the tolerance: share that PAST slow steps take at most */
-    double loss_creeping; /* share: PAST steps that take less move the net, hardly the area */
-    double theta_small;   /* only steps nearly Newton's may say that nothing is left to gain */
-    double theta_first;   /* some of the metric operator to begin with, and behind a saddle */
-    double ratio_least;   /* gain over model: below it the step is refused */
-    double ratio_good;    /* above it the model is trusted more */
-    double ratio_poor;    /* below it, less */
-    double element_least; /* smallest area element over the mean: less is on its way to a fold */
+    double residual_enough; /* residual: only below it the caller's `gain_enough` ends it */
+    double loss_slow;       /* of the tolerance: share that PAST slow steps take at most */
+    double loss_creeping;   /* share: PAST steps that take less move the net, hardly the area */
+    double theta_small;     /* only steps nearly Newton's may say that nothing is left to gain */
+    double theta_first;     /* some of the metric operator to begin with, and behind a saddle */
+    double ratio_least;     /* gain over model: below it the step is refused */
+    double ratio_good;      /* above it the model is trusted more */
+    double ratio_poor;      /* below it, less */
+    double element_least;   /* smallest area element over the mean: less is on its way to a fold */
     double curvature_slack; /* over the metric operator: above minus this is rounding, no saddle */
     double area_shrunk;     /* of the first area: with a free edge, on its way to none */
     double forcing_least;   /* residual of a step by conjugate gradients: beyond it only products */
@@ -70,6 +71,7 @@ static const struct {
     .area_rise = 0x1p-50,
     .gain_flat = 1e-15,
     .residual_flat = 1e-6,
+    .residual_enough = 8e-7,
     .loss_slow = 0.1,
     .loss_creeping = 1e-7,
     .theta_small = 1e-6,
@@ -393,6 +395,15 @@ static int may_rest(state *s)
     return is_level(s);
 }
 
+/* Does the caller have enough, after a step that began at this area? */
+static int is_enough(const state *s, double before)
+{
+    const double area = s->here.value.area;
+    return s->region->gain_enough > 0 && s->steps >= s->region->patience &&
+           s->here.residual <= limits.residual_enough &&
+           before - area <= s->region->gain_enough * area;
+}
+
 /* ---- one iteration ---- */
 
 /* Did the step keep what its model promised? Changes theta by how well it did. */
@@ -714,9 +725,11 @@ static taut_status iterate(state *s, taut_error *error)
         if (region->iterations >= region->max_iterations) {
             return give_up(s, limit, error);
         }
+        const double before = s->here.value.area;
         status = advance(s, &at_rest);
         region->iterations += !at_rest;
         note_area(s);
+        at_rest = at_rest || (status == TAUT_OK && is_enough(s, before));
         if (at_rest) {
             status = check_minimum(s, &at_rest, error);
         }

@@ -22,6 +22,10 @@ typedef struct taut_trust_region {
     double work_max;    /* flops, about: more are not spent on the way */
     double theta_least; /* theta is not lowered below it: moves that the area does not see then
                          * stay smooth, and symmetric; at most 1e-6 */
+    double
+        gain_enough; /* share: a step that gains less, where the residual is below 8e-7, is the last; 0: the area is
+                         * followed to rounding */
+    int patience; /* steps before that counts */
     /* found; iterations and work are added to */
     int iterations;
     double work;

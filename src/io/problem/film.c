@@ -1,8 +1,11 @@
 /* film.c -- the problem `film`: corners, edges that are held or drawn by cables (docs/format.md).
  *
- *     "corners": { "u0v0": [x, y, z], ... }       where no curve ends
- *     "edges":   { "u0": "fixed" | { "fixed": CURVE | SHAPE } | { "cable": LAW }, ... }
- *     SHAPE      { "arc": [P, Q, R] } | { "line": [P, R] }
+ *     "corners": { "u0v0": P | null | { "near": P } | { "line": LINE, "near": P } | { "plane": PLANE, "near": P }, ... }
+ *     "edges":   { "u0": "fixed" | { "fixed": CURVE | SHAPE } | { "cable": LAW, "plane": PLANE }
+ *                        | { "slide": PLANE } | { "mirror": PLANE } | { "pole": null }, ... }
+ *     "seams":   [["u0", "u1"]]                   a film that goes around
+ *     SHAPE      { "arc": [P, Q, R] } | { "line": [P, R] } | { "circle": { "center", "normal", "radius", "start" } }
+ *     LINE       { "point": P, "direction": D }    PLANE  { "point": P, "normal": N }
  *     LAW        { "force": T } | { "length": L } | { "sag": f } | { "unstressed": L0, "stiffness": EA }
  *
  * Members and words that films will have are known by name and refused as not built yet, so that
@@ -29,16 +32,17 @@ static const char *const members[] = {
     "images", "start",     "refine", "force_density",  "prestress",   "reference", "updates",
     NULL};
 static const char *const not_yet[] = {
-    "points",        "patches",   "curves",    "boundary", "degree", "count",
-    "seams",         "cables",    "cells",     "images",   "start",  "refine",
-    "force_density", "prestress", "reference", "updates",  NULL};
+    "points", "patches", "curves", "boundary",      "degree",    "count",     "cables",  "cells",
+    "images", "start",   "refine", "force_density", "prestress", "reference", "updates", NULL};
 static const char *const corner_members[] = {"u0v0", "u1v0", "u0v1", "u1v1", NULL};
 static const char *const edge_members[] = {"u0", "u1", "v0", "v1", NULL};
 static const char *const kind_members[] = {"fixed",  "cable", "plane", "slide",
                                            "mirror", "pole",  NULL};
-static const char *const kinds_not_yet[] = {"plane", "slide", "mirror", "pole", NULL};
 static const char *const shape_members[] = {"circle", "arc", "line", NULL};
-static const char *const shapes_not_yet[] = {"circle", NULL};
+static const char *const circle_members[] = {"center", "normal", "radius", "start", NULL};
+static const char *const plane_members[] = {"point", "normal", NULL};
+static const char *const line_members[] = {"point", "direction", NULL};
+static const char *const near_members[] = {"near", "line", "plane", NULL};
 static const char *const law_members[] = {"force",      "length",    "sag",
                                           "unstressed", "stiffness", NULL};
 
@@ -110,21 +114,74 @@ static void read_basis(taut_reader *document, const char *key, taut_arena *arena
     *basis = made;
 }
 
-static void read_corner(taut_reader *corners, const char *key, double corner[3],
-                        unsigned char *is_there)
+static taut_status read_point(const taut_json *at, void *value, taut_error *error)
 {
-    const taut_json at = taut_json_member(corners->object, key);
+    return taut_net_document_point(at, value, error);
+}
+
+/* A line or a plane: a point of it and a direction. */
+static void read_guide(taut_reader *in, const char *key, const char *const *names,
+                       taut_film_guide *guide)
+{
+    const taut_json at = taut_json_member(in->object, key);
+    taut_reader inside = taut_reader_inside(in, &at, names);
+
+    taut_reader_member(&inside, names[0], read_point, guide->point);
+    taut_reader_member(&inside, names[1], read_point, guide->direction);
+    if (inside.status == TAUT_OK && guide->direction[0] == 0 && guide->direction[1] == 0 &&
+        guide->direction[2] == 0) {
+        const taut_json wrong = taut_json_member(&at, names[1]);
+        inside.status = taut_json_expected(&wrong, inside.error, "a direction of a length above 0");
+    }
+    in->status = inside.status;
+}
+
+/* null, { "near": P }, { "line": LINE, "near": P } or { "plane": PLANE, "near": P }. */
+static void read_moving(taut_reader *corners, const taut_json *at, int c, taut_film_problem *data)
+{
+    taut_film_corner_kind *kind = &data->corner_kinds[c];
+
+    *kind = TAUT_FILM_FREE;
+    if (taut_json_kind_at(at) == TAUT_JSON_NULL) {
+        return;
+    }
+    taut_reader in = taut_reader_inside(corners, at, near_members);
+    const int line = taut_reader_has(&in, "line"), plane = taut_reader_has(&in, "plane");
+    if (in.status == TAUT_OK && line + plane == 2) {
+        in.status = taut_json_fail(at, in.error, "conflict", 2, 1,
+                                   "found both \"line\" and \"plane\", expected one");
+    }
+    if (line) {
+        *kind = TAUT_FILM_ON_LINE;
+        read_guide(&in, "line", line_members, &data->guides[c]);
+    } else if (plane) {
+        *kind = TAUT_FILM_ON_PLANE;
+        read_guide(&in, "plane", plane_members, &data->guides[c]);
+    }
+    data->has_corner[c] = (unsigned char)taut_reader_has(&in, "near");
+    if (data->has_corner[c]) {
+        taut_reader_member(&in, "near", read_point, data->corners[c]);
+    } else if (in.status == TAUT_OK && line + plane == 0) {
+        in.status = taut_json_fail(at, in.error, "missing", 0, 1,
+                                   "found none of \"near\", \"line\" and \"plane\"");
+    }
+    corners->status = in.status;
+}
+
+static void read_corner(taut_reader *corners, int c, taut_film_problem *data)
+{
+    const taut_json at = taut_json_member(corners->object, corner_members[c]);
 
     if (corners->status != TAUT_OK || at.value == NULL) {
         return;
     }
     const taut_json_kind kind = taut_json_kind_at(&at);
     if (kind == TAUT_JSON_NULL || kind == TAUT_JSON_OBJECT) {
-        corners->status = refuse_yet(&at, "a corner that is free to move", corners->error);
+        read_moving(corners, &at, c, data);
         return;
     }
-    corners->status = taut_net_document_point(&at, corner, corners->error);
-    *is_there = 1;
+    corners->status = taut_net_document_point(&at, data->corners[c], corners->error);
+    data->has_corner[c] = 1;
 }
 
 static void read_corners(taut_reader *document, taut_film_problem *data)
@@ -136,7 +193,7 @@ static void read_corners(taut_reader *document, taut_film_problem *data)
     }
     taut_reader corners = taut_reader_inside(document, &at, corner_members);
     for (int c = 0; c < 4; c++) {
-        read_corner(&corners, corner_members[c], data->corners[c], &data->has_corner[c]);
+        read_corner(&corners, c, data);
     }
     document->status = corners.status;
 }
@@ -217,20 +274,58 @@ static taut_status refuse_arc(const taut_json *at, taut_error *error)
                           "apart and not on one line: give a \"line\", or move the middle one");
 }
 
-/* { "arc": [P, Q, R] } or { "line": [P, R] }. */
+/* { "center", "normal", "radius", "start" }. */
+static void read_circle(taut_reader *shape, taut_curve **curve)
+{
+    const taut_json at = taut_json_member(shape->object, "circle");
+    taut_reader in = taut_reader_inside(shape, &at, circle_members);
+    double center[3], normal[3], start[3], radius = 0;
+    const int starts = taut_reader_has(&in, "start");
+
+    taut_reader_member(&in, "center", read_point, center);
+    taut_reader_member(&in, "normal", read_point, normal);
+    taut_reader_member(&in, "radius", read_positive, &radius);
+    if (starts) {
+        taut_reader_member(&in, "start", read_point, start);
+    }
+    if (in.status == TAUT_OK) {
+        in.status = taut_circle_new(center, normal, radius, starts ? start : NULL, curve);
+        in.status =
+            in.status == TAUT_NO_SOLUTION
+                ? taut_json_fail(&at, in.error, "value", taut_none, taut_none,
+                                 "found a circle without a plane or a beginning, expected a "
+                                 "\"normal\" of a length above 0 and a \"start\" that is not "
+                                 "along it")
+            : in.status != TAUT_OK ? taut_fail_memory(in.error)
+                                   : TAUT_OK;
+    }
+    shape->status = in.status;
+}
+
+/* { "arc": [P, Q, R] }, { "line": [P, R] } or { "circle": .. }. */
 static void read_shape(taut_reader *edge, const taut_json *at, taut_arena *arena,
                        const taut_curve **curve)
 {
     taut_reader in = taut_reader_inside(edge, at, shape_members);
-    const int is_arc = taut_reader_has(&in, "arc"), is_line = taut_reader_has(&in, "line");
+    const int is_arc = taut_reader_has(&in, "arc"), is_line = taut_reader_has(&in, "line"),
+              is_circle = taut_reader_has(&in, "circle");
     const taut_json where = taut_json_member(at, is_arc ? "arc" : "line");
     taut_curve *made = NULL;
     double points[3][3];
 
-    refuse_members(&in, shapes_not_yet);
-    if (in.status == TAUT_OK && is_arc + is_line != 1) {
-        in.status = taut_json_fail(at, in.error, "conflict", 2, 1,
-                                   "found both \"arc\" and \"line\", expected one");
+    if (in.status == TAUT_OK && is_arc + is_line + is_circle != 1) {
+        in.status = taut_json_fail(at, in.error, "conflict", is_arc + is_line + is_circle, 1,
+                                   "found %d of \"arc\", \"line\" and \"circle\", expected one",
+                                   is_arc + is_line + is_circle);
+    }
+    if (in.status == TAUT_OK && is_circle) {
+        read_circle(&in, &made);
+        in.status = in.status == TAUT_OK && !taut_keep_curve(arena, made)
+                        ? taut_fail_memory(in.error)
+                        : in.status;
+        *curve = made;
+        edge->status = in.status;
+        return;
     }
     if (in.status == TAUT_OK) {
         in.status = read_points(&where, is_arc ? 3 : 2, points, in.error);
@@ -263,25 +358,79 @@ static void read_fixed(taut_reader *edge, taut_arena *arena, const taut_curve **
     }
 }
 
-/* { "fixed": CURVE or SHAPE } or { "cable": LAW }. */
+/* A held point is well written, and no film hangs on it. */
+static taut_status refuse_support(const taut_json *at, taut_error *error)
+{
+    (void)taut_json_fail(at, error, "point-support", taut_none, taut_none,
+                         "a point holds no film: use a ring, or cables that end there");
+    if (error != NULL) {
+        error->status = TAUT_NO_SOLUTION;
+    }
+    return TAUT_NO_SOLUTION;
+}
+
+/* { "pole": null }; a pole that is held holds nothing. */
+static void read_pole(taut_reader *in)
+{
+    const taut_json at = taut_json_member(in->object, "pole");
+
+    if (in->status == TAUT_OK && taut_json_kind_at(&at) != TAUT_JSON_NULL) {
+        in->status = taut_json_kind_at(&at) == TAUT_JSON_ARRAY
+                         ? refuse_support(&at, in->error)
+                         : taut_json_refuse(&at, in->error, "type", "null");
+    }
+}
+
+/* What an edge is, by its member. */
+static void read_kind(taut_reader *in, const char *kind, taut_arena *arena, taut_film_edge *edge)
+{
+    if (strcmp(kind, "fixed") == 0) {
+        read_fixed(in, arena, &edge->curve);
+    } else if (strcmp(kind, "cable") == 0) {
+        edge->kind = TAUT_FILM_CABLE;
+        edge->has_plane = (unsigned char)taut_reader_has(in, "plane");
+        read_law(in, edge);
+        if (edge->has_plane) {
+            read_guide(in, "plane", plane_members, &edge->plane);
+        }
+    } else if (strcmp(kind, "pole") == 0) {
+        edge->kind = TAUT_FILM_POLE;
+        read_pole(in);
+    } else {
+        edge->kind = TAUT_FILM_SLIDE;
+        edge->is_mirror = strcmp(kind, "mirror") == 0;
+        read_guide(in, kind, plane_members, &edge->plane);
+    }
+}
+
+/* One of fixed, cable, slide, mirror and pole; a plane beside a cable. */
 static void read_edge_object(taut_reader *edges, const taut_json *at, taut_arena *arena,
                              taut_film_edge *edge)
 {
+    static const char *const kinds[] = {"fixed", "cable", "slide", "mirror", "pole", NULL};
     taut_reader in = taut_reader_inside(edges, at, kind_members);
+    const char *kind = NULL;
+    int count = 0;
 
-    refuse_members(&in, kinds_not_yet);
-    const int fixed = taut_reader_has(&in, "fixed"), cable = taut_reader_has(&in, "cable");
-    if (in.status == TAUT_OK && fixed + cable != 1) {
-        in.status =
-            taut_json_fail(at, in.error, fixed + cable == 0 ? "missing" : "conflict", fixed + cable,
-                           1, "found %s of \"fixed\" and \"cable\", expected one",
-                           fixed + cable == 0 ? "none" : "both");
+    for (int k = 0; kinds[k] != NULL; k++) {
+        if (taut_json_member(in.object, kinds[k]).value != NULL) {
+            kind = kinds[k];
+            count++;
+        }
     }
-    if (fixed) {
-        read_fixed(&in, arena, &edge->curve);
-    } else if (cable) {
-        edge->kind = TAUT_FILM_CABLE;
-        read_law(&in, edge);
+    if (in.status == TAUT_OK && count != 1) {
+        in.status = taut_json_fail(at, in.error, count == 0 ? "missing" : "conflict", count, 1,
+                                   "found %d of \"fixed\", \"cable\", \"slide\", \"mirror\" and "
+                                   "\"pole\", expected one",
+                                   count);
+    }
+    if (in.status == TAUT_OK && taut_reader_has(&in, "plane") && strcmp(kind, "cable") != 0) {
+        in.status =
+            taut_json_fail(at, in.error, "conflict", 2, 1,
+                           "found \"plane\" beside \"%s\", expected it beside \"cable\"", kind);
+    }
+    if (in.status == TAUT_OK) {
+        read_kind(&in, kind, arena, edge);
     }
     edges->status = in.status;
 }
@@ -317,6 +466,51 @@ static void read_edges(taut_reader *document, taut_arena *arena, taut_film_probl
     document->status = edges.status;
 }
 
+/* The edge that an item of a seam names, 0 to 3; -1: a minus sign, or none. */
+static int edge_named(const char *text)
+{
+    for (int e = 0; text != NULL && e < 4; e++) {
+        if (strcmp(text, edge_members[e]) == 0) {
+            return e;
+        }
+    }
+    return -1;
+}
+
+/* [["u0", "u1"]] or [["v0", "v1"]]. */
+static void read_seams(taut_reader *document, taut_film_problem *data)
+{
+    const taut_json at = taut_json_member(document->object, "seams");
+    const taut_json seam = taut_json_item(&at, 0);
+
+    if (document->status != TAUT_OK || at.value == NULL) {
+        return;
+    }
+    if (taut_json_kind_at(&at) != TAUT_JSON_ARRAY || taut_json_count_at(&at) == 0) {
+        document->status = taut_json_refuse(&at, document->error, "type", "a list of seams");
+        return;
+    }
+    if (taut_json_count_at(&at) > 1 || taut_json_kind_at(&seam) == TAUT_JSON_OBJECT ||
+        taut_json_count_at(&seam) > 2) {
+        document->status = refuse_yet(&at, "more than one seam of two edges", document->error);
+        return;
+    }
+    if (taut_json_kind_at(&seam) != TAUT_JSON_ARRAY || taut_json_count_at(&seam) != 2) {
+        document->status = taut_json_refuse(&seam, document->error, "type", "two names of edges");
+        return;
+    }
+    const taut_json first = taut_json_item(&seam, 0), second = taut_json_item(&seam, 1);
+    const int a = edge_named(taut_json_text_at(&first)), b = edge_named(taut_json_text_at(&second));
+    if (a < 0 || b < 0 || (a ^ 1) != b) {
+        document->status =
+            taut_json_fail(&seam, document->error, "seam-mismatch", taut_none, taut_none,
+                           "found a seam of edges that are not opposite ones, run alike: expected "
+                           "[\"u0\", \"u1\"] or [\"v0\", \"v1\"]");
+        return;
+    }
+    data->ring = a < 2 ? TAUT_FILM_RING_U : TAUT_FILM_RING_V;
+}
+
 static void read_words(taut_reader *document, taut_film_problem *data)
 {
     static const char *const methods[] = {"full", "normal", NULL};
@@ -350,6 +544,7 @@ static void film_read(taut_reader *document, taut_problem *problem, void *into)
     read_basis(document, "v", problem->arena, &data->v);
     read_corners(document, data);
     read_edges(document, problem->arena, data);
+    read_seams(document, data);
     taut_reader_optional(document, "tension", read_positive, &data->tension);
     taut_reader_optional(document, "tolerance", read_tolerance, &data->tolerance);
     taut_reader_optional_integer(document, "max_iterations", 1, 1000000, &data->max_iterations);
