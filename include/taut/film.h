@@ -77,18 +77,17 @@ typedef struct taut_film_edge {
 
 /* Zero means default everywhere. */
 typedef struct taut_film_problem {
-    const char *name;        /* of the surface; NULL: "film" */
-    const taut_basis *u, *v; /* bezier or bspline of degree 2 or more */
-    double corners[4][3];    /* u0v0, u1v0, u0v1, u1v1 */
-    unsigned char has_corner
-        [4]; /* 0: the end of a curve of its edges. Of a corner that moves: it starts here */
-    taut_film_edge edges[4]; /* u0, u1 along v; v0, v1 along u */
-    double tension;          /* of the film; 0: 1 */
-    double tolerance;        /* of the claim `stationary`, from 1e-14 to 1e-3; 0: 1e-10 */
-    int max_iterations;      /* 0: 200 */
-    double equilibrium;      /* above 0: the claim of that name, below 1 */
-    int without_least;       /* nonzero: no bound is sought for the claim `least` */
-    taut_film_ring ring;     /* bspline of 2 degree + 1 points or more that way, and no corners */
+    const char *name;            /* of the surface; NULL: "film" */
+    const taut_basis *u, *v;     /* bezier or bspline of degree 2 or more */
+    double corners[4][3];        /* u0v0, u1v0, u0v1, u1v1 */
+    unsigned char has_corner[4]; /* 0: the end of a curve of its edges; if it moves: its start */
+    taut_film_edge edges[4];     /* u0, u1 along v; v0, v1 along u */
+    double tension;              /* of the film; 0: 1 */
+    double tolerance;            /* of the claim `stationary`, from 1e-14 to 1e-3; 0: 1e-10 */
+    int max_iterations;          /* 0: 200 */
+    double equilibrium;          /* above 0: the claim of that name, below 1 */
+    int without_least;           /* nonzero: no bound is sought for the claim `least` */
+    taut_film_ring ring; /* bspline of 2 degree + 1 points or more that way, and no corners */
     taut_film_corner_kind corner_kinds[4];
     taut_film_guide guides[4]; /* of corners on lines and planes */
 } taut_film_problem;

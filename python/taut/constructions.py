@@ -23,11 +23,12 @@ SurfaceLike = Union[Surface, Mapping[str, Any]]
 
 
 def asymptotic(*, unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, degree: int | None = None,
-        corners: Mapping[str, npt.ArrayLike] | None = None, edges: Mapping[str, Mapping[str, npt.ArrayLike]] | None = None,
-        curves: Mapping[str, CurveLike] | None = None, branch: str | None = None,
-        surface: Literal["5n-7", "n+3"] | None = None, singular: Literal["refuse", "report"] | None = None,
-        free: Literal["points", "all"] | None = None, boundary: Union[str, Mapping[str, Any]] | None = None,
-        tolerance: float | None = None, threads: int | None = None, progress: Progress | None = None, strict: bool = False) -> Model:
+        corners: Mapping[str, Union[npt.ArrayLike, None, Mapping[str, npt.ArrayLike], Mapping[str, Any]]] | None = None,
+        edges: Mapping[str, Mapping[str, npt.ArrayLike]] | None = None, curves: Mapping[str, CurveLike] | None = None,
+        branch: str | None = None, surface: Literal["5n-7", "n+3"] | None = None,
+        singular: Literal["refuse", "report"] | None = None, free: Literal["points", "all"] | None = None,
+        boundary: Union[str, Mapping[str, Any]] | None = None, tolerance: float | None = None, threads: int | None = None,
+        progress: Progress | None = None, strict: bool = False) -> Model:
     """A patch whose four edges are asymptotic curves: corner data, or the four curves.
 
     unit                   of lengths; nothing is converted; one of "mm", "m", "cm", "in", "ft"; "mm" if not given
@@ -134,8 +135,9 @@ def dirichlet(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None
 
 def film(*, u: BasisLike | None = None, v: BasisLike | None = None,
         unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, name: str | None = None,
-        corners: Mapping[str, npt.ArrayLike] | None = None,
-        edges: Mapping[str, Union[Literal["fixed"], Mapping[str, Union[CurveLike, Mapping[str, npt.ArrayLike]]], Mapping[str, Mapping[str, float]]]] | None = None,
+        corners: Mapping[str, Union[npt.ArrayLike, None, Mapping[str, npt.ArrayLike], Mapping[str, Any]]] | None = None,
+        edges: Mapping[str, Union[Literal["fixed"], Mapping[str, Union[CurveLike, Union[Mapping[str, npt.ArrayLike], Mapping[str, Mapping[str, Any]]]]], Mapping[str, Any], Mapping[str, Mapping[str, npt.ArrayLike]], Mapping[str, None]]] | None = None,
+        seams: Literal[[["u0", "u1"]], [["u1", "u0"]], [["v0", "v1"]], [["v1", "v0"]]] | None = None,
         tension: float | None = None, tolerance: float | None = None, max_iterations: int | None = None,
         equilibrium: float | None = None, method: Literal["full"] | None = None, accept: Literal["minimum"] | None = None,
         least: bool | None = None, threads: int | None = None, progress: Progress | None = None, strict: bool = False) -> Model:
@@ -145,8 +147,10 @@ def film(*, u: BasisLike | None = None, v: BasisLike | None = None,
     v                      A function basis on a parameter range; its functions are as many as the points along it.
     unit                   of lengths; nothing is converted; one of "mm", "m", "cm", "in", "ft"; "mm" if not given
     name                   at most 255 bytes of UTF-8
-    corners                where no curve ends
+    corners                where no curve ends; null: free; of a ring there are none
     edges                  as in docs/format.md
+    seams                  a ring: the two edges are one curve inside the film, which goes around; one of [["u0",
+                           "u1"]], [["u1", "u0"]], [["v0", "v1"]], [["v1", "v0"]]
     tension                of the film: a force per length; above 0; 1 if not given
     tolerance              of the claim stationary; at least 1e-14; 1e-10 if not given
     max_iterations         at least 1; 200 if not given
@@ -155,7 +159,7 @@ def film(*, u: BasisLike | None = None, v: BasisLike | None = None,
     accept                 as in docs/format.md
     least                  true if not given
     """
-    said: dict[str, Any] = {"u": u, "v": v, "unit": unit, "name": name, "corners": corners, "edges": edges,
+    said: dict[str, Any] = {"u": u, "v": v, "unit": unit, "name": name, "corners": corners, "edges": edges, "seams": seams,
         "tension": tension, "tolerance": tolerance, "max_iterations": max_iterations, "equilibrium": equilibrium,
         "method": method, "accept": accept, "least": least}
     return made_of("film", said, None, threads=threads, progress=progress, strict=strict)

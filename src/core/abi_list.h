@@ -178,7 +178,14 @@
     X(taut_film_edge, length, "double") \
     X(taut_film_edge, sag, "double") \
     X(taut_film_edge, unstressed, "double") \
-    X(taut_film_edge, stiffness, "double")
+    X(taut_film_edge, stiffness, "double") \
+    X(taut_film_edge, has_plane, "unsigned char") \
+    X(taut_film_edge, is_mirror, "unsigned char") \
+    X(taut_film_edge, plane, "taut_film_guide")
+
+#define TAUT_ABI_MEMBERS_taut_film_guide(X) \
+    X(taut_film_guide, point, "double[3]") \
+    X(taut_film_guide, direction, "double[3]")
 
 #define TAUT_ABI_MEMBERS_taut_film_problem(X) \
     X(taut_film_problem, name, "const char *") \
@@ -191,7 +198,10 @@
     X(taut_film_problem, tolerance, "double") \
     X(taut_film_problem, max_iterations, "int") \
     X(taut_film_problem, equilibrium, "double") \
-    X(taut_film_problem, without_least, "int")
+    X(taut_film_problem, without_least, "int") \
+    X(taut_film_problem, ring, "taut_film_ring") \
+    X(taut_film_problem, corner_kinds, "taut_film_corner_kind[4]") \
+    X(taut_film_problem, guides, "taut_film_guide[4]")
 
 #define TAUT_ABI_MEMBERS_taut_forms(X) \
     X(taut_forms, e, "double") \
@@ -494,6 +504,7 @@
     X(taut_extension_merge) \
     X(taut_family_member) \
     X(taut_film_edge) \
+    X(taut_film_guide) \
     X(taut_film_problem) \
     X(taut_forms) \
     X(taut_gradient_request) \
@@ -564,15 +575,28 @@
     X(TAUT_EXTENSION_G1, "g1") \
     X(TAUT_EXTENSION_MERGE, "merge")
 
+#define TAUT_ABI_VALUES_taut_film_corner_kind(X) \
+    X(TAUT_FILM_HELD, "held") \
+    X(TAUT_FILM_FREE, "free") \
+    X(TAUT_FILM_ON_LINE, "on-line") \
+    X(TAUT_FILM_ON_PLANE, "on-plane")
+
 #define TAUT_ABI_VALUES_taut_film_edge_kind(X) \
     X(TAUT_FILM_FIXED, "fixed") \
-    X(TAUT_FILM_CABLE, "cable")
+    X(TAUT_FILM_CABLE, "cable") \
+    X(TAUT_FILM_SLIDE, "slide") \
+    X(TAUT_FILM_POLE, "pole")
 
 #define TAUT_ABI_VALUES_taut_film_law(X) \
     X(TAUT_FILM_FORCE, "force") \
     X(TAUT_FILM_LENGTH, "length") \
     X(TAUT_FILM_SAG, "sag") \
     X(TAUT_FILM_ELASTIC, "elastic")
+
+#define TAUT_ABI_VALUES_taut_film_ring(X) \
+    X(TAUT_FILM_OPEN, "open") \
+    X(TAUT_FILM_RING_U, "ring-u") \
+    X(TAUT_FILM_RING_V, "ring-v")
 
 #define TAUT_ABI_VALUES_taut_gradient_of(X) \
     X(TAUT_GRADIENT_AREA, "area") \
@@ -701,8 +725,10 @@
     X(taut_colour) \
     X(taut_edge) \
     X(taut_extension_given) \
+    X(taut_film_corner_kind) \
     X(taut_film_edge_kind) \
     X(taut_film_law) \
+    X(taut_film_ring) \
     X(taut_gradient_of) \
     X(taut_harmonic_even) \
     X(taut_harmonic_given) \

@@ -291,6 +291,8 @@ static const attack_row rows[] = {
     {"film", "cables", "film-sail", axis_start, 0},
     {"film", "stable", "film-sail", inside, ANY},
     {"film", "length", "film-sail-length", rim, OPEN},
+    {"film", "seams", "film-ring", corner, 0},
+    {"film", "mirror", "film-mirror", corner, OPEN},
     {"harmonic", "harmonic", "harmonic-rows", inside, OPEN},
     {"harmonic", "boundary", "harmonic-rows", rim, 0},
     {"harmonic", "nearest", "harmonic-fit", everywhere, OPEN},

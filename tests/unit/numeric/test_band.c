@@ -195,6 +195,52 @@ static void test_refuses_bad_arguments(void)
     taut_band_clear(&b);
 }
 
+/* The second differences less a shift: their eigenvalues are 2 - 2 cos(k pi / (n + 1)) - shift. Wider: two of them apart. */
+static void test_signed(void)
+{
+    enum { N = 60 };
+    for (int trial = 0; trial < 40; trial++) {
+        const int apart = trial % 2 == 0 ? 1 : 40;
+        const double shift = random_in(0, 1.5);
+        taut_band band;
+        double x[N], b[N];
+        int negative = -1, expected = 0;
+        CHECK(taut_band_init(N, apart, &band) == TAUT_OK, "trial %d", trial);
+        for (int i = 0; i < N; i++) {
+            taut_band_row(&band, i)[0] = 2 - shift;
+            if (i >= apart) {
+                taut_band_row(&band, i)[apart] = -1;
+            }
+            b[i] = random_in(-1, 1);
+        }
+        for (int c = 0; c < apart; c++) { /* chains of every apart-th row */
+            const int n = (N - c + apart - 1) / apart;
+            for (int k = 1; k <= n; k++) {
+                expected += 2 - 2 * cos(k * 3.14159265358979324 / (n + 1)) < shift;
+            }
+        }
+        taut_band copy;
+        CHECK(taut_band_widen(&band, apart, &copy) == TAUT_OK, "trial %d", trial);
+        CHECK(taut_band_factor_signed(&copy, &negative) == TAUT_OK && negative == expected,
+              "trial %d: %d below 0, expected %d", trial, negative, expected);
+        for (int i = 0; i < N; i++) {
+            x[i] = b[i];
+        }
+        taut_band_solve(&copy, 1, x);
+        double largest = 0;
+        for (int i = 0; i < N; i++) {
+            b[i] = -b[i];
+            largest = fmax(largest, fabs(x[i]));
+        }
+        taut_band_multiply_add(&band, 1, x, b);
+        for (int i = 0; i < N; i++) {
+            CHECK_NEAR(b[i], 0, 1e-11 * (1 + largest), "trial %d", trial);
+        }
+        taut_band_clear(&band);
+        taut_band_clear(&copy);
+    }
+}
+
 int main(void)
 {
     random_seed(11);
@@ -205,5 +251,6 @@ int main(void)
     test_widen();
     test_refuses_singular();
     test_refuses_bad_arguments();
+    test_signed();
     return check_failures != 0;
 }
