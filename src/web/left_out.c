@@ -1,7 +1,10 @@
-/* left_out.c -- formats that the module does not have: what they stand on is not there. */
+/* left_out.c -- what the module does not have: formats that stand on something that is not there, or that nobody asks a page
+ * for, and files. */
 #include "core/fail.h"
 #include "io/cad/cad.h"
 #include "io/format.h"
+#include "io/problem/boundary_file.h"
+#include "mesh/parts.h"
 
 static taut_status write_nothing(const taut_model *model, const taut_write_options *options,
                                  FILE *out, taut_error *error)
@@ -16,6 +19,52 @@ static taut_status write_nothing(const taut_model *model, const taut_write_optio
 
 const taut_format_ops taut_format_html = {.write = write_nothing};
 const taut_format_ops taut_format_iges = {.write = write_nothing};
+const taut_format_ops taut_format_csv = {.write = write_nothing};
+const taut_format_ops taut_format_geomdl = {.write = write_nothing};
+const taut_format_ops taut_format_dxf = {.write = write_nothing};
+const taut_format_ops taut_format_threemf = {.write = write_nothing};
+
+taut_status taut_mesh_thicken(const taut_mesh *thin, const taut_model *model, double thickness,
+                              int threads, taut_mesh *thick, taut_error *error)
+{
+    (void)thin;
+    (void)model;
+    (void)thickness;
+    (void)threads;
+    (void)thick;
+    return taut_fail(
+        error, TAUT_IO, "not-installed", NULL, taut_none, taut_none,
+        "surfaces are not made thick in the browser: let the program `taut convert` do it");
+}
+
+static void refuse_file(taut_reader *document)
+{
+    const taut_json at = taut_json_member(document->object, "boundary");
+    if (document->status == TAUT_OK) {
+        document->status =
+            taut_json_fail(&at, document->error, "not-installed", taut_none, taut_none,
+                           "files are not read in the browser: let the program "
+                           "`taut make` do it");
+    }
+}
+
+void taut_boundary_file_net(taut_reader *document, taut_problem *problem, taut_net_document *net)
+{
+    (void)problem;
+    (void)net;
+    refuse_file(document);
+}
+
+void taut_boundary_file_bezier(taut_reader *document, taut_problem *problem,
+                               const char *const *others, int agree,
+                               const taut_curve *sides[TAUT_SIDES])
+{
+    (void)problem;
+    (void)others;
+    (void)agree;
+    (void)sides;
+    refuse_file(document);
+}
 
 taut_status taut_cad_read_step(const char *path, taut_model **model, taut_error *error)
 {

@@ -1,0 +1,405 @@
+#include "io/problem/boundary_file.h"
+
+#include "core/fail.h"
+#include "core/unit.h"
+#include "geometry/keep.h"
+#include "io/problem/member.h"
+#include "io/problem/net_document.h"
+#include "platform/system.h"
+#include "taut/limits.h"
+#include "taut/operations.h"
+#include "taut/read.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum { PATH_ROOM = 4096, HALVINGS_MAX = 16, NOTE_ROOM = 400 };
+/* What a net gets that would have nothing inside: 11 x 11 points between straight lines. */
+enum { CHOSEN_DEGREE = 3, CHOSEN_SPANS = 8 };
+
+static const double closed = 1e-6; /* the widest gap at a corner, of the size */
+
+/* The file's path: beside the document, unless it begins at the root. */
+static taut_status find_path(const taut_json *at, const taut_problem *problem, char path[PATH_ROOM],
+                             taut_error *error)
+{
+    const char *name = NULL, *folder = NULL;
+    const taut_status status = taut_json_text(at, &name, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    if (name[0] == '\0' || strcmp(name, "-") == 0) {
+        return taut_json_refuse(at, error, "value", "the name of a file");
+    }
+    folder = taut_system_is_rooted(name) ? "" : problem->folder;
+    if (snprintf(path, PATH_ROOM, "%s%s", folder, name) >= PATH_ROOM) {
+        return taut_json_refuse(at, error, "value", "a shorter name");
+    }
+    return TAUT_OK;
+}
+
+/* What is wrong with the file, if anything, told at the member that names it. */
+static taut_status blame_file(const taut_json *at, const taut_error *found, taut_status status,
+                              taut_error *error)
+{
+    char where[sizeof found->where];
+    if (status == TAUT_OK) {
+        return TAUT_OK;
+    }
+    snprintf(where, sizeof where, "%s", found->where);
+    taut_json_fail(at, error, found->reason, found->found, found->limit, "%s%s%s", where,
+                   where[0] != '\0' ? ": " : "", found->message);
+    if (error != NULL) {
+        error->status = status;
+        memcpy(error->expected, found->expected, sizeof error->expected);
+    }
+    return status;
+}
+
+/* What "boundary" says: a file, or an object of a file and the curves and edges to take out of it. */
+typedef struct boundary_source {
+    const taut_json *at;
+    taut_json file, edges;
+    int picks; /* there are edges */
+} boundary_source;
+
+static taut_status find_source(const taut_json *at, boundary_source *source, taut_error *error)
+{
+    static const char *const members[] = {"file", "edges", NULL};
+    *source = (boundary_source){.at = at, .file = *at};
+    if (taut_json_kind_at(at) != TAUT_JSON_OBJECT) {
+        return TAUT_OK;
+    }
+    source->file = taut_json_member(at, "file");
+    source->edges = taut_json_member(at, "edges");
+    source->picks = source->edges.value != NULL;
+    return taut_json_object(at, members, error);
+}
+
+/* All four curves of the file. */
+static taut_status take_all(const taut_json *at, const taut_model *model,
+                            const taut_curve *curves[TAUT_SIDES], taut_error *error)
+{
+    const int count = taut_model_curve_count(model);
+    if (count != TAUT_SIDES) {
+        return taut_json_fail(at, error, "size", count, TAUT_SIDES,
+                              "found %d curves in that file, expected %d: `taut boundary` lists "
+                              "what \"edges\" may pick",
+                              count, TAUT_SIDES);
+    }
+    for (int i = 0; i < TAUT_SIDES; i++) {
+        curves[i] = taut_model_curve(model, i);
+    }
+    return TAUT_OK;
+}
+
+/* The curve of this name, which is to be one. */
+static taut_status find_named(const taut_json *at, const taut_model *listed, int *found,
+                              taut_error *error)
+{
+    const char *name = NULL;
+    int count = 0;
+    const taut_status status = taut_json_text(at, &name, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    for (int i = 0; i < taut_model_curve_count(listed); i++) {
+        if (strcmp(taut_curve_name(taut_model_curve(listed, i)), name) == 0) {
+            *found = i;
+            count++;
+        }
+    }
+    return count == 1 ? TAUT_OK
+                      : taut_json_refuse(at, error, "name",
+                                         "the name of one curve or edge, as `taut boundary` lists "
+                                         "them (%d have this one)",
+                                         count);
+}
+
+/* Those that "edges" picks by number, from 1, or name. */
+static taut_status take_picked(const taut_json *edges, const taut_model *listed,
+                               const taut_curve *curves[TAUT_SIDES], taut_error *error)
+{
+    size_t count = 0;
+    taut_status status = taut_json_array(edges, TAUT_SIDES, TAUT_SIDES,
+                                         "curves or edges, by number or name", &count, error);
+    for (size_t i = 0; i < TAUT_SIDES && status == TAUT_OK; i++) {
+        const taut_json item = taut_json_item(edges, i);
+        int number = 0;
+        if (taut_json_kind_at(&item) == TAUT_JSON_NUMBER) {
+            status = taut_json_integer(&item, 1, taut_model_curve_count(listed), &number, error);
+            number--;
+        } else {
+            status = find_named(&item, listed, &number, error);
+        }
+        if (status == TAUT_OK) {
+            curves[i] = taut_model_curve(listed, number);
+        }
+    }
+    return status;
+}
+
+static taut_status order_sides(const boundary_source *source, const taut_model *model,
+                               taut_curve *sides[TAUT_SIDES], taut_error *error)
+{
+    const taut_curve *curves[TAUT_SIDES];
+    taut_error found = {.status = TAUT_OK};
+    taut_model *listed = NULL;
+    taut_status status = TAUT_OK;
+
+    if (source->picks) {
+        status = blame_file(source->at, &found, taut_model_boundary(model, &listed, &found), error);
+        status = status == TAUT_OK ? take_picked(&source->edges, listed, curves, error) : status;
+    } else {
+        status = take_all(source->at, model, curves, error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_boundary_order(curves, closed, sides, &found);
+        status = blame_file(source->at, &found, status, error);
+    }
+    taut_model_free(listed);
+    return status;
+}
+
+/* A file in another unit than the document is told in the document's, and that is said. */
+static taut_status convert_unit(const taut_json *at, taut_problem *problem, taut_model **model,
+                                taut_error *error)
+{
+    const char *unit = taut_model_unit(*model), *name = taut_json_text_at(at);
+    taut_error found = {.status = TAUT_OK};
+    taut_model *converted = NULL;
+    char note[NOTE_ROOM];
+
+    if (strcmp(unit, problem->unit) == 0) {
+        return TAUT_OK;
+    }
+    snprintf(note, sizeof note, "%.200s is in %s: its lengths are multiplied by %.9g, to be in %s",
+             name, unit, taut_unit_ratio(unit, problem->unit), problem->unit);
+    const taut_status status = taut_model_to_unit(*model, problem->unit, &converted, &found);
+    if (status != TAUT_OK) {
+        return blame_file(at, &found, status, error);
+    }
+    taut_model_free(*model);
+    *model = converted;
+    return taut_problem_note(problem, note) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
+}
+
+/* The four sides out of the file that "boundary" names (any that taut reads, beside the problem's
+ * own document), all of its curves or those that are picked, in order and closed; the caller's. */
+static taut_status read_sides(const taut_json *at, taut_problem *problem,
+                              taut_curve *sides[TAUT_SIDES], taut_error *error)
+{
+    taut_error found = {.status = TAUT_OK};
+    taut_model *model = NULL;
+    boundary_source source;
+    char path[PATH_ROOM];
+    taut_status status = find_source(at, &source, error);
+
+    if (status == TAUT_OK) {
+        status = find_path(&source.file, problem, path, error);
+    }
+    if (status != TAUT_OK) {
+        return status;
+    }
+    const taut_read_options whole = {.untrim = !source.picks}; /* else no faces are asked for */
+    status = taut_model_read_with(path, &whole, &model, &found);
+    if (status != TAUT_OK) {
+        return blame_file(at, &found, status, error);
+    }
+    status = convert_unit(&source.file, problem, &model, error);
+    if (status == TAUT_OK) {
+        status = order_sides(&source, model, sides, error);
+    }
+    taut_model_free(model);
+    return status;
+}
+
+/* Along one direction. */
+static taut_status read_degree(const taut_json *at, void *degree, taut_error *error)
+{
+    return taut_json_integer(at, 0, TAUT_DEGREE_MAX, degree, error);
+}
+
+static taut_status read_halvings(const taut_json *at, void *halvings, taut_error *error)
+{
+    return taut_json_integer(at, 0, HALVINGS_MAX, halvings, error);
+}
+
+/* Two whole numbers, which stay 0 and 0 where the member is missing. */
+static void read_pair(taut_reader *document, const char *key, taut_json_read *read, int pair[2])
+{
+    if (taut_reader_has(document, key)) {
+        taut_reader_items(document, key, 2, "whole numbers, along u and v", read, pair,
+                          sizeof pair[0]);
+    }
+}
+
+static const taut_basis *keep_basis(const taut_curve *side, taut_arena *arena)
+{
+    taut_basis *copy = NULL;
+    const taut_status status = taut_basis_copy(taut_curve_t(side), &copy);
+    return status == TAUT_OK && taut_keep_basis(arena, copy) ? copy : NULL;
+}
+
+static taut_status fill_net(taut_curve *const fitted[TAUT_SIDES], const taut_json *at,
+                            taut_arena *arena, taut_net_document *net, taut_error *error)
+{
+    const size_t nu = (size_t)taut_basis_count(taut_curve_t(fitted[TAUT_SIDE_V0]));
+    const size_t nv = (size_t)taut_basis_count(taut_curve_t(fitted[TAUT_SIDE_U0]));
+    const int is_rational = taut_boundary_is_rational(fitted);
+    taut_net_document made = {NULL, NULL, NULL, NULL, NULL};
+
+    if ((double)nu * (double)nv > TAUT_POINTS_MAX) {
+        return taut_json_fail(at, error, "size", (double)nu * (double)nv, TAUT_POINTS_MAX,
+                              "a net of %zu x %zu points, expected at most %d points", nu, nv,
+                              TAUT_POINTS_MAX);
+    }
+    made.u = keep_basis(fitted[TAUT_SIDE_V0], arena);
+    made.v = keep_basis(fitted[TAUT_SIDE_U0], arena);
+    made.points = taut_arena_take(arena, 3 * nu * nv, sizeof(double));
+    made.known = taut_arena_take(arena, nu * nv, 1);
+    made.weights = is_rational ? taut_arena_take(arena, nu * nv, sizeof(double)) : NULL;
+    if (made.u == NULL || made.v == NULL || made.points == NULL || made.known == NULL ||
+        (is_rational && made.weights == NULL)) {
+        return taut_fail_memory(error);
+    }
+    taut_boundary_net(fitted, made.points, made.known, made.weights);
+    *net = made;
+    return TAUT_OK;
+}
+
+/* What a boundary becomes: curves that are freed together. */
+typedef struct boundary_work {
+    const taut_json *at;
+    taut_problem *problem;
+    taut_curve *sides[TAUT_SIDES], *made[TAUT_SIDES];
+} boundary_work;
+
+static void clear_work(boundary_work *work)
+{
+    taut_boundary_free(work->sides);
+    taut_boundary_free(work->made);
+}
+
+/* Are all points of the net on its boundary? */
+static int is_hollow(taut_curve *const fitted[TAUT_SIDES])
+{
+    return taut_basis_count(taut_curve_t(fitted[TAUT_SIDE_V0])) <= 2 ||
+           taut_basis_count(taut_curve_t(fitted[TAUT_SIDE_U0])) <= 2;
+}
+
+/* A net with nothing to find, of which the document says nothing else, gets points to find; that is said. */
+static taut_status choose_net(boundary_work *work, taut_error *error)
+{
+    static const int side_of[2] = {TAUT_SIDE_V0, TAUT_SIDE_U0};
+    const int degree[2] = {CHOSEN_DEGREE, CHOSEN_DEGREE};
+    taut_error found = {.status = TAUT_OK};
+    int halvings[2] = {0, 0}, told[2] = {0, 0}, count[2] = {0, 0};
+    char note[NOTE_ROOM];
+
+    for (int d = 0; d < 2; d++) {
+        const taut_basis *t = taut_curve_t(work->made[side_of[d]]);
+        while ((taut_basis_span_count(t) << halvings[d]) < CHOSEN_SPANS) {
+            halvings[d]++;
+        }
+    }
+    taut_boundary_free(work->made);
+    const taut_status status = taut_boundary_fit(work->sides, degree, halvings, work->made, &found);
+    if (status != TAUT_OK) {
+        return blame_file(work->at, &found, status, error);
+    }
+    for (int d = 0; d < 2; d++) {
+        const taut_basis *t = taut_curve_t(work->made[side_of[d]]);
+        told[d] = taut_basis_degree(t);
+        count[d] = taut_basis_count(t);
+    }
+    snprintf(note, sizeof note,
+             "the curves alone leave nothing to find: chosen are \"degree\": [%d, %d] and "
+             "\"refine\": [%d, %d], which is %d x %d points",
+             told[0], told[1], halvings[0], halvings[1], count[0], count[1]);
+    return taut_problem_note(work->problem, note) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
+}
+
+/* `asked`: the document says how fine the net is to be. */
+static taut_status read_net(boundary_work *work, const int degree[2], const int halvings[2],
+                            int asked, taut_net_document *net, taut_error *error)
+{
+    taut_error found = {.status = TAUT_OK};
+    taut_status status = read_sides(work->at, work->problem, work->sides, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = taut_boundary_fit(work->sides, degree, halvings, work->made, &found);
+    if (status != TAUT_OK) {
+        return blame_file(work->at, &found, status, error);
+    }
+    if (!asked && is_hollow(work->made)) {
+        status = choose_net(work, error);
+        if (status != TAUT_OK) {
+            return status;
+        }
+    }
+    return fill_net(work->made, work->at, work->problem->arena, net, error);
+}
+
+/* The file says what these members would. */
+static const char says_all[] = "beside \"boundary\", which says it all";
+
+void taut_boundary_file_net(taut_reader *document, taut_problem *problem, taut_net_document *net)
+{
+    static const char *const others[] = {"u", "v", "points", "weights", NULL};
+    const taut_json at = taut_json_member(document->object, "boundary");
+    boundary_work work = {.at = &at, .problem = problem};
+    int degree[2] = {0, 0}, halvings[2] = {0, 0};
+
+    taut_member_refuse(document, others, says_all);
+    read_pair(document, "degree", read_degree, degree);
+    read_pair(document, "refine", read_halvings, halvings);
+    const int asked = taut_reader_has(document, "degree") || taut_reader_has(document, "refine");
+    if (document->status == TAUT_OK) {
+        document->status = read_net(&work, degree, halvings, asked, net, document->error);
+    }
+    clear_work(&work);
+}
+
+static taut_status read_bezier(boundary_work *work, int agree, const taut_curve *sides[TAUT_SIDES],
+                               taut_error *error)
+{
+    taut_error found = {.status = TAUT_OK};
+    taut_status status = read_sides(work->at, work->problem, work->sides, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = taut_boundary_bezier(work->sides, work->made, &found);
+    if (status == TAUT_OK && agree) {
+        status = taut_boundary_agree(work->made, &found);
+    }
+    if (status != TAUT_OK) {
+        return blame_file(work->at, &found, status, error);
+    }
+    for (int s = 0; s < TAUT_SIDES; s++) {
+        taut_curve *made = work->made[s];
+        work->made[s] = NULL;
+        if (!taut_keep_curve(work->problem->arena, made)) {
+            return taut_fail_memory(error);
+        }
+        sides[s] = made;
+    }
+    return TAUT_OK;
+}
+
+void taut_boundary_file_bezier(taut_reader *document, taut_problem *problem,
+                               const char *const *others, int agree,
+                               const taut_curve *sides[TAUT_SIDES])
+{
+    const taut_json at = taut_json_member(document->object, "boundary");
+    boundary_work work = {.at = &at, .problem = problem};
+
+    taut_member_refuse(document, others, says_all);
+    if (document->status == TAUT_OK) {
+        document->status = read_bezier(&work, agree, sides, document->error);
+    }
+    clear_work(&work);
+}

@@ -1,0 +1,18 @@
+/* boundary_file.h -- what the file gives that the member "boundary" names: a net, or four Bezier curves
+ * (io/problem/boundary_document.h). */
+#ifndef TAUT_IO_PROBLEM_BOUNDARY_FILE_H
+#define TAUT_IO_PROBLEM_BOUNDARY_FILE_H
+
+#include "geometry/boundary/boundary.h"
+#include "io/problem/member.h"
+#include "io/problem/net_document.h"
+#include "problem/problem.h"
+
+/* Of a document that has the member; the problem's arena owns the net. */
+void taut_boundary_file_net(taut_reader *document, taut_problem *problem, taut_net_document *net);
+
+void taut_boundary_file_bezier(taut_reader *document, taut_problem *problem,
+                               const char *const *others, int agree,
+                               const taut_curve *sides[TAUT_SIDES]);
+
+#endif /* TAUT_IO_PROBLEM_BOUNDARY_FILE_H */
