@@ -595,12 +595,10 @@ static double find_neck(const work *w)
     return shortest_line(w, w->net, &now) / edge;
 }
 
-/* Did the film come near to parting, or is there an edge that may shrink? Else it is the net that folds. */
+/* Did the film come near to parting? Else it is the net that folds. */
 static int may_part(const work *w)
 {
-    const int e = far_edge(w);
-    return w->space->problem->edges[e].kind != TAUT_FILM_FIXED ||
-           w->space->problem->edges[e - 1].kind != TAUT_FILM_FIXED || find_neck(w) < neck_most;
+    return find_neck(w) < neck_most;
 }
 
 static taut_status refuse_far(const work *w, double share, taut_error *error)
