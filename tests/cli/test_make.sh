@@ -77,7 +77,7 @@ contains err.txt 'nonsense.*taut example. lists them'
 refused 2 'name' example dirichlet-tnt
 contains err.txt 'did you mean .*dirichlet-tent'
 refused 2 'name' example film
-contains err.txt 'did you mean ..film-sail'
+contains err.txt 'did you mean ..film-[a-z]'
 refused 2 'name' schema nonsense
 contains err.txt 'there are: .*problem'
 absent model.xyz a.json more.json

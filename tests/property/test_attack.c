@@ -48,6 +48,13 @@ static void along_z(edit_model *edit, double amount, int way)
     move_at(&edit->surface[0], 1, 1 + way % (edit->surface[0].nv - 2), amount, 2);
 }
 
+/* Out of the plane y = 0. */
+static void corner_along_y(edit_model *edit, double amount, int way)
+{
+    (void)way;
+    move_at(&edit->surface[0], 0, 0, amount, 1);
+}
+
 static void corner(edit_model *edit, double amount, int way)
 {
     move_at(&edit->surface[0], 0, 0, amount, way);
@@ -57,6 +64,12 @@ static void corner(edit_model *edit, double amount, int way)
 static void rim(edit_model *edit, double amount, int way)
 {
     move_at(&edit->surface[0], 0, 1, amount, way);
+}
+
+/* Of the edge v0. */
+static void second_rim(edit_model *edit, double amount, int way)
+{
+    move_at(&edit->surface[0], 1, 0, amount, way);
 }
 
 static void second_surface(edit_model *edit, double amount, int way)
@@ -292,7 +305,8 @@ static const attack_row rows[] = {
     {"film", "stable", "film-sail", inside, ANY},
     {"film", "length", "film-sail-length", rim, OPEN},
     {"film", "seams", "film-ring", corner, 0},
-    {"film", "mirror", "film-mirror", corner, OPEN},
+    {"film", "mirror", "film-mirror", corner_along_y, OPEN},
+    {"film", "boundary", "film-mirror", second_rim, OPEN},
     {"harmonic", "harmonic", "harmonic-rows", inside, OPEN},
     {"harmonic", "boundary", "harmonic-rows", rim, 0},
     {"harmonic", "nearest", "harmonic-fit", everywhere, OPEN},
