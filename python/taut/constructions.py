@@ -137,10 +137,10 @@ def film(*, u: BasisLike | None = None, v: BasisLike | None = None,
         unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, name: str | None = None,
         corners: Mapping[str, Union[npt.ArrayLike, None, Mapping[str, npt.ArrayLike], Mapping[str, Any]]] | None = None,
         edges: Mapping[str, Union[Literal["fixed"], Mapping[str, Union[CurveLike, Union[Mapping[str, npt.ArrayLike], Mapping[str, Mapping[str, Any]]]]], Mapping[str, Any], Mapping[str, Mapping[str, npt.ArrayLike]], Mapping[str, None]]] | None = None,
-        seams: Literal[[["u0", "u1"]], [["u1", "u0"]], [["v0", "v1"]], [["v1", "v0"]]] | None = None,
-        tension: float | None = None, tolerance: float | None = None, max_iterations: int | None = None,
-        equilibrium: float | None = None, method: Literal["full"] | None = None, accept: Literal["minimum"] | None = None,
-        least: bool | None = None, threads: int | None = None, progress: Progress | None = None, strict: bool = False) -> Model:
+        seams: Sequence[Any] | None = None, tension: float | None = None, tolerance: float | None = None,
+        max_iterations: int | None = None, equilibrium: float | None = None, method: Literal["full"] | None = None,
+        accept: Literal["minimum"] | None = None, least: bool | None = None, threads: int | None = None,
+        progress: Progress | None = None, strict: bool = False) -> Model:
     """The film of least energy between edges that are held or drawn by cables.
 
     u                      A function basis on a parameter range; its functions are as many as the points along it.
@@ -149,8 +149,8 @@ def film(*, u: BasisLike | None = None, v: BasisLike | None = None,
     name                   at most 255 bytes of UTF-8
     corners                where no curve ends; null: free; of a ring there are none
     edges                  as in docs/format.md
-    seams                  a ring: the two edges are one curve inside the film, which goes around; one of [["u0",
-                           "u1"]], [["u1", "u0"]], [["v0", "v1"]], [["v1", "v0"]]
+    seams                  a ring: the two edges, u0 and u1 or v0 and v1, are one curve inside the film, which goes
+                           around
     tension                of the film: a force per length; above 0; 1 if not given
     tolerance              of the claim stationary; at least 1e-14; 1e-10 if not given
     max_iterations         at least 1; 200 if not given
