@@ -297,7 +297,7 @@ static taut_status find_through(const taut_plateau_problem *problem,
         return taut_fail_memory(error);
     }
     for (size_t k = 0; k < count; k++) {
-        missing += isnan(p->through[k].u);
+        missing += isnan(p->through[k].u) != 0; /* not 1 everywhere: MinGW says -1 */
     }
     return missing > 0 ? find_nearest(problem, options, p, error) : TAUT_OK;
 }
