@@ -2,6 +2,10 @@
  *
  *     E(x) = s A(x) + sum over cables C_k(L_k),     A = iint |x_u x x_v| du dv,  L_k = int |x_t| dt
  *
+ * or, with forces in two directions of threads, u and v over [0, 1],
+ *
+ *     P(x) = 1/2 iint a |x_u|^2 + b |x_v|^2 du dv   in place of s A
+ *
  * is least over the spline space of one patch. s is the tension of the film, a force per length;
  * C_k is T_k L_k for a cable of given force T_k, 0 for one of given length, whose force is the
  * multiplier of L_k, and EA (L_k - L0)^2 / (2 L0) for an elastic one. Where the film rests its mean
@@ -13,6 +17,7 @@
 
 #include "taut/construct.h"
 #include "taut/curve.h"
+#include "taut/surface.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -75,6 +80,9 @@ typedef struct taut_film_edge {
     taut_film_guide plane;
 } taut_film_edge;
 
+/* The most updates of a reference. */
+enum { TAUT_FILM_UPDATES_MAX = 100 };
+
 /* Zero means default everywhere. */
 typedef struct taut_film_problem {
     const char *name;            /* of the surface; NULL: "film" */
@@ -90,6 +98,10 @@ typedef struct taut_film_problem {
     taut_film_ring ring; /* bspline of 2 degree + 1 points or more that way, and no corners */
     taut_film_corner_kind corner_kinds[4];
     taut_film_guide guides[4]; /* of corners on lines and planes */
+    double force_density[2];   /* both above 0: a, b in place of a tension; 0, 0: none */
+    double prestress[2];       /* both above 0: forces per width along u and v, on `reference` */
+    const taut_surface *reference; /* regular, on the bases of the film; with prestress */
+    int updates;                   /* so often the film becomes the reference, 0 to 100 */
 } taut_film_problem;
 
 /* Reasons: word, meaning, remedy. */
@@ -136,7 +148,7 @@ typedef struct taut_film_problem {
       "lower the degree, or even out the knots")
 
 /* Makes the model: the surface, and each cable as a curve named as its edge ("u0"); details:
- * unknowns, iterations, method, residual, cables (edge, force, length, of elastic ones unstressed),
+ * unknowns, iterations, method, residual, updates, cables (edge, force, length, of elastic ones unstressed),
  * supports (the held corners at which cables end), verdict { exists, stable, least }, rivals,
  * deviation of fitted curves.
  * TAUT_BAD_INPUT: data out of range, error->where the member. TAUT_NO_SOLUTION: no-area, crossed,

@@ -137,10 +137,11 @@ def film(*, u: BasisLike | None = None, v: BasisLike | None = None,
         unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, name: str | None = None,
         corners: Mapping[str, Union[npt.ArrayLike, None, Mapping[str, npt.ArrayLike], Mapping[str, Any]]] | None = None,
         edges: Mapping[str, Union[Literal["fixed"], Mapping[str, Union[CurveLike, Union[Mapping[str, npt.ArrayLike], Mapping[str, Mapping[str, Any]]]]], Mapping[str, Any], Mapping[str, Mapping[str, npt.ArrayLike]], Mapping[str, None]]] | None = None,
-        seams: Sequence[Any] | None = None, tension: float | None = None, tolerance: float | None = None,
-        max_iterations: int | None = None, equilibrium: float | None = None, method: Literal["full"] | None = None,
-        accept: Literal["minimum"] | None = None, least: bool | None = None, threads: int | None = None,
-        progress: Progress | None = None, strict: bool = False) -> Model:
+        seams: Sequence[Any] | None = None, tension: float | None = None, force_density: npt.ArrayLike | None = None,
+        prestress: npt.ArrayLike | None = None, reference: SurfaceLike | None = None, updates: int | None = None,
+        tolerance: float | None = None, max_iterations: int | None = None, equilibrium: float | None = None,
+        method: Literal["full"] | None = None, accept: Literal["minimum"] | None = None, least: bool | None = None,
+        threads: int | None = None, progress: Progress | None = None, strict: bool = False) -> Model:
     """The film of least energy between edges that are held or drawn by cables.
 
     u                      A function basis on a parameter range; its functions are as many as the points along it.
@@ -152,6 +153,10 @@ def film(*, u: BasisLike | None = None, v: BasisLike | None = None,
     seams                  a ring: the two edges, u0 and u1 or v0 and v1, are one curve inside the film, which goes
                            around
     tension                of the film: a force per length; above 0; 1 if not given
+    force_density          in place of a tension: along the threads, u and v over [0, 1]
+    prestress              in place of a tension: forces per width along u and v on the reference
+    reference              a surface on the bases of the film; with prestress
+    updates                so often the film becomes the reference; at least 0; 0 if not given
     tolerance              of the claim stationary; at least 1e-14; 1e-10 if not given
     max_iterations         at least 1; 200 if not given
     equilibrium            adds the claim of that name; above 0
@@ -160,7 +165,8 @@ def film(*, u: BasisLike | None = None, v: BasisLike | None = None,
     least                  true if not given
     """
     said: dict[str, Any] = {"u": u, "v": v, "unit": unit, "name": name, "corners": corners, "edges": edges, "seams": seams,
-        "tension": tension, "tolerance": tolerance, "max_iterations": max_iterations, "equilibrium": equilibrium,
+        "tension": tension, "force_density": force_density, "prestress": prestress, "reference": reference,
+        "updates": updates, "tolerance": tolerance, "max_iterations": max_iterations, "equilibrium": equilibrium,
         "method": method, "accept": accept, "least": least}
     return made_of("film", said, None, threads=threads, progress=progress, strict=strict)
 

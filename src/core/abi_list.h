@@ -201,7 +201,11 @@
     X(taut_film_problem, without_least, "int") \
     X(taut_film_problem, ring, "taut_film_ring") \
     X(taut_film_problem, corner_kinds, "taut_film_corner_kind[4]") \
-    X(taut_film_problem, guides, "taut_film_guide[4]")
+    X(taut_film_problem, guides, "taut_film_guide[4]") \
+    X(taut_film_problem, force_density, "double[2]") \
+    X(taut_film_problem, prestress, "double[2]") \
+    X(taut_film_problem, reference, "const taut_surface *") \
+    X(taut_film_problem, updates, "int")
 
 #define TAUT_ABI_MEMBERS_taut_forms(X) \
     X(taut_forms, e, "double") \
@@ -766,6 +770,7 @@
     X(TAUT_ORDER_MAX, "TAUT_ORDER_MAX") \
     X(TAUT_THROUGH_MAX, "TAUT_THROUGH_MAX") \
     X(TAUT_FILM_POINTS_MAX, "TAUT_FILM_POINTS_MAX") \
+    X(TAUT_FILM_UPDATES_MAX, "TAUT_FILM_UPDATES_MAX") \
     X(TAUT_DEGREE_MAX, "TAUT_DEGREE_MAX") \
     X(TAUT_COUNT_MAX, "TAUT_COUNT_MAX") \
     X(TAUT_POINTS_MAX, "TAUT_POINTS_MAX") \

@@ -79,11 +79,20 @@ film 3 'type /edges/u0/fixed/line/1' '"edges": { "u0": { "fixed": { "line": [[0,
 film 3 'type /edges/u0/fixed/line found null expected two points' '"edges": { "u0": { "fixed": { "line": null } } }'
 film 3 'conflict /edges/u0/fixed found 2 expected 1' '"edges": { "u0": { "fixed": { "arc": [], "line": [] } } }'
 film 3 'unknown-member /edges/u0/fixed/t' '"edges": { "u0": { "fixed": { "arc": [], "t": {} } } }'
-for member in '"force_density": [1, 1]' '"prestress": [1, 1]' '"patches": []' '"seams": [["a.u0", "b.u0", "c.u0"]]' '"cells": []' \
-    '"start": {}' '"points": []' '"cables": []' '"images": []' '"updates": 1' '"refine": 1' '"boundary": "x.step"'; do
+for member in '"patches": []' '"seams": [["a.u0", "b.u0", "c.u0"]]' '"cells": []' \
+    '"start": {}' '"points": []' '"cables": []' '"images": []' '"refine": 1' '"boundary": "x.step"'; do
     name=$(printf '%s' "$member" | sed 's/"\([a-z_]*\)".*/\1/')
     film 3 "not-yet /$name" "$member"
 done
+# threads
+film 0 '' '"force_density": [1, 1]'
+contains err.txt 'least +holds'
+contains err.txt 'stress +1'
+film 3 'value /force_density/1 found 0 expected a positive number' '"force_density": [1, 0]'
+film 3 'conflict /force_density found 2 expected 1' '"force_density": [1, 1], "tension": 2'
+film 3 'missing /reference found 0 expected 1' '"prestress": [1, 1]'
+film 3 'conflict /updates' '"updates": 1'
+film 3 'basis /reference' '"prestress": [1, 1], "reference": { "u": { "type": "bezier", "degree": 1 }, "v": { "type": "bezier", "degree": 1 }, "points": [[[0,0,0],[0,2,0]],[[2,0,0],[2,2,0]]] }'
 film 3 'not-yet /method' '"method": "normal"'
 film 3 'not-yet /accept' '"accept": "stationary"'
 # what moves: members that are missing or wrong

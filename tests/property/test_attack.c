@@ -304,6 +304,7 @@ static const attack_row rows[] = {
     {"film", "cables", "film-sail", axis_start, 0},
     {"film", "stable", "film-sail", inside, ANY},
     {"film", "length", "film-sail-length", rim, OPEN},
+    {"film", "least", "film-warp-weft", inside, OPEN},
     {"film", "seams", "film-ring", corner, 0},
     {"film", "mirror", "film-mirror", corner_along_y, OPEN},
     {"film", "boundary", "film-mirror", second_rim, OPEN},

@@ -379,6 +379,8 @@ static taut_status add_cables(const request *r, taut_certificate *certificate)
 typedef struct finding {
     double residual; /* along moves, or of all coordinates as it counts */
     double area, lengths[4];
+    double stored, gain; /* of threads: P over the tension; what is left of it to gain at most */
+    int bounded;         /* is `gain` known? */
     double lowest, relative; /* eigenvalue, and times size^2 over the tension */
     int below, at;
     int settled;
@@ -480,6 +482,20 @@ static taut_status settle_rest(const request *r, finding *found)
     return TAUT_OK;
 }
 
+/* What the threads store, and what is left of it to gain. */
+static taut_status find_gain(const request *r, const taut_film_sheet *sheet,
+                             const taut_film_moves *moves, const double *gradient, finding *found)
+{
+    if (!taut_film_sheet_has_threads(r->problem)) {
+        return TAUT_OK;
+    }
+    const taut_status status = taut_film_moves_bound(sheet, moves, gradient, &found->gain);
+    found->bounded = status == TAUT_OK;
+    found->gain = ldexp(found->gain, 2 * sheet->unit);
+    found->stored = ldexp(taut_film_sheet_stored(sheet), 2 * sheet->unit);
+    return status == TAUT_NO_MEMORY ? status : TAUT_OK;
+}
+
 static taut_status find_stability(const request *r, finding *found)
 {
     taut_arena *arena = taut_arena_new();
@@ -497,6 +513,9 @@ static taut_status find_stability(const request *r, finding *found)
     if (status == TAUT_OK) {
         taut_film_sheet_gradient(&sheet, gradient, moments, &area, &largest, lengths);
         status = taut_film_moves_new(&sheet, moments, &moves);
+    }
+    if (status == TAUT_OK) {
+        status = find_gain(r, &sheet, &moves, gradient, found);
     }
     if (status == TAUT_OK) {
         status = taut_film_moves_lowest(&sheet, &moves, ldexp(r->half, 1 - sheet.unit),
@@ -551,6 +570,12 @@ static taut_status add_stationary(const request *r, const finding *found,
                         .where = where};
 
     snprintf(where, sizeof where, "/surfaces/0/points/%d/%d", found->at / r->nv, found->at % r->nv);
+    if (r->problem->updates > 0) {
+        claim.residual = taut_none;
+        claim.where = "updates: the last reference is no part of the model";
+        claim.holds = TAUT_UNDECIDED;
+        return taut_certificate_add(certificate, &claim);
+    }
     claim.holds = taut_certify_below(claim.residual, claim.limit);
     if (claim.holds == TAUT_UNDECIDED) {
         snprintf(where, sizeof where, TAUT_CERTIFY_OUT_OF_RANGE);
@@ -594,13 +619,33 @@ static double cable_energy(const taut_film_edge *edge, double length)
 
 static double find_energy(const request *r, const finding *found, const taut_film_sheet *sheet)
 {
-    double energy = sheet->tension * found->area;
+    double energy =
+        sheet->tension * (taut_film_sheet_has_threads(r->problem) ? found->stored : found->area);
     for (int e = 0; e < 4; e++) {
         if (r->problem->edges[e].kind == TAUT_FILM_CABLE) {
             energy += cable_energy(&r->problem->edges[e], found->lengths[e]);
         }
     }
     return energy;
+}
+
+/* No film of the space, with the same held points, stores less than this; NULL, or why there is no such number. */
+static const char *threads_bound(const request *r, const finding *found,
+                                 const taut_film_sheet *sheet, double *bound)
+{
+    const double rounding = 1e-13; /* of the energy: of sums that are as long as the net is large */
+    const double energy = find_energy(r, found, sheet);
+
+    for (int e = 0; e < 4; e++) {
+        if (found->given[e] > 0) {
+            return "length: the bound is one of cables of force or elasticity";
+        }
+    }
+    if (r->problem->updates > 0) {
+        return "updates: the last reference is no part of the model";
+    }
+    *bound = energy - sheet->tension * found->gain - rounding * energy;
+    return found->bounded ? NULL : "the threads' matrix is not safely positive definite";
 }
 
 static taut_status add_least(const request *r, const finding *found, const taut_film_sheet *sheet,
@@ -614,8 +659,10 @@ static taut_status add_least(const request *r, const finding *found, const taut_
                         .where = "declined: the problem asks for no bound"};
     const double energy = find_energy(r, found, sheet);
     double bound = 0;
-    const char *why =
-        r->problem->without_least ? claim.where : taut_film_least(sheet, found->given, &bound);
+    const char *why = r->problem->without_least ? claim.where
+                      : taut_film_sheet_has_threads(r->problem)
+                          ? threads_bound(r, found, sheet, &bound)
+                          : taut_film_least(sheet, found->given, &bound);
 
     if (why == NULL) {
         claim.residual = (energy - bound) / energy;
@@ -680,6 +727,18 @@ static taut_status add_equilibrium(const request *r, double largest, taut_certif
     return r->problem->equilibrium > 0 ? taut_certificate_add(certificate, &claim) : TAUT_OK;
 }
 
+/* The forces per width that the threads reach, over places of a uniform grid: [[least, most] along u, along v]. */
+static void add_stress(const taut_film_sheet *sheet, taut_record *figures)
+{
+    double range[2][2];
+    taut_record *stress = taut_record_add_list(figures, "stress");
+
+    taut_film_stress(sheet, range);
+    for (int d = 0; d < 2; d++) {
+        taut_record_add_numbers(stress, NULL, 2, range[d]);
+    }
+}
+
 static int has_slide(const taut_film_problem *problem)
 {
     int has = 0;
@@ -703,14 +762,20 @@ static taut_status fill_figures(const request *r, const finding *found, taut_are
         return TAUT_NO_MEMORY;
     }
     const taut_film_defects defects = taut_film_defects_of(&sheet);
-    const double mean = 4 * largest * r->half;
+    const double mean = taut_film_sheet_has_threads(r->problem) ? 0 : 4 * largest * r->half;
     status = add_least(r, found, &sheet, figures, certificate);
     add_lists(r, found, &sheet, figures);
     add_reactions(&sheet, figures);
     taut_record_add_number(figures, "lowest_eigenvalue", found->lowest);
-    taut_record_add_number(figures, "mean_curvature", mean);
+    if (taut_film_sheet_has_threads(r->problem)) {
+        add_stress(&sheet, figures);
+    } else {
+        taut_record_add_number(figures, "mean_curvature", mean);
+    }
     taut_record_add_number(figures, "cable_geodesic", defects.geodesic);
-    taut_record_add_number(figures, "cable_normal", defects.normal);
+    if (!taut_film_sheet_has_threads(r->problem)) {
+        taut_record_add_number(figures, "cable_normal", defects.normal);
+    }
     if (has_slide(r->problem)) {
         taut_record_add_number(figures, "slide_angle", defects.slide);
     }

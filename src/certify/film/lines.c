@@ -12,7 +12,9 @@ enum { GRID = 101 }; /* as the mean curvature is looked at */
 typedef struct spot {
     double x[3], d[3], dd[3]; /* the curve and its derivatives along the edge */
     double out[3];            /* the conormal, outwards, unit */
-    double normal[3];         /* of the surface, unit */
+    double pull
+        [3]; /* what the film pulls with, per length, over the tension, outwards: the conormal but for threads */
+    double normal[3]; /* of the surface, unit */
     double speed;
 } spot;
 
@@ -52,7 +54,14 @@ static void look(const taut_film_sheet *sheet, int e, double at, spot *s)
     const double w = taut_length(s->normal), width = taut_length(s->out);
     for (int c = 0; c < 3; c++) {
         s->normal[c] /= w;
-        s->out[c] /= width;
+        s->pull[c] = s->out[c] /= width;
+    }
+    if (taut_film_sheet_has_threads(sheet->problem)) {
+        double threads[2];
+        taut_film_sheet_threads(sheet, e < 2 ? end_u : at, e < 2 ? at : end_v, threads);
+        for (int c = 0; c < 3; c++) {
+            s->pull[c] = sign * threads[e < 2 ? 0 : 1] * inwards[c] / s->speed;
+        }
     }
 }
 
@@ -69,31 +78,37 @@ static void into_plane(const taut_film_edge *edge, double x[3])
     taut_add_scaled(-taut_dot(unit, x), unit, x);
 }
 
-/* |r c'' - (nu - (nu.N) N)|: c'' along arc length. */
-static double pull_in_plane(const taut_film_edge *edge, const spot *s, double r)
+/* |r c'' - p|, p what the film pulls with, of a cable in a plane the part there; c'' along arc length. */
+static double pull_left(const taut_film_edge *edge, const spot *s, double r)
 {
     const double square = s->speed * s->speed, along = taut_dot(s->dd, s->d) / square;
-    double out[3] = {s->out[0], s->out[1], s->out[2]};
+    double out[3] = {s->pull[0], s->pull[1], s->pull[2]};
 
-    into_plane(edge, out);
+    if (taut_film_sheet_in_plane(edge)) {
+        into_plane(edge, out);
+    }
     for (int c = 0; c < 3; c++) {
         out[c] = r * (s->dd[c] - along * s->d[c]) / square - out[c];
     }
     return taut_length(out);
 }
 
+/* *threads, *most: of a cable beside threads, what is left and what they pull with. */
 static void add_defects(const taut_film_sheet *sheet, int e, const spot *s,
-                        taut_film_defects *found)
+                        taut_film_defects *found, double *threads, double *most)
 {
     const taut_film_edge *edge = &sheet->problem->edges[e];
     const double square = s->speed * s->speed, r = sheet->ratios[e];
 
     if (edge->kind == TAUT_FILM_SLIDE) {
-        double out[3] = {s->out[0], s->out[1], s->out[2]};
+        double out[3] = {s->pull[0], s->pull[1], s->pull[2]};
         into_plane(edge, out);
-        found->slide = taut_certify_max(found->slide, taut_length(out));
+        found->slide = taut_certify_max(found->slide, taut_length(out) / taut_length(s->pull));
+    } else if (taut_film_sheet_has_threads(sheet->problem)) {
+        *threads = taut_certify_max(*threads, pull_left(edge, s, r));
+        *most = taut_certify_max(*most, taut_length(s->pull));
     } else if (taut_film_sheet_in_plane(edge)) {
-        found->geodesic = taut_certify_max(found->geodesic, pull_in_plane(edge, s, r));
+        found->geodesic = taut_certify_max(found->geodesic, pull_left(edge, s, r));
     } else if (taut_film_sheet_is_cable(sheet, e)) {
         found->geodesic =
             taut_certify_max(found->geodesic, fabs(r * taut_dot(s->dd, s->out) / square - 1));
@@ -108,13 +123,40 @@ taut_film_defects taut_film_defects_of(const taut_film_sheet *sheet)
 
     for (int e = 0; e < 4; e++) {
         const taut_film_edge_kind kind = sheet->problem->edges[e].kind;
+        double threads = 0, most = 0;
         for (int k = 0; k < GRID && (kind == TAUT_FILM_CABLE || kind == TAUT_FILM_SLIDE); k++) {
             spot s;
             look(sheet, e, parameter(basis_of(sheet, e), k), &s);
-            add_defects(sheet, e, &s, &found);
+            add_defects(sheet, e, &s, &found, &threads, &most);
         }
+        found.geodesic =
+            most > 0 ? taut_certify_max(found.geodesic, threads / most) : found.geodesic;
     }
     return found;
+}
+
+void taut_film_stress(const taut_film_sheet *sheet, double range[2][2])
+{
+    const taut_surface *surface = sheet->surface;
+
+    for (int d = 0; d < 2; d++) {
+        range[d][0] = INFINITY;
+        range[d][1] = 0;
+    }
+    for (int k = 0; k < GRID * GRID; k++) {
+        const double u = parameter(taut_surface_u(surface), k / GRID),
+                     v = parameter(taut_surface_v(surface), k % GRID);
+        double x[TAUT_SURFACE_VECTORS(1)][3], threads[2];
+        (void)taut_surface_eval(surface, u, v, 1, x[0]);
+        taut_film_sheet_threads(sheet, u, v, threads);
+        const double lu = taut_norm(x[TAUT_XU]), lv = taut_norm(x[TAUT_XV]);
+        const double stress[2] = {sheet->tension * threads[0] * lu / lv,
+                                  sheet->tension * threads[1] * lv / lu};
+        for (int d = 0; d < 2; d++) {
+            range[d][0] = stress[d] < range[d][0] ? stress[d] : range[d][0];
+            range[d][1] = taut_certify_max(range[d][1], stress[d]);
+        }
+    }
 }
 
 double taut_film_sag(const taut_film_sheet *sheet, int e)
@@ -147,11 +189,11 @@ static void add_held(const taut_film_sheet *sheet, int e, double sum[3], double 
         double in[3] = {0, 0, 0};
         look(sheet, e, nodes->at[k], &s);
         if (taut_film_sheet_in_plane(edge)) {
-            memcpy(in, s.out, sizeof in);
+            memcpy(in, s.pull, sizeof in);
             into_plane(edge, in);
         }
         for (int c = 0; c < 3; c++) {
-            sum[c] -= nodes->weights[k] * s.speed * (s.out[c] - in[c]);
+            sum[c] -= nodes->weights[k] * s.speed * (s.pull[c] - in[c]);
         }
         *size += nodes->weights[k] * s.speed;
     }

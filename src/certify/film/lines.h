@@ -18,6 +18,9 @@ typedef struct taut_film_defects {
 
 taut_film_defects taut_film_defects_of(const taut_film_sheet *sheet);
 
+/* Least and most of alpha |x_u| / |x_v| and of beta |x_v| / |x_u|, in the user's unit, over places of the same grid on the film. */
+void taut_film_stress(const taut_film_sheet *sheet, double range[2][2]);
+
 /* The largest distance of cable e from its chord over the chord, at places of the same grid. */
 double taut_film_sag(const taut_film_sheet *sheet, int e);
 

@@ -75,7 +75,9 @@ static void add_moves(const taut_film_sheet *sheet, const double *moments, int i
         return;
     }
     const int count = taut_film_sheet_normals(sheet, i, j, normals);
-    if (way == TAUT_FILM_INSIDE) {
+    if (taut_film_sheet_has_threads(sheet->problem)) {
+        add_free(moves, at, normals, count);
+    } else if (way == TAUT_FILM_INSIDE) {
         memcpy(x, moments + 3 * at, sizeof x);
         make_unit(x);
         add_move(moves, at, x);
@@ -93,8 +95,8 @@ taut_status taut_film_moves_new(const taut_film_sheet *sheet, const double *mome
     const size_t points = (size_t)sheet->nu * (size_t)sheet->nv;
 
     *moves = (taut_film_moves){.count = 0};
-    moves->point = taut_arena_take(sheet->arena, 2 * points + 4, sizeof(int));
-    moves->direction = taut_arena_take(sheet->arena, 2 * points + 4, 3 * sizeof(double));
+    moves->point = taut_arena_take(sheet->arena, 3 * points, sizeof(int));
+    moves->direction = taut_arena_take(sheet->arena, 3 * points, 3 * sizeof(double));
     moves->first = taut_arena_take(sheet->arena, points + 1, sizeof(int));
     if (taut_arena_status(sheet->arena) != TAUT_OK) {
         return TAUT_NO_MEMORY;
@@ -239,6 +241,23 @@ static int gather(const taut_film_sheet *sheet, const taut_film_moves *moves, in
     return count;
 }
 
+/* The same of threads: alike in every direction. */
+static void add_threads(pencil *p, const taut_film_place *place, const double threads[2],
+                        const moved *list, int count)
+{
+    for (int x = 0; x < count; x++) {
+        for (int y = 0; y <= x; y++) {
+            const moved *s = &list[x], *o = &list[y];
+            const size_t at = entry(&p->shape, s->index, o->index);
+            const double times = x != y && s->index == o->index ? 2 : 1; /* of a pole */
+            p->k[at] += times * place->weight * taut_dot(s->direction, o->direction) *
+                        (threads[0] * s->u * o->u + threads[1] * s->v * o->v);
+            p->m[at] +=
+                times * place->weight * place->w * s->along * s->value * o->along * o->value;
+        }
+    }
+}
+
 static void add_place(pencil *p, const taut_film_place *place, const double n[3], const moved *list,
                       int count)
 {
@@ -335,9 +354,9 @@ static taut_status add_condition(const taut_film_sheet *sheet, const taut_film_m
 }
 
 static taut_status fill_pencil(const taut_film_sheet *sheet, const taut_film_moves *moves,
-                               double size, pencil *p)
+                               double size, int with_lines, pencil *p)
 {
-    const size_t most = 2 * (size_t)sheet->u.table->local * (size_t)sheet->v.table->local + 4;
+    const size_t most = 3 * (size_t)sheet->u.table->local * (size_t)sheet->v.table->local;
     moved *list = taut_arena_take(sheet->arena, most, sizeof *list);
 
     if (list == NULL) {
@@ -351,8 +370,18 @@ static taut_status fill_pencil(const taut_film_sheet *sheet, const taut_film_mov
             for (int c = 0; c < 3; c++) {
                 n[c] = place.normal[c] / place.w;
             }
-            add_place(p, &place, n, list, gather(sheet, moves, a, b, n, list));
+            const int count = gather(sheet, moves, a, b, n, list);
+            if (taut_film_sheet_has_threads(sheet->problem)) {
+                double threads[2];
+                taut_film_sheet_threads(sheet, sheet->u.at[a], sheet->v.at[b], threads);
+                add_threads(p, &place, threads, list, count);
+            } else {
+                add_place(p, &place, n, list, count);
+            }
         }
+    }
+    if (!with_lines) {
+        return TAUT_OK;
     }
     for (int e = 0; e < 4; e++) {
         if (sheet->problem->edges[e].kind == TAUT_FILM_SLIDE) {
@@ -565,7 +594,7 @@ taut_status taut_film_moves_lowest(const taut_film_sheet *sheet, const taut_film
     double *x = taut_arena_take(sheet->arena, (size_t)moves->count, sizeof(double));
     double *y = taut_arena_take(sheet->arena, (size_t)moves->count, sizeof(double));
     if (taut_arena_status(sheet->arena) != TAUT_OK || make_pencil(sheet, moves, &p) != TAUT_OK ||
-        fill_pencil(sheet, moves, size, &p) != TAUT_OK) {
+        fill_pencil(sheet, moves, size, 1, &p) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
     const int found = factorise(&p, limit);
@@ -579,4 +608,29 @@ taut_status taut_film_moves_lowest(const taut_film_sheet *sheet, const taut_film
     const taut_status status = iterate(&p, x, y, lowest);
     *below = status == TAUT_OK ? found : -1;
     return status;
+}
+
+taut_status taut_film_moves_bound(const taut_film_sheet *sheet, const taut_film_moves *moves,
+                                  const double *gradient, double *gain)
+{
+    pencil p = {.k = NULL};
+    double *x = taut_arena_take(sheet->arena, (size_t)moves->count, sizeof(double));
+
+    if (x == NULL || make_pencil(sheet, moves, &p) != TAUT_OK ||
+        fill_pencil(sheet, moves, 1, 0, &p) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    if (factor_profile(&p, 0) > 0) {
+        return TAUT_NOT_CONVERGED;
+    }
+    double sum = 0;
+    for (int k = 0; k < moves->count; k++) {
+        x[k] = taut_dot(gradient + 3 * (size_t)moves->point[k], moves->direction + 3 * k);
+    }
+    solve_profile(&p, x);
+    for (int k = 0; k < moves->count; k++) {
+        sum += x[k] * taut_dot(gradient + 3 * (size_t)moves->point[k], moves->direction + 3 * k);
+    }
+    *gain = 0.5 * sum;
+    return TAUT_OK;
 }

@@ -7,6 +7,9 @@
  *     or a slide          edge is kept in a plane
  *     a corner            all that its line or its planes leave, where it is not held
  *
+ * Where threads are drawn every point that moves has all moves that its planes leave, and K is that of the threads,
+ * iint alpha |d_u|^2 + beta |d_v|^2 du dv.
+ *
  * On them, with a = n . d_u, b = n . d_v, in units of the film's tension (docs/film.md):
  *
  *     K(d, d) = iint (G a^2 - 2 F a b + E b^2) / W + 2 n . (d_u x d_v) du dv
@@ -38,5 +41,11 @@ double taut_film_moves_largest(const taut_film_moves *moves, const double *gradi
  * *below is -1. */
 taut_status taut_film_moves_lowest(const taut_film_sheet *sheet, const taut_film_moves *moves,
                                    double size, double limit, double *lowest, int *below);
+
+/* What a film whose threads are drawn can gain at most in its space, 1/2 g . K^-1 g with K that of the threads alone: their energy is
+ * quadratic, that of cables of force or elasticity convex. gradient at the points that own, scaled; over the tension.
+ * TAUT_NOT_CONVERGED: K is not positive definite. TAUT_NO_MEMORY. */
+taut_status taut_film_moves_bound(const taut_film_sheet *sheet, const taut_film_moves *moves,
+                                  const double *gradient, double *gain);
 
 #endif /* TAUT_CERTIFY_FILM_MOVES_H */

@@ -66,6 +66,54 @@ static taut_status open_nodes(const taut_basis *basis, taut_arena *arena, taut_f
     return TAUT_OK;
 }
 
+/* ---- threads ---- */
+
+void taut_film_sheet_threads(const taut_film_sheet *sheet, double u, double v, double threads[2])
+{
+    const taut_film_problem *problem = sheet->problem;
+    const taut_basis *along = taut_surface_u(sheet->surface),
+                     *across = taut_surface_v(sheet->surface);
+    const double ratio = (taut_basis_hi(along) - taut_basis_lo(along)) /
+                         (taut_basis_hi(across) - taut_basis_lo(across));
+    double x[TAUT_SURFACE_VECTORS(1)][3], normal[3];
+
+    threads[0] = problem->force_density[0] / sheet->tension * ratio;
+    threads[1] = problem->force_density[1] / sheet->tension / ratio;
+    if (problem->prestress[0] > 0) {
+        (void)taut_surface_eval(problem->reference, u, v, 1, x[0]);
+        taut_cross(x[TAUT_XU], x[TAUT_XV], normal);
+        const double area = taut_norm(normal), lu = taut_norm(x[TAUT_XU]),
+                     lv = taut_norm(x[TAUT_XV]);
+        threads[0] = problem->prestress[0] / sheet->tension * (area / lu / lu);
+        threads[1] = problem->prestress[1] / sheet->tension * (area / lv / lv);
+    }
+}
+
+double taut_film_sheet_stored(const taut_film_sheet *sheet)
+{
+    taut_sum sum = {0, 0};
+
+    for (int a = 0; a < sheet->u.table->count; a++) {
+        for (int b = 0; b < sheet->v.table->count; b++) {
+            taut_film_place place;
+            double threads[2];
+            taut_film_sheet_place(sheet, a, b, &place);
+            taut_film_sheet_threads(sheet, sheet->u.at[a], sheet->v.at[b], threads);
+            taut_sum_add(&sum, 0.5 * place.weight * (threads[0] * place.e + threads[1] * place.g));
+        }
+    }
+    return taut_sum_total(&sum);
+}
+
+static double tension_of(const taut_film_problem *problem)
+{
+    const double *along = problem->prestress[0] > 0 ? problem->prestress : problem->force_density;
+    if (taut_film_sheet_has_threads(problem)) {
+        return along[0] > along[1] ? along[0] : along[1];
+    }
+    return problem->tension > 0 ? problem->tension : 1;
+}
+
 /* ---- who moves ---- */
 
 int taut_film_sheet_owner(const taut_film_sheet *sheet, int i, int j)
@@ -307,7 +355,7 @@ taut_status taut_film_sheet_new(const taut_surface *surface, const taut_film_pro
         return TAUT_NO_MEMORY;
     }
     scale_points(sheet);
-    sheet->tension = problem->tension > 0 ? problem->tension : 1;
+    sheet->tension = tension_of(problem);
     for (int e = 0; e < 4; e++) {
         if (taut_film_sheet_is_cable(sheet, e) && find_force(sheet, e) != TAUT_OK) {
             return TAUT_NO_MEMORY;
@@ -408,11 +456,18 @@ static void spread_place(const taut_film_sheet *sheet, int a, int b, const taut_
     const taut_table *u = sheet->u.moves, *v = sheet->v.moves;
     const double *n = taut_table_row(u, a, 0), *d = taut_table_row(u, a, 1);
     const double *m = taut_table_row(v, b, 0), *s = taut_table_row(v, b, 1);
-    double along_u[3], along_v[3];
+    double along_u[3], along_v[3], threads[2];
 
     for (int c = 0; c < 3; c++) {
         along_u[c] = p->weight * (p->g * p->u[c] - p->f * p->v[c]) / p->w;
         along_v[c] = p->weight * (p->e * p->v[c] - p->f * p->u[c]) / p->w;
+    }
+    if (taut_film_sheet_has_threads(sheet->problem)) {
+        taut_film_sheet_threads(sheet, sheet->u.at[a], sheet->v.at[b], threads);
+        for (int c = 0; c < 3; c++) {
+            along_u[c] = p->weight * threads[0] * p->u[c];
+            along_v[c] = p->weight * threads[1] * p->v[c];
+        }
     }
     for (int i = 0; i < u->local; i++) {
         for (int j = 0; j < v->local; j++) {

@@ -11,7 +11,7 @@
  *     given length      r = - sum dA . dL / sum dL . dL,  over its points, across the tangents:
  *                       the multiplier with which the film is nearest to rest along the cable
  *
- * so that nothing of the construction's is taken on trust. E, F, G the first fundamental form: the metric form of the gradient, where the construction has
+ * so that nothing of the construction's is taken on trust. Where threads are drawn P stands in the place of s A. E, F, G the first fundamental form: the metric form of the gradient, where the construction has
  * the one of cross products. All in scaled coordinates: the first corner at 0, about size 1.
  */
 #ifndef TAUT_CERTIFY_FILM_SHEET_H
@@ -39,13 +39,27 @@ typedef struct taut_film_sheet {
     int nu, nv;
     int unit; /* points were divided by 2^unit */
     double origin[3];
-    double *points;      /* [nu][nv][3], scaled */
-    double tension;      /* of the film, in the user's unit */
+    double *points; /* [nu][nv][3], scaled */
+    double
+        tension; /* of the film, in the user's unit; where threads are drawn the larger of their two forces */
     double ratios[4];    /* r of each cable, scaled; 0: no cable */
     double forces[4];    /* of each cable, in the user's unit */
     double stiffness[4]; /* k of elastic cables, scaled; else 0 */
     taut_film_nodes u, v;
 } taut_film_sheet;
+
+/* Are forces given along threads, in place of a tension? */
+static inline int taut_film_sheet_has_threads(const taut_film_problem *problem)
+{
+    return problem->force_density[0] > 0 || problem->prestress[0] > 0;
+}
+
+/* alpha, beta over the tension at (u, v): P = 1/2 iint alpha |x_u|^2 + beta |x_v|^2 du dv by the surface's own parameters. Of
+ * force densities a, b over [0, 1] they are a l / m, b m / l, l and m the ranges of u and v; of a prestress s |X_u x X_v| / |X_u|^2,
+ * s |X_u x X_v| / |X_v|^2 on the reference. */
+void taut_film_sheet_threads(const taut_film_sheet *sheet, double u, double v, double threads[2]);
+/* P over the tension, scaled. */
+double taut_film_sheet_stored(const taut_film_sheet *sheet);
 
 /* How a point of the net may move. */
 typedef enum taut_film_way {

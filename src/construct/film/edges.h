@@ -28,6 +28,22 @@ static inline int taut_film_has_edge(const taut_film_problem *problem, int e)
     return problem->ring == TAUT_FILM_OPEN || (problem->ring == TAUT_FILM_RING_U) == (e >= 2);
 }
 
+/* Is it drawn along its threads, by a force density or a prestress? */
+static inline int taut_film_has_density(const taut_film_problem *problem)
+{
+    return problem->force_density[0] > 0 || problem->prestress[0] > 0;
+}
+
+/* What forces are compared with: the tension, or the larger of the two along the threads. */
+static inline double taut_film_tension(const taut_film_problem *problem)
+{
+    const double *along = problem->prestress[0] > 0 ? problem->prestress : problem->force_density;
+    if (taut_film_has_density(problem)) {
+        return along[0] > along[1] ? along[0] : along[1];
+    }
+    return problem->tension > 0 ? problem->tension : 1;
+}
+
 /* Where the points of edge e lie in a net of nu by nv: the first, from one to the next, how many. */
 void taut_film_edge_points(int nu, int nv, int e, size_t *first, size_t *step, int *count);
 

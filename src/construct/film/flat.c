@@ -357,8 +357,8 @@ taut_status taut_film_flat_check(const taut_film_space *space, taut_error *error
     double flat[4][2];
     polygon p;
 
-    if (space->leader != NULL || has_curves(space->problem) || !has_arcs(space) ||
-        !lay_flat(space, flat)) {
+    if (space->leader != NULL || taut_film_has_density(space->problem) ||
+        has_curves(space->problem) || !has_arcs(space) || !lay_flat(space, flat)) {
         return TAUT_OK;
     }
     make_polygon(space, flat, &p);

@@ -188,8 +188,11 @@ static void find_directions(work *w, const taut_basis *bases[2], double *const g
     for (size_t i = 0; i < w->count; i++) {
         memcpy(w->directions + 9 * i, w->moments + 3 * i, 3 * sizeof(double));
         make_unit(w->directions + 9 * i);
+        if (taut_film_has_density(problem)) {
+            lay_vertex(w, i);
+        }
     }
-    for (int e = 0; e < 4; e++) {
+    for (int e = 0; e < 4 && !taut_film_has_density(problem); e++) {
         const taut_film_edge_kind kind = problem->edges[e].kind;
         if (taut_film_has_edge(problem, e) &&
             (kind == TAUT_FILM_CABLE || kind == TAUT_FILM_SLIDE)) {

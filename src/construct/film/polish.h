@@ -2,8 +2,8 @@
  *
  * Where the whole net has come to rest to what moves within the surface let it, those are held and
  * Newton's steps go on in the others: an inner point and a pole along iint N x_u x x_v du dv, a
- * point of a cable or a slide across the tangent at its Greville abscissa, a corner in every way; all of them as far as
- * they are allowed. They converge to rounding.
+ * point of a cable or a slide across the tangent at its Greville abscissa, a corner in every way, and so every point where threads
+ * are drawn, whose energy sees all moves; all of them as far as they are allowed. They converge to rounding.
  */
 #ifndef TAUT_CONSTRUCT_FILM_POLISH_H
 #define TAUT_CONSTRUCT_FILM_POLISH_H

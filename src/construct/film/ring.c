@@ -324,7 +324,7 @@ taut_status taut_film_ring_cone(const taut_film_space *space, taut_error *error)
     double axis[6];
     rims held = {.height = 0}, told = {.height = 0};
 
-    if (problem->edges[edges[0]].kind != TAUT_FILM_FIXED ||
+    if (taut_film_has_density(problem) || problem->edges[edges[0]].kind != TAUT_FILM_FIXED ||
         problem->edges[edges[1]].kind != TAUT_FILM_FIXED) {
         return TAUT_OK;
     }

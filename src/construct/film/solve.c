@@ -31,6 +31,7 @@
 #include "construct/film/freedom.h"
 #include "construct/film/polish.h"
 #include "construct/film/ring.h"
+#include "construct/plateau/density.h"
 #include "construct/plateau/newton_step.h"
 #include "construct/plateau/small.h"
 #include "construct/plateau/trust_region.h"
@@ -82,6 +83,8 @@ typedef struct work {
     taut_arena *arena; /* of a solve */
     taut_dirichlet_form form;
     taut_area_functional *functional;
+    taut_area_density density; /* where threads are drawn */
+    taut_surface *reference;   /* of the update at hand, or NULL */
     taut_area_cable cables[4];
     int edges[4]; /* of the cables */
     law laws[4];  /* of edges */
@@ -122,6 +125,51 @@ static void drop_rule(work *w)
     w->arena = NULL;
 }
 
+/* a, b over the tension at a node: the densities, or of a prestress |X_u x X_v| s / |X_u|^2 by u and v over [0, 1]. */
+static void find_density(const work *w, double u, double v, double density[2])
+{
+    const taut_film_problem *problem = w->space->problem;
+    const taut_surface *reference = w->reference != NULL ? w->reference : problem->reference;
+    const double s = taut_film_tension(problem);
+    const double ratio = (taut_basis_hi(problem->v) - taut_basis_lo(problem->v)) /
+                         (taut_basis_hi(problem->u) - taut_basis_lo(problem->u));
+    double x[TAUT_SURFACE_VECTORS(1)][3], normal[3];
+
+    density[0] = problem->force_density[0] / s;
+    density[1] = problem->force_density[1] / s;
+    if (problem->prestress[0] > 0) {
+        (void)taut_surface_eval(reference, u, v, 1, x[0]);
+        taut_cross(x[TAUT_XU], x[TAUT_XV], normal);
+        const double area = taut_norm(normal), along = taut_norm(x[TAUT_XU]),
+                     across = taut_norm(x[TAUT_XV]);
+        density[0] = problem->prestress[0] / s * ratio * (area / along / along);
+        density[1] = problem->prestress[1] / s / ratio * (area / across / across);
+    }
+}
+
+static taut_status take_density(work *w)
+{
+    taut_area_functional *f = w->functional;
+
+    if (!taut_film_has_density(w->space->problem)) {
+        return TAUT_OK;
+    }
+    if (taut_area_density_new(f, w->arena, &w->density) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    for (int line = 0; line < f->u.count; line++) {
+        for (int k = 0; k < f->v.count; k++) {
+            const size_t at = (size_t)line * (size_t)f->v.count + (size_t)k;
+            double density[2];
+            find_density(w, f->u.at[line], f->v.at[k], density);
+            w->density.along_u[at] = density[0];
+            w->density.along_v[at] = density[1];
+        }
+    }
+    f->density = &w->density;
+    return TAUT_OK;
+}
+
 /* The functional of a rule, all forces `factor` times what they are. */
 static taut_status take_rule(work *w, int rule, double factor)
 {
@@ -157,7 +205,7 @@ static taut_status take_rule(work *w, int rule, double factor)
     }
     w->functional->cables = w->cables;
     w->functional->cable_count = found;
-    return TAUT_OK;
+    return take_density(w);
 }
 
 /* Do normals of neighbouring Gauss points of the last gradient's net look apart? */
@@ -689,8 +737,11 @@ static taut_status find_net(work *w, taut_arena *arena, taut_error *error)
     if (status != TAUT_OK) {
         return taut_fail_memory(error);
     }
+    taut_area_density *const density = w->functional->density;
     w->functional->cable_count = 0; /* the area alone */
+    w->functional->density = NULL;
     const double area = taut_area_functional_value(w->functional, w->net).area;
+    w->functional->density = density;
     if (!(area > area_none)) {
         return taut_fail(error, TAUT_NO_SOLUTION, "no-area", "/corners", area, area_none,
                          "the edges span no area: give corners that are not on one line");
@@ -708,14 +759,24 @@ static taut_status find_net(work *w, taut_arena *arena, taut_error *error)
     return inner.status == TAUT_OK ? TAUT_OK : pass_on(&inner, error);
 }
 
+/* From functions that go around to the clamped ones, line by line. */
+static void clamp_points(const taut_film_space *space, double *points)
+{
+    const int along_u = space->problem->ring == TAUT_FILM_RING_U;
+    const size_t nv = (size_t)space->nv;
+
+    for (int k = 0; space->around != NULL && k < (along_u ? space->nv : space->nu); k++) {
+        taut_loop_clamp(space->around, along_u ? nv : 1,
+                        points + 3 * (along_u ? (size_t)k : (size_t)k * nv));
+    }
+}
+
 /* Points that are kept somewhere are brought there, copies follow, and the net is clamped. */
 static taut_status settle_points(const taut_film_space *space, double *points, taut_error *error)
 {
-    const int nu = space->nu, nv = space->nv;
-
-    for (int i = 0; i < nu; i++) {
-        for (int j = 0; j < nv; j++) {
-            const size_t at = (size_t)i * (size_t)nv + (size_t)j;
+    for (int i = 0; i < space->nu; i++) {
+        for (int j = 0; j < space->nv; j++) {
+            const size_t at = (size_t)i * (size_t)space->nv + (size_t)j;
             taut_film_place place;
             const taut_status status = taut_film_place_of(space, i, j, &place, error);
             if (status != TAUT_OK) {
@@ -727,15 +788,54 @@ static taut_status settle_points(const taut_film_space *space, double *points, t
         }
     }
     taut_mask_follow(&space->mask, points);
-    for (int k = 0;
-         space->around != NULL && k < (space->problem->ring == TAUT_FILM_RING_U ? nv : nu); k++) {
-        if (space->problem->ring == TAUT_FILM_RING_U) {
-            taut_loop_clamp(space->around, (size_t)nv, points + 3 * k);
-        } else {
-            taut_loop_clamp(space->around, 1, points + 3 * (size_t)k * (size_t)nv);
-        }
-    }
+    clamp_points(space, points);
     return TAUT_OK;
+}
+
+/* The film becomes the reference, and is found once more: how far it moves, over the size. */
+static taut_status update_reference(work *w, double *before, double *change, taut_arena *arena,
+                                    taut_error *error)
+{
+    const taut_film_problem *problem = w->space->problem;
+    taut_surface *made = NULL;
+
+    memcpy(before, w->net, 3 * w->space->count * sizeof(double));
+    double *points = taut_arena_copy(arena, w->net, w->space->count, 3 * sizeof(double));
+    if (points == NULL) {
+        return taut_fail_memory(error);
+    }
+    clamp_points(w->space, points);
+    taut_status status =
+        taut_surface_new("reference", problem->u, problem->v, points, NULL, &made, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    taut_surface_free(w->reference);
+    w->reference = made;
+    status = find_net(w, arena, error);
+    *change = 0;
+    for (size_t i = 0; i < w->space->count; i++) {
+        *change = fmax(*change, taut_distance(w->net + 3 * i, before + 3 * i));
+    }
+    *change /= 2; /* the boundary lies in [-1, 1] */
+    return status;
+}
+
+static taut_status update(work *w, taut_arena *arena, taut_film_solution *solution,
+                          taut_error *error)
+{
+    const int updates = w->space->problem->updates;
+    double *before = taut_arena_take(arena, w->space->count, 3 * sizeof(double));
+    taut_status status = TAUT_OK;
+
+    solution->changes = taut_arena_take(arena, (size_t)updates + 1, sizeof(double));
+    if (taut_arena_status(arena) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    for (int k = 0; status == TAUT_OK && k < updates; k++) {
+        status = update_reference(w, before, &solution->changes[k], arena, error);
+    }
+    return status;
 }
 
 static taut_status fill_solution(work *w, taut_arena *arena, taut_film_solution *solution,
@@ -757,6 +857,7 @@ static taut_status fill_solution(work *w, taut_arena *arena, taut_film_solution 
     solution->residual = w->region.residual;
     solution->method = w->method;
     w->functional->cable_count = 0;
+    w->functional->density = NULL;
     solution->area = taut_scaling_undo_square(
         &space->scaling, taut_area_functional_value(w->functional, w->net).area);
     taut_status status = taut_scaling_undo(&space->scaling, space->count, space->points,
@@ -796,10 +897,14 @@ taut_status taut_film_solve(const taut_film_space *space, const taut_monitor *mo
     if (status == TAUT_OK) {
         status = find_net(&w, arena, error);
     }
+    if (status == TAUT_OK && problem->updates > 0) {
+        status = update(&w, arena, solution, error);
+    }
     if (status == TAUT_OK) {
         status = fill_solution(&w, arena, solution, error);
     }
     taut_dirichlet_form_clear(&w.form);
+    taut_surface_free(w.reference);
     drop_rule(&w);
     return status;
 }

@@ -9,6 +9,8 @@ typedef struct taut_film_solution {
     double *points;    /* [nu][nv][3], in the arena: held ones bit for bit */
     double lengths[4]; /* of the cables; 0: no cable */
     double forces[4];
+    double *
+        changes; /* [problem->updates], in the arena: how far each update moved a point, over the size; or NULL */
     double area;  /* of the film, in the user's unit; as far as doubles reach */
     double rival; /* of a ring: the area of two films that each span one of its edges; else 0 */
     int iterations;

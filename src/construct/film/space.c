@@ -365,7 +365,7 @@ static taut_status take_elastic(taut_film_space *space, int e, double chord, dou
                                 taut_error *error)
 {
     const taut_film_edge *edge = &space->problem->edges[e];
-    const double s = space->problem->tension > 0 ? space->problem->tension : 1;
+    const double s = taut_film_tension(space->problem);
     const int unit = space->scaling.outer + space->scaling.inner;
     const double k = edge->stiffness / s / edge->unstressed;
     taut_film_cable *cable = &space->cables[e];
@@ -392,7 +392,7 @@ static taut_status take_elastic(taut_film_space *space, int e, double chord, dou
 static taut_status find_closed_cable(taut_film_space *space, int e, taut_error *error)
 {
     const taut_film_edge *edge = &space->problem->edges[e];
-    const double s = space->problem->tension > 0 ? space->problem->tension : 1;
+    const double s = taut_film_tension(space->problem);
     const int unit = space->scaling.outer + space->scaling.inner;
     taut_film_cable *cable = &space->cables[e];
 
@@ -417,7 +417,7 @@ static taut_status find_closed_cable(taut_film_space *space, int e, taut_error *
 static taut_status find_cable(taut_film_space *space, int e, taut_error *error)
 {
     const taut_film_edge *edge = &space->problem->edges[e];
-    const double s = space->problem->tension > 0 ? space->problem->tension : 1;
+    const double s = taut_film_tension(space->problem);
     const int unit = space->scaling.outer + space->scaling.inner;
     const double chord = ldexp(taut_distance(space->corners[taut_film_corner_of(e, 0)],
                                              space->corners[taut_film_corner_of(e, 1)]),
@@ -456,7 +456,7 @@ static taut_status find_cables(taut_film_space *space, taut_error *error)
 double taut_film_force(const taut_film_space *space, int e, double share)
 {
     const taut_film_edge *edge = &space->problem->edges[e];
-    const double s = space->problem->tension > 0 ? space->problem->tension : 1;
+    const double s = taut_film_tension(space->problem);
 
     return edge->law == TAUT_FILM_FORCE
                ? share * edge->force

@@ -5,6 +5,7 @@
  * taut_area_functional_new. */
 #include "construct/plateau/area.h"
 
+#include "construct/plateau/density.h"
 #include "core/arena.h"
 #include "core/memory.h"
 #include "core/vec3.h"
@@ -42,7 +43,7 @@ static taut_status tabulate_axis(const taut_basis *basis, const taut_cells *cell
     const double *breaks = taut_basis_breaks(basis);
     const double length = taut_basis_hi(basis) - taut_basis_lo(basis);
     const size_t count = (size_t)a->count, local = (size_t)a->local;
-    double *t = taut_arena_take(arena, count, sizeof(double));
+    double *t = a->at = taut_arena_take(arena, count, sizeof(double));
     taut_table *table = NULL;
     taut_status status = TAUT_OK;
 
@@ -217,11 +218,17 @@ static taut_area_cell cell_view(const taut_area_functional *functional, int line
     };
 }
 
+/* Where number 0 of the state lies; the others follow by v.group. */
+static double *place_of(const taut_area_functional *functional, int line, int k)
+{
+    const size_t cell = (size_t)(k / functional->v.nodes), g = (size_t)(k % functional->v.nodes);
+    return functional->state + cell_offset(functional, line, cell, TAUT_AREA_STATE) + g;
+}
+
 void taut_area_functional_state(const taut_area_functional *functional, int line, int k,
                                 double state[TAUT_AREA_STATE])
 {
-    const size_t cell = (size_t)(k / functional->v.nodes), g = (size_t)(k % functional->v.nodes);
-    const double *s = functional->state + cell_offset(functional, line, cell, TAUT_AREA_STATE) + g;
+    const double *s = place_of(functional, line, k);
     for (size_t i = 0; i < TAUT_AREA_STATE; i++) {
         state[i] = s[i * (size_t)functional->v.group];
     }
@@ -438,7 +445,7 @@ static taut_area_value sum_up(const taut_sum *sum, taut_area_value value)
     return value;
 }
 
-taut_area_value taut_area_functional_value(taut_area_functional *functional, const double *net)
+static taut_area_value area_value(taut_area_functional *functional, const double *net)
 {
     taut_area_value value = {0, INFINITY};
     taut_sum sum = {0, 0};
@@ -453,16 +460,11 @@ taut_area_value taut_area_functional_value(taut_area_functional *functional, con
             add_elements(functional, line, cell, &sum, &value);
         }
     }
-    value = sum_up(&sum, value);
-    for (int k = 0; k < functional->cable_count; k++) {
-        const taut_area_cable *cable = functional->cables + k;
-        value.area += taut_area_cable_energy(cable, taut_area_cable_length(cable, net));
-    }
-    return value;
+    return sum_up(&sum, value);
 }
 
-taut_area_value taut_area_functional_gradient(taut_area_functional *functional, const double *net,
-                                              double *gradient)
+static taut_area_value area_gradient(taut_area_functional *functional, const double *net,
+                                     double *gradient)
 {
     const size_t group = (size_t)functional->v.group;
     double *const weights = functional->elements + group;
@@ -490,17 +492,11 @@ taut_area_value taut_area_functional_gradient(taut_area_functional *functional, 
         spread_line(functional, line);
     }
     store_sums(functional, gradient);
-    value = sum_up(&sum, value);
-    for (int k = 0; k < functional->cable_count; k++) {
-        taut_area_cable *cable = functional->cables + k;
-        const double length = taut_area_cable_gradient(cable, net, gradient);
-        value.area += taut_area_cable_energy(cable, length);
-    }
-    return value;
+    return sum_up(&sum, value);
 }
 
-void taut_area_functional_product(taut_area_functional *functional, double theta,
-                                  const double *direction, double *product)
+static void area_product(taut_area_functional *functional, double theta, const double *direction,
+                         double *product)
 {
     functional->work += 2 * taut_area_functional_cost(functional);
     load_net(functional, direction);
@@ -517,6 +513,74 @@ void taut_area_functional_product(taut_area_functional *functional, double theta
         spread_line(functional, line);
     }
     store_sums(functional, product);
+}
+
+/* Puts a and b where the operators take their state from, as they have to be after each gradient of the area. */
+static void load_density(taut_area_functional *functional)
+{
+    const taut_area_density *density = functional->density;
+    const size_t group = (size_t)functional->v.group;
+
+    for (int line = 0; line < functional->u.count; line++) {
+        for (int k = 0; k < functional->v.count; k++) {
+            const size_t at = (size_t)line * (size_t)functional->v.count + (size_t)k;
+            const double weight = functional->u.weights[line] * functional->v.weights[k];
+            double *state = place_of(functional, line, k);
+            state[3 * group] = weight * density->along_v[at];
+            state[4 * group] = 0;
+            state[5 * group] = weight * density->along_u[at];
+        }
+    }
+}
+
+/* The energy of a density, image = K net; the state is that of the net's normals. */
+static taut_area_value density_gradient(taut_area_functional *functional, const double *net,
+                                        double *image)
+{
+    const size_t count = 3 * (size_t)functional->nu * (size_t)functional->nv;
+    taut_sum sum = {0, 0};
+
+    (void)area_gradient(functional, net, image);
+    load_density(functional);
+    area_product(functional, 1, net, image);
+    for (size_t i = 0; i < count; i++) {
+        taut_sum_add(&sum, 0.5 * net[i] * image[i]);
+    }
+    return (taut_area_value){.area = taut_sum_total(&sum), .least = 1};
+}
+
+taut_area_value taut_area_functional_value(taut_area_functional *functional, const double *net)
+{
+    taut_area_value value = functional->density != NULL
+                                ? density_gradient(functional, net, functional->density->image)
+                                : area_value(functional, net);
+
+    for (int k = 0; k < functional->cable_count; k++) {
+        const taut_area_cable *cable = functional->cables + k;
+        value.area += taut_area_cable_energy(cable, taut_area_cable_length(cable, net));
+    }
+    return value;
+}
+
+taut_area_value taut_area_functional_gradient(taut_area_functional *functional, const double *net,
+                                              double *gradient)
+{
+    taut_area_value value = functional->density != NULL
+                                ? density_gradient(functional, net, gradient)
+                                : area_gradient(functional, net, gradient);
+
+    for (int k = 0; k < functional->cable_count; k++) {
+        taut_area_cable *cable = functional->cables + k;
+        const double length = taut_area_cable_gradient(cable, net, gradient);
+        value.area += taut_area_cable_energy(cable, length);
+    }
+    return value;
+}
+
+void taut_area_functional_product(taut_area_functional *functional, double theta,
+                                  const double *direction, double *product)
+{
+    area_product(functional, functional->density != NULL ? 1 : theta, direction, product);
     for (int k = 0; k < functional->cable_count; k++) {
         taut_area_cable_product(functional->cables + k, theta, direction, product);
     }

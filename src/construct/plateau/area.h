@@ -38,12 +38,15 @@ typedef struct taut_area_axis {
     double *value;   /* [count][local] */
     double *slope;   /* [count][local] */
     double *weights; /* [count]: their sum is 1 */
+    double *at;      /* [count]: parameters */
     /* For kernels, by cell, whole vectors of nodes or functions, zeros where there are none: */
     int group, wide;          /* nodes, local, rounded up */
     double *values, *slopes;  /* [cells][local][group] */
     double *by_node, *sloped; /* [count][wide]: value and slope */
     double *group_weights;    /* [cells][group] */
 } taut_area_axis;
+
+typedef struct taut_area_density taut_area_density;
 
 typedef struct taut_area_functional {
     taut_arena *arena; /* of all its arrays */
@@ -61,9 +64,11 @@ typedef struct taut_area_functional {
     double work;          /* about so many flops were spent on it, its factors included */
     taut_area_cable *cables; /* [cable_count], borrowed: they count beside the area, everywhere */
     int cable_count;         /* 0 at first */
+    taut_area_density
+        *density; /* borrowed: its energy counts in place of the area (density.h); NULL at first */
 } taut_area_functional;
 
-/* What a net is worth. */
+/* What a net is worth; of a density least is 1. */
 typedef struct taut_area_value {
     double area;  /* with C(L) of each cable */
     double least; /* smallest W over the area (the mean of W) */

@@ -297,6 +297,11 @@ static void lay_point(taut_area_hessian *hessian, const taut_area_functional *fu
         }
         normal[6 + c] = state[6] * n[c];
     }
+    if (functional->density != NULL) { /* alike in every direction, and nothing turns */
+        for (int c = 0; c < TAUT_AREA_BLOCK - 1; c++) {
+            normal[c] = c == 0 || c == 2 || c == 5;
+        }
+    }
     for (size_t p = 0; p < (size_t)hessian->local; p++) {
         hessian->flux_u[from + p] = h * pu[p] - m * pv[p];
         hessian->flux_v[from + p] = e * pv[p] - m * pu[p];

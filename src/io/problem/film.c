@@ -31,9 +31,8 @@ static const char *const members[] = {
     "curves", "boundary",  "degree", "count",          "seams",       "cables",    "cells",
     "images", "start",     "refine", "force_density",  "prestress",   "reference", "updates",
     NULL};
-static const char *const not_yet[] = {
-    "points", "patches", "curves", "boundary",      "degree",    "count",     "cables",  "cells",
-    "images", "start",   "refine", "force_density", "prestress", "reference", "updates", NULL};
+static const char *const not_yet[] = {"points", "patches", "curves", "boundary", "degree", "count",
+                                      "cables", "cells",   "images", "start",    "refine", NULL};
 static const char *const corner_members[] = {"u0v0", "u1v0", "u0v1", "u1v1", NULL};
 static const char *const edge_members[] = {"u0", "u1", "v0", "v1", NULL};
 static const char *const kind_members[] = {"fixed",  "cable", "plane", "slide",
@@ -534,6 +533,26 @@ static void read_words(taut_reader *document, taut_film_problem *data)
     data->without_least = !least;
 }
 
+/* Two positive numbers. */
+static void read_pair(taut_reader *document, const char *key, double pair[2])
+{
+    if (taut_reader_has(document, key)) {
+        taut_reader_items(document, key, 2, "positive numbers, along u and v", read_positive, pair,
+                          sizeof pair[0]);
+    }
+}
+
+/* What draws the film along its threads in place of a tension. */
+static void read_threads(taut_reader *document, taut_problem *problem, taut_film_problem *data)
+{
+    read_pair(document, "force_density", data->force_density);
+    read_pair(document, "prestress", data->prestress);
+    if (taut_reader_has(document, "reference")) {
+        taut_member_surface(document, "reference", problem->arena, &data->reference);
+    }
+    taut_reader_optional_integer(document, "updates", 0, TAUT_FILM_UPDATES_MAX, &data->updates);
+}
+
 static void film_read(taut_reader *document, taut_problem *problem, void *into)
 {
     taut_film_problem *const data = into;
@@ -546,6 +565,7 @@ static void film_read(taut_reader *document, taut_problem *problem, void *into)
     read_edges(document, problem->arena, data);
     read_seams(document, data);
     taut_reader_optional(document, "tension", read_positive, &data->tension);
+    read_threads(document, problem, data);
     taut_reader_optional(document, "tolerance", read_tolerance, &data->tolerance);
     taut_reader_optional_integer(document, "max_iterations", 1, 1000000, &data->max_iterations);
     taut_reader_optional(document, "equilibrium", read_equilibrium, &data->equilibrium);
