@@ -591,6 +591,13 @@ static taut_status advance(follower *f)
     return TAUT_OK;
 }
 
+static int is_stopped(const taut_follow_options *options)
+{
+    const taut_monitor *monitor = options->monitor;
+    return monitor != NULL && monitor->progress != NULL &&
+           monitor->progress(monitor->context, options->done, "tracing") != TAUT_GO_ON;
+}
+
 taut_status taut_follow(const taut_carrier *carrier, taut_linefield_kind kind,
                         const taut_walk_state *start, const taut_follow_options *options,
                         taut_arena *arena, taut_walk *walk)
@@ -610,7 +617,7 @@ taut_status taut_follow(const taut_carrier *carrier, taut_linefield_kind kind,
     memcpy(f.seed_x, x[0], sizeof f.seed_x);
     memcpy(f.seed_tangent, start->tangent, sizeof f.seed_tangent);
     while (status == TAUT_OK && walk->end == TAUT_END_NONE) {
-        status = advance(&f);
+        status = is_stopped(options) ? TAUT_INTERRUPTED : advance(&f);
     }
     return status;
 }

@@ -9,6 +9,7 @@
 #define TAUT_TRACE_FOLLOW_H
 
 #include "core/arena.h"
+#include "taut/monitor.h"
 #include "trace/field.h"
 
 /* What is integrated along: u, v, the twist int |tau_g| ds, the measure; of geodesics a and b too. */
@@ -80,8 +81,10 @@ typedef struct taut_walk {
 } taut_walk;
 
 typedef struct taut_follow_options {
-    double tolerance;  /* of a step, over the size */
-    double max_length; /* in the carrier's unit */
+    double tolerance;            /* of a step, over the size */
+    double max_length;           /* in the carrier's unit */
+    const taut_monitor *monitor; /* asked at every step, or NULL */
+    double done;                 /* what it is told: the share before this curve */
 } taut_follow_options;
 
 /* The state at a seed that goes in the direction `along` in space: of the two the one with
@@ -90,7 +93,7 @@ taut_linefield_fault taut_walk_start(const taut_carrier *carrier, taut_linefield
                                      const double at[2], const int span[2], const double along[3],
                                      taut_walk_state *state);
 
-/* Follows from a state; walk is filled anew. TAUT_NO_MEMORY. */
+/* Follows from a state; walk is filled anew. TAUT_NO_MEMORY, TAUT_INTERRUPTED. */
 taut_status taut_follow(const taut_carrier *carrier, taut_linefield_kind kind,
                         const taut_walk_state *start, const taut_follow_options *options,
                         taut_arena *arena, taut_walk *walk);

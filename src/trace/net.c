@@ -123,7 +123,7 @@ static taut_status add_lath(taut_net *net, int family, const double at[2], const
     const taut_status status = taut_lath_trace(net->carrier, kind, at, along, both, &net->options,
                                                net->arena, lath, fault);
     if (status != TAUT_OK) {
-        return taut_fail_memory(error);
+        return taut_fail_status(error, status);
     }
     if (*fault != TAUT_LINEFIELD_FINE || lath->count == 0) {
         return TAUT_OK;
@@ -497,9 +497,10 @@ static taut_status cross_through(taut_net *net, const double at[2], int index, t
     for (int family = 0; family < 2; family++) {
         const taut_linefield_kind kind = {net->problem->net, family};
         taut_linefield_fault fault = TAUT_LINEFIELD_FINE;
-        if (taut_lath_trace(net->carrier, kind, at, up, 1, &net->options, net->arena,
-                            &through[family], &fault) != TAUT_OK) {
-            return taut_fail_memory(error);
+        const taut_status status = taut_lath_trace(net->carrier, kind, at, up, 1, &net->options,
+                                                   net->arena, &through[family], &fault);
+        if (status != TAUT_OK) {
+            return taut_fail_status(error, status);
         }
         if (fault != TAUT_LINEFIELD_FINE || through[family].count == 0) {
             return fault_of(net, index, at, fault, error);
@@ -735,11 +736,9 @@ taut_status taut_net_trace(taut_net *net, const taut_monitor *monitor, taut_erro
     if (net->left_out == NULL) {
         return taut_fail_memory(error);
     }
+    net->options.follow.monitor = monitor;
     for (int k = 0; status == TAUT_OK && k < count; k++) {
-        if (monitor->progress != NULL &&
-            monitor->progress(monitor->context, (double)k / count, "tracing") != TAUT_GO_ON) {
-            return taut_fail_status(error, TAUT_INTERRUPTED);
-        }
+        net->options.follow.done = (double)k / count;
         status = trace_seed(net, net->problem->seed_count > 0 ? &net->problem->seeds[k] : &usual, k,
                             error);
     }
