@@ -111,3 +111,28 @@ double sail_figure(const taut_certificate *certificate, const char *name, size_t
     const taut_record *list = taut_record_get(taut_certificate_figures(certificate), name);
     return taut_record_number(taut_record_at(list, at));
 }
+
+taut_model *film_made(const taut_film_problem *problem, taut_certificate **certificate,
+                      const char *what)
+{
+    taut_error error = {.status = TAUT_OK};
+    taut_model *model = NULL;
+    const taut_status status = taut_film_make(problem, NULL, &model, &error);
+
+    *certificate = NULL;
+    CHECK(status == TAUT_OK, "%s: %s: %s", what, error.reason, error.message);
+    if (status == TAUT_OK) {
+        CHECK(taut_film_certify(model, problem, NULL, certificate, NULL) == TAUT_OK, "%s", what);
+    }
+    return model;
+}
+
+void film_holds(const taut_certificate *certificate, size_t count, const char *const *claims,
+                const char *what)
+{
+    for (size_t k = 0; k < count; k++) {
+        const taut_claim *claim = claim_of(certificate, claims[k]);
+        CHECK(claim->holds == TAUT_TRUE, "%s: %s: %g at %s", what, claims[k], claim->residual,
+              claim->where);
+    }
+}

@@ -23,6 +23,13 @@ void sail_free(sail *s);
 /* The model with its certificate, which must hold; NULL (a failure) where it is not made. */
 taut_model *sail_make(const sail *s, taut_certificate **certificate);
 
+/* The model of any film, and its certificate, whatever that says; NULL (a failure) where one of them is not made. */
+taut_model *film_made(const taut_film_problem *problem, taut_certificate **certificate,
+                      const char *what);
+/* CHECKs that these claims hold. */
+void film_holds(const taut_certificate *certificate, size_t count, const char *const *claims,
+                const char *what);
+
 /* Number `at` of a list among the figures. */
 double sail_figure(const taut_certificate *certificate, const char *name, size_t at);
 

@@ -3,6 +3,7 @@
 #include "certificates.h"
 #include "check.h"
 #include "rings.h"
+#include "sails.h"
 
 #include <string.h>
 
@@ -11,21 +12,9 @@ static const double pi = 3.14159265358979324;
 /* The model with a certificate that holds. */
 static taut_model *make(const ring *r, taut_certificate **proof, const char *what)
 {
-    taut_error error = {.status = TAUT_OK};
-    taut_model *model = NULL;
-    const taut_status status = taut_film_make(&r->problem, NULL, &model, &error);
-
-    CHECK(status == TAUT_OK, "%s: %s: %s", what, error.reason, error.message);
-    *proof = NULL;
-    if (status == TAUT_OK) {
-        CHECK(taut_film_certify(model, &r->problem, NULL, proof, NULL) == TAUT_OK, "%s", what);
-        static const char *const claims[] = {"held", "seams", "stationary", "stable", "identity"};
-        for (size_t k = 0; k < sizeof claims / sizeof *claims; k++) {
-            const taut_claim *claim = claim_of(*proof, claims[k]);
-            CHECK(claim->holds == TAUT_TRUE, "%s: %s: %g at %s", what, claims[k], claim->residual,
-                  claim->where);
-        }
-    }
+    static const char *const claims[] = {"held", "seams", "stationary", "stable", "identity"};
+    taut_model *model = film_made(&r->problem, proof, what);
+    film_holds(*proof, sizeof claims / sizeof *claims, claims, what);
     return model;
 }
 

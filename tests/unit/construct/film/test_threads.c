@@ -10,29 +10,10 @@
 
 static const double pi = 3.14159265358979324;
 
-static taut_model *make(const taut_film_problem *problem, taut_certificate **proof,
-                        const char *what)
-{
-    taut_error error = {.status = TAUT_OK};
-    taut_model *model = NULL;
-    const taut_status status = taut_film_make(problem, NULL, &model, &error);
-
-    *proof = NULL;
-    CHECK(status == TAUT_OK, "%s: %s: %s", what, error.reason, error.message);
-    if (status == TAUT_OK) {
-        CHECK(taut_film_certify(model, problem, NULL, proof, NULL) == TAUT_OK, "%s", what);
-    }
-    return model;
-}
-
 static void check_claims(const taut_certificate *proof, const char *what)
 {
     static const char *const claims[] = {"held", "stationary", "stable", "least"};
-    for (size_t k = 0; k < sizeof claims / sizeof *claims; k++) {
-        const taut_claim *claim = claim_of(proof, claims[k]);
-        CHECK(claim->holds == TAUT_TRUE, "%s: %s: %g at %s", what, claims[k], claim->residual,
-              claim->where);
-    }
+    film_holds(proof, sizeof claims / sizeof *claims, claims, what);
 }
 
 /* Forces 2 and 1 per width around and along, by the parameters of the turn: r = r0 cosh(sqrt 2 (v - 1/2)). */
@@ -44,7 +25,7 @@ static void test_tube(void)
     ring_circle(&r, 1, 1, 1);
     r.problem.force_density[0] = 1 / pi;
     r.problem.force_density[1] = 2 * pi;
-    taut_model *model = make(&r.problem, &proof, "tube");
+    taut_model *model = film_made(&r.problem, &proof, "tube");
     check_claims(proof, "tube");
     CHECK_NEAR(figure_of(proof, "energy"), 8.55177442270630239, 4e-9, "tube");
     CHECK_NEAR(figure_of(proof, "area"), 6.01902441570783425, 3e-10, "tube");
@@ -75,7 +56,7 @@ static void test_dirichlet(void)
         s.problem.force_density[0] =
             k == 0 ? 1 : 0.25; /* |x_u|^2 over [0, 2] is a quarter, du twice */
         s.problem.force_density[1] = 1;
-        taut_model *model = make(&s.problem, &proof, "dirichlet");
+        taut_model *model = film_made(&s.problem, &proof, "dirichlet");
         check_claims(proof, "dirichlet");
         const double *points = taut_surface_points(taut_model_surface(model, 0));
         for (int i = 0; i < 64; i++) {
@@ -107,7 +88,7 @@ static void test_sail(void)
         s.problem.force_density[0] = 2;
         s.problem.force_density[1] = 1;
         s.problem.edges[0].force = 3 + 1e-4 * (k - 1);
-        taut_model *model = make(&s.problem, &proof, "sail");
+        taut_model *model = film_made(&s.problem, &proof, "sail");
         check_claims(proof, "sail");
         energies[k] = figure_of(proof, "energy");
         length = k == 1 ? sail_figure(proof, "lengths", 0) : length;
@@ -135,7 +116,7 @@ static void test_updates(void)
     r.problem.prestress[0] = r.problem.prestress[1] = 5;
     r.problem.reference = taut_model_surface(tube, 0);
     r.problem.updates = 40;
-    taut_model *model = make(&r.problem, &proof, "updates");
+    taut_model *model = film_made(&r.problem, &proof, "updates");
     if (model == NULL) {
         return;
     }
@@ -144,7 +125,7 @@ static void test_updates(void)
     r.problem.updates = 0;
     r.problem.reference = taut_model_surface(model, 0); /* its own: at rest once more */
     taut_certificate_free(proof);
-    taut_model *again = make(&r.problem, &proof, "own");
+    taut_model *again = film_made(&r.problem, &proof, "own");
     CHECK(claim_of(proof, "stationary")->holds == TAUT_TRUE, "own");
     CHECK_NEAR(figure_of(proof, "energy"), 5 * ring_area(1), 3e-9, "half of both forces on itself");
     taut_certificate_free(proof);
