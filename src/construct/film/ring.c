@@ -11,7 +11,7 @@
  */
 #include "construct/film/ring.h"
 
-#include "construct/common/curve_fit.h"
+#include "construct/film/held.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 #include "numeric/quadrature.h"
@@ -64,41 +64,10 @@ static taut_status check_closed(const taut_film_space *space, int e, taut_error 
                      taut_film_edge_names[e], gap, most);
 }
 
-static taut_status lay_curve(taut_film_space *space, int e, taut_arena *arena, taut_error *error)
+static taut_status lay_held(taut_film_space *space, int e, taut_arena *arena, taut_error *error)
 {
-    const taut_film_problem *problem = space->problem;
-    size_t first = 0, step = 0;
-    int count = 0;
-    double deviation = 0;
-
-    taut_status status = check_closed(space, e, error);
-    if (status != TAUT_OK) {
-        return status;
-    }
-    taut_film_edge_points(space->nu, space->nv, e, &first, &step, &count);
-    double *row = taut_arena_take(arena, (size_t)count, 3 * sizeof(double));
-    if (row == NULL) {
-        return taut_fail_memory(error);
-    }
-    status = taut_curve_fit_around(problem->edges[e].curve, e < 2 ? problem->v : problem->u,
-                                   space->around, row, &deviation);
-    if (status == TAUT_NO_MEMORY) {
-        return taut_fail_memory(error);
-    }
-    if (status != TAUT_OK) {
-        char where[32];
-        snprintf(where, sizeof where, "/edges/%s/fixed", taut_film_edge_names[e]);
-        return taut_fail(error, TAUT_NOT_CONVERGED, "curve-fit", where, taut_none, taut_none,
-                         "the curve of edge %s cannot be fitted to its basis: the knots, the "
-                         "degree or the points are too extreme",
-                         taut_film_edge_names[e]);
-    }
-    space->deviation = fmax(space->deviation, deviation);
-    for (int k = 0; k < count; k++) {
-        memcpy(space->points + 3 * (first + (size_t)k * step), row + 3 * k, 3 * sizeof(double));
-        space->known[first + (size_t)k * step] = 1;
-    }
-    return TAUT_OK;
+    const taut_status status = check_closed(space, e, error);
+    return status == TAUT_OK ? taut_film_lay_curve(space, e, arena, error) : status;
 }
 
 static void find_middle(const taut_film_space *space, int e, double middle[3])
@@ -180,7 +149,7 @@ taut_status taut_film_ring_lay(taut_film_space *space, taut_arena *arena, taut_e
     for (int k = 0; status == TAUT_OK && k < 4; k++) { /* what is held first */
         const int e = edges[k % 2], is_held = problem->edges[e].kind == TAUT_FILM_FIXED;
         if (is_held == (k < 2)) {
-            status = is_held ? lay_curve(space, e, arena, error) : lay_moving(space, e, error);
+            status = is_held ? lay_held(space, e, arena, error) : lay_moving(space, e, error);
         }
     }
     return status;

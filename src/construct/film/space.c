@@ -9,10 +9,10 @@
  */
 #include "construct/film/space.h"
 
-#include "construct/common/curve_fit.h"
 #include "construct/film/arc.h"
 #include "construct/film/freedom.h"
 #include "construct/film/greville.h"
+#include "construct/film/held.h"
 #include "construct/film/ring.h"
 #include "core/constants.h"
 #include "core/elementary/elementary.h"
@@ -27,11 +27,6 @@
 static const double gap_meeting = 1e-9;
 /* Corners are two when they are further apart than this, over the size. */
 static const double gap_apart = 1e-9;
-
-static const taut_basis *basis_of(const taut_film_problem *problem, int e)
-{
-    return e < 2 ? problem->v : problem->u;
-}
 
 /* ---- corners ---- */
 
@@ -212,41 +207,6 @@ static void lay_chord(const double a[3], const double b[3], int count, const dou
     }
 }
 
-static taut_status lay_curve(taut_film_space *space, int e, taut_arena *arena, taut_error *error)
-{
-    const taut_film_problem *problem = space->problem;
-    size_t first = 0, step = 0;
-    int count = 0;
-    double ends[2][3], deviation = 0;
-
-    taut_film_edge_points(space->nu, space->nv, e, &first, &step, &count);
-    double *row = taut_arena_take(arena, (size_t)count, 3 * sizeof(double));
-    if (row == NULL) {
-        return taut_fail_memory(error);
-    }
-    for (int end = 0; end < 2; end++) {
-        memcpy(ends[end], space->corners[taut_film_corner_of(e, end)], sizeof ends[end]);
-    }
-    const taut_status status = taut_curve_fit(problem->edges[e].curve, basis_of(problem, e),
-                                              (const double(*)[3])ends, row, &deviation);
-    if (status == TAUT_NOT_CONVERGED) {
-        char where[32];
-        snprintf(where, sizeof where, "/edges/%s/fixed", taut_film_edge_names[e]);
-        return taut_fail(error, status, "curve-fit", where, taut_none, taut_none,
-                         "the curve of edge %s cannot be fitted to its basis: the knots, the "
-                         "degree or the points are too extreme",
-                         taut_film_edge_names[e]);
-    }
-    if (status != TAUT_OK) {
-        return taut_fail_memory(error);
-    }
-    space->deviation = fmax(space->deviation, deviation);
-    for (int k = 0; k < count; k++) {
-        memcpy(space->points + 3 * (first + (size_t)k * step), row + 3 * k, 3 * sizeof(double));
-    }
-    return TAUT_OK;
-}
-
 /* Edge e of the points: its curve, or its chord; a cable is its chord for now. */
 static taut_status lay_edge(taut_film_space *space, int e, taut_arena *arena, taut_error *error)
 {
@@ -259,7 +219,7 @@ static taut_status lay_edge(taut_film_space *space, int e, taut_arena *arena, ta
             space->known[first + (size_t)k * step] = 1;
         }
         if (space->problem->edges[e].curve != NULL) {
-            return lay_curve(space, e, arena, error);
+            return taut_film_lay_curve(space, e, arena, error);
         }
     }
     lay_chord(space->corners[taut_film_corner_of(e, 0)], space->corners[taut_film_corner_of(e, 1)],

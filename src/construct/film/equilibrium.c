@@ -1,0 +1,453 @@
+/* equilibrium.c -- from a net to the film at rest.
+ *
+ *     rule = 1 node more than functions alive on a span
+ *     repeat
+ *         minimise A + sum r_k L_k from net (construct/plateau/trust_region.h)
+ *         a few steps along the moves that this sees (construct/film/polish.h)
+ *         cables that give way come to their laws (enforce_laws)
+ *         the film has a fold: fail
+ *         the next rule
+ *     until it gives the same energy, and derivatives within the tolerance
+ *
+ * A cable of given length begins as an elastic one that has this length under the force of the arc
+ * of a circle over its chord; steps of the multiplier,
+ *
+ *     r_0 += (dL B^-1 dL^T)^-1 (L - L_0),    B the second derivative of all along the moves,
+ *
+ * which are Newton's for the film with the constraint, bring it to its length. A stiff elastic cable
+ * begins with less stiffness.
+ *
+ * Area does not see moves within the surface. The multiplier of the trust region is that of the
+ * metric operator L_g, which does: of all steps that the area holds for equal it takes the one
+ * whose moves are smoothest, so that what a cable does at the edge is carried inside by the
+ * harmonic extension of the metric, and the net does not fold behind it.
+ */
+#include "construct/film/equilibrium.h"
+
+#include "construct/film/polish.h"
+#include "construct/plateau/newton_step.h"
+#include "construct/plateau/small.h"
+#include "core/fail.h"
+#include "core/vec3.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { RULES = 8, POLISHES = 6, MULTIPLIERS = 40 };
+
+/* Nodes on a span beyond the functions alive there. */
+static const int extra_nodes[RULES] = {1, 3, 6, 10, 16, 26, 42, 68};
+static const double energy_agreement = 1e-13; /* share: two rules that agree */
+static const double residual_agreement = 0.1; /* of the tolerance */
+static const double residual_any = 5e-7;      /* of all coordinates: the certificate allows 1e-6 */
+/* Of given lengths: share. Rounding is 1e-15, the certificate's limit 1e-10. */
+static const double length_agreement = 1e-12;
+/* Stiffness of a cable at the start, over force / length. A film of a given length is stable where
+ * one of given force is not, beyond half a circle: this makes it convex up to a whole one. */
+static const double stiffness_first = 2;
+static const double stiffness_closed = 20; /* of cables that close, whose force is a worse guess */
+
+void taut_film_start_laws(taut_film_work *w)
+{
+    for (int e = 0; e < 4; e++) {
+        const taut_film_cable *cable = &w->space->cables[e];
+        const double force = w->space->ratios[e];
+        const double first = w->space->around != NULL ? stiffness_closed : stiffness_first;
+        const double soft = cable->start > 0 ? first * force / cable->start : 0;
+        w->laws[e] = (taut_film_pull){.force = force, .stiffness = soft, .target = cable->start};
+        if (cable->stiffness > 0 && cable->stiffness <= soft) {
+            w->laws[e] = (taut_film_pull){.stiffness = cable->stiffness, .target = cable->target};
+        }
+    }
+}
+
+static void set_law(taut_area_cable *cable, const taut_film_pull *l, double factor)
+{
+    cable->tension = factor * l->force;
+    cable->base = l->force;
+    cable->stiffness = l->stiffness;
+    cable->target = l->target;
+}
+
+void taut_film_drop_rule(taut_film_work *w)
+{
+    taut_area_functional_free(w->functional);
+    taut_arena_free(w->arena);
+    w->functional = NULL;
+    w->arena = NULL;
+}
+
+/* a, b over the tension at a node: the densities, or of a prestress |X_u x X_v| s / |X_u|^2 by u and v over [0, 1]. */
+static void find_density(const taut_film_work *w, double u, double v, double density[2])
+{
+    const taut_film_problem *problem = w->space->problem;
+    const taut_surface *reference = w->reference != NULL ? w->reference : problem->reference;
+    const double s = taut_film_tension(problem);
+    const double ratio = (taut_basis_hi(problem->v) - taut_basis_lo(problem->v)) /
+                         (taut_basis_hi(problem->u) - taut_basis_lo(problem->u));
+    double x[TAUT_SURFACE_VECTORS(1)][3], normal[3];
+
+    density[0] = problem->force_density[0] / s;
+    density[1] = problem->force_density[1] / s;
+    if (problem->prestress[0] > 0) {
+        (void)taut_surface_eval(reference, u, v, 1, x[0]);
+        taut_cross(x[TAUT_XU], x[TAUT_XV], normal);
+        const double area = taut_norm(normal), along = taut_norm(x[TAUT_XU]),
+                     across = taut_norm(x[TAUT_XV]);
+        density[0] = problem->prestress[0] / s * ratio * (area / along / along);
+        density[1] = problem->prestress[1] / s / ratio * (area / across / across);
+    }
+}
+
+static taut_status take_density(taut_film_work *w)
+{
+    taut_area_functional *f = w->functional;
+
+    if (!taut_film_has_density(w->space->problem)) {
+        return TAUT_OK;
+    }
+    if (taut_area_density_new(f, w->arena, &w->density) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    for (int line = 0; line < f->u.count; line++) {
+        for (int k = 0; k < f->v.count; k++) {
+            const size_t at = (size_t)line * (size_t)f->v.count + (size_t)k;
+            double density[2];
+            find_density(w, f->u.at[line], f->v.at[k], density);
+            w->density.along_u[at] = density[0];
+            w->density.along_v[at] = density[1];
+        }
+    }
+    f->density = &w->density;
+    return TAUT_OK;
+}
+
+taut_status taut_film_take_rule(taut_film_work *w, int rule, double factor)
+{
+    const taut_film_problem *problem = w->space->problem;
+    int found = 0;
+
+    taut_film_drop_rule(w);
+    w->arena = taut_arena_new();
+    w->rule = rule;
+    for (int e = 0; e < 4; e++) {
+        if (w->space->ratios[e] > 0) {
+            size_t first = 0, step = 0;
+            int count = 0;
+            taut_film_edge_points(w->space->nu, w->space->nv, e, &first, &step, &count);
+            if (taut_area_cable_new(e < 2 ? problem->v : problem->u, extra_nodes[rule] + 1, first,
+                                    step, w->arena, &w->cables[found]) != TAUT_OK) {
+                return TAUT_NO_MEMORY;
+            }
+            if (w->space->around != NULL) {
+                taut_area_cable_open(w->space->around, &w->cables[found]);
+            }
+            w->edges[found] = e;
+            set_law(&w->cables[found++], &w->laws[e], factor);
+        }
+    }
+    const taut_film_ring ring = problem->ring;
+    const taut_loop *around = w->space->around;
+    if (taut_area_functional_around(problem->u, problem->v,
+                                    ring == TAUT_FILM_RING_U ? around : NULL,
+                                    ring == TAUT_FILM_RING_V ? around : NULL, extra_nodes[rule],
+                                    &w->functional) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    w->functional->cables = w->cables;
+    w->functional->cable_count = found;
+    return take_density(w);
+}
+
+/* Do normals of neighbouring Gauss points of the last gradient's net look apart? */
+static int is_folded(const taut_area_functional *functional)
+{
+    for (int i = 0; i < functional->u.count; i++) {
+        for (int j = 0; j < functional->v.count; j++) {
+            double here[TAUT_AREA_STATE], next[TAUT_AREA_STATE];
+            taut_area_functional_state(functional, i, j, here);
+            if (i + 1 < functional->u.count) {
+                taut_area_functional_state(functional, i + 1, j, next);
+                if (!(taut_dot(here, next) > 0)) {
+                    return 1;
+                }
+            }
+            if (j + 1 < functional->v.count) {
+                taut_area_functional_state(functional, i, j + 1, next);
+                if (!(taut_dot(here, next) > 0)) {
+                    return 1;
+                }
+            }
+        }
+    }
+    return 0;
+}
+
+static taut_status refuse_fold(const taut_film_work *w, taut_error *error)
+{
+    return taut_fail(error, TAUT_NOT_CONVERGED, "folds", NULL, w->region.iterations, taut_none,
+                     "the film folds after %d steps: its normal turns over from one point to the "
+                     "next; raise the forces of the cables, shorten those of given length, or "
+                     "move the corners",
+                     w->region.iterations);
+}
+
+/* What ended the trust region, in the words of films. */
+static taut_status tell_ending(const taut_film_work *w, const taut_error *inner, taut_status status,
+                               taut_error *error)
+{
+    if (status == TAUT_NO_MEMORY) {
+        return taut_fail_memory(error);
+    }
+    if (status == TAUT_INTERRUPTED) {
+        return taut_fail_status(error, status);
+    }
+    if (strcmp(inner->reason, "folds") == 0) {
+        return refuse_fold(w, error);
+    }
+    return taut_fail(error, TAUT_NOT_CONVERGED, "not-converged", NULL, w->region.residual,
+                     w->region.tolerance,
+                     "no film after %d steps: the residual is %.3g, expected at most %.3g",
+                     w->region.iterations, w->region.residual, w->region.tolerance);
+}
+
+/* Minimises by the rule of the moment. */
+static taut_status minimise(taut_film_work *w, taut_error *error)
+{
+    taut_newton_step *newton = NULL;
+    taut_error inner = {.status = TAUT_OK};
+    taut_status status = taut_newton_step_new(w->functional, &w->form, &w->space->mask, NULL, 1,
+                                              w->monitor, &newton);
+
+    if (status == TAUT_NO_MEMORY) {
+        return taut_fail_memory(error);
+    }
+    if (status != TAUT_OK) {
+        return taut_fail(error, TAUT_NOT_CONVERGED, "ill-conditioned", NULL, taut_none, taut_none,
+                         "the system is too ill-conditioned for double precision: the knots or "
+                         "the degree are too extreme");
+    }
+    w->method = taut_newton_step_method(newton);
+    status = taut_trust_region_minimise(w->functional, newton, &w->region, w->net, &inner);
+    taut_newton_step_free(newton);
+    return status == TAUT_OK ? TAUT_OK : tell_ending(w, &inner, status, error);
+}
+
+/* Steps along the moves that the energy sees. Where lines slide along themselves these leave something to the other
+ * coordinates, and steps in all of them follow, until both are at rest. residual: as taut_film_polish has it. */
+static taut_status polish_moves(taut_film_work *w, double residual[3], taut_error *error)
+{
+    const int patience = w->region.patience;
+    taut_status status = TAUT_OK;
+
+    for (int k = 0; status == TAUT_OK; k++) {
+        double found[3];
+        if (taut_film_polish(w->functional, w->space, w->net, found) != TAUT_OK) {
+            return taut_fail_memory(error);
+        }
+        residual[0] = k == 0 ? found[0] : residual[0];
+        residual[1] = found[1];
+        residual[2] = found[2];
+        if (w->space->leader == NULL || found[2] <= residual_any || k == POLISHES) {
+            break;
+        }
+        w->region.patience = 0;
+        status = minimise(w, error);
+        w->region.patience = patience;
+    }
+    return status;
+}
+
+/* The same; refused where the film has a fold. *before: the residual along the moves. */
+static taut_status polish(taut_film_work *w, double *before, taut_error *error)
+{
+    double residual[3] = {0, 0, 0};
+    const taut_status status = polish_moves(w, residual, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    *before = residual[0];
+    w->region.residual = residual[1];
+    w->region.area = taut_area_functional_value(w->functional, w->net).area;
+    return is_folded(w->functional) ? refuse_fold(w, error) : TAUT_OK;
+}
+
+static taut_status refuse_rules(const taut_film_work *w, taut_error *error)
+{
+    return taut_fail(
+        error, TAUT_NOT_CONVERGED, "not-converged", NULL, w->region.residual, w->region.tolerance,
+        "no Gauss rule settles the film: it varies too fast for its knots somewhere, as where "
+        "two edges meet at a very small angle; even out the knots, raise the forces "
+        "or the tolerance");
+}
+
+/* The next rule: *agree where it gives the same energy, and derivatives within the tolerance. */
+static taut_status refine_rule(taut_film_work *w, double factor, int *agree, taut_error *error)
+{
+    const double before = w->region.area;
+    double residual = 0;
+
+    if (taut_film_take_rule(w, w->rule + 1, factor) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    const double after = taut_area_functional_value(w->functional, w->net).area;
+    if (!(fabs(after - before) <= energy_agreement * after)) {
+        return TAUT_OK;
+    }
+    const taut_status status = polish(w, &residual, error);
+    *agree = residual <= residual_agreement * w->region.tolerance;
+    return status;
+}
+
+/* ---- cables that give way ---- */
+
+/* Stiff elastic cables become as stiff as they are: *changed. */
+static void harden(taut_film_work *w, int *changed)
+{
+    for (int k = 0; k < w->functional->cable_count; k++) {
+        const int e = w->edges[k];
+        const taut_film_cable *cable = &w->space->cables[e];
+        if (cable->stiffness > 0 && w->laws[e].force > 0) {
+            w->laws[e] = (taut_film_pull){.stiffness = cable->stiffness, .target = cable->target};
+            set_law(&w->cables[k], &w->laws[e], 1);
+            *changed = 1;
+        }
+    }
+}
+
+/* How far the worst cable of given length is from it: share; off[k]: of cable k, L - L_0. */
+static double find_errors(const taut_film_work *w, double off[4])
+{
+    double worst = 0;
+    for (int k = 0; k < w->functional->cable_count; k++) {
+        const double given = w->space->cables[w->edges[k]].length;
+        off[k] = given > 0 ? taut_area_cable_length(&w->cables[k], w->net) - given : 0;
+        worst = given > 0 ? fmax(worst, fabs(off[k]) / given) : worst;
+    }
+    return worst;
+}
+
+/* The next multipliers of cables of given length. */
+static taut_status move_multipliers(taut_film_work *w, const double off[4])
+{
+    double response[4][4], small[4][4], step[4];
+    int which[4], count = 0;
+    const taut_status status = taut_film_respond(w->functional, w->space, w->net, response);
+
+    for (int k = 0; k < w->functional->cable_count; k++) {
+        if (w->space->cables[w->edges[k]].length > 0) {
+            step[count] = off[k];
+            which[count++] = k;
+        }
+    }
+    for (int i = 0; i < count && status == TAUT_OK; i++) {
+        for (int j = 0; j <= i; j++) {
+            small[i][j] = response[which[i]][which[j]];
+        }
+    }
+    if (status == TAUT_NO_MEMORY) {
+        return status;
+    }
+    if (status == TAUT_OK && taut_small_factor(count, small)) {
+        taut_small_solve(count, small, step);
+    } else { /* the step of the augmented Lagrangian */
+        for (int i = 0; i < count; i++) {
+            step[i] *= w->cables[which[i]].stiffness;
+        }
+    }
+    for (int i = 0; i < count; i++) {
+        taut_film_pull *l = &w->laws[w->edges[which[i]]];
+        l->force = fmax(0.1 * l->force, l->force + step[i]);
+        set_law(&w->cables[which[i]], l, 1);
+    }
+    return TAUT_OK;
+}
+
+/* Minimises where the last steps alone do not lead to rest. */
+static taut_status settle(taut_film_work *w, int far, taut_error *error)
+{
+    double residual = 0;
+    taut_status status = far ? minimise(w, error) : polish(w, &residual, error);
+
+    if (status == TAUT_OK && (far || w->region.residual > w->region.tolerance)) {
+        status = far ? TAUT_OK : minimise(w, error);
+        if (status == TAUT_OK) {
+            status = polish(w, &residual, error);
+        }
+    }
+    return status;
+}
+
+static taut_status enforce_laws(taut_film_work *w, taut_error *error)
+{
+    double off[4];
+    int changed = 0, rests = w->space->around == NULL; /* in all coordinates, or does not mind */
+    taut_status status = TAUT_OK;
+
+    harden(w, &changed);
+    if (changed) {
+        status = settle(w, 1, error);
+    }
+    for (int k = 0; status == TAUT_OK; k++) {
+        const double worst = find_errors(w, off);
+        if (worst <= length_agreement && (rests || k == 0)) {
+            return TAUT_OK;
+        }
+        if (k == MULTIPLIERS) {
+            return taut_fail(error, TAUT_NOT_CONVERGED, "not-converged", NULL, worst,
+                             length_agreement,
+                             "a cable does not come to its length: after %d steps of its force it "
+                             "is off by %.3g of it; even out the knots, or take another length",
+                             k, worst);
+        }
+        if (move_multipliers(w, off) != TAUT_OK) {
+            return taut_fail_memory(error);
+        }
+        const int far =
+            worst <= 1e3 * length_agreement && !rests; /* what forces moved lies askew */
+        rests = rests || far;
+        status = settle(w, far, error);
+    }
+    return status;
+}
+
+/* Corners that move leave a net behind that lies askew: it is laid anew between the edges once these are about where they
+ * belong. */
+static taut_status minimise_moving(taut_film_work *w, taut_error *error)
+{
+    taut_status status = minimise(w, error);
+
+    if (status == TAUT_OK && w->rule == 0 && w->space->around == NULL) {
+        taut_film_space_fill(w->space, w->net);
+        status = minimise(w, error);
+    }
+    return status;
+}
+
+taut_status taut_film_rest(taut_film_work *w, double factor, taut_error *error)
+{
+    taut_status status = taut_film_take_rule(w, 0, factor);
+    double residual = 0;
+
+    w->region.iterations = 0; /* its work goes on to be counted: all films on the way share it */
+    if (status != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    for (int agree = 0; status == TAUT_OK && !agree;) {
+        const int before = w->region.iterations;
+        status = w->space->leader != NULL ? minimise_moving(w, error) : minimise(w, error);
+        w->iterations += w->region.iterations - before;
+        if (status == TAUT_OK) {
+            status = polish(w, &residual, error);
+        }
+        if (status == TAUT_OK) {
+            status = enforce_laws(w, error);
+        }
+        if (status == TAUT_OK) {
+            status = w->rule + 1 < RULES ? refine_rule(w, factor, &agree, error)
+                                         : refuse_rules(w, error);
+        }
+    }
+    return status;
+}

@@ -1,0 +1,53 @@
+/* equilibrium.h -- a film at rest: one minimisation, with given forces, from a net that is given. */
+#ifndef TAUT_CONSTRUCT_FILM_EQUILIBRIUM_H
+#define TAUT_CONSTRUCT_FILM_EQUILIBRIUM_H
+
+#include "construct/film/space.h"
+#include "construct/plateau/density.h"
+#include "construct/plateau/trust_region.h"
+#include "taut/monitor.h"
+
+/* What a cable does for now: a force, or more with its length (construct/plateau/cable.h). */
+typedef struct taut_film_pull {
+    double force, stiffness, target;
+} taut_film_pull;
+
+typedef struct taut_film_work {
+    const taut_film_space *space;
+    const taut_monitor *monitor;
+    taut_arena *arena; /* of a solve */
+    taut_dirichlet_form form;
+    taut_area_functional *functional;
+    taut_area_density density; /* where threads are drawn */
+    taut_surface *reference;   /* of the update at hand, or NULL */
+    taut_area_cable cables[4];
+    int edges[4];           /* of the cables */
+    taut_film_pull laws[4]; /* of edges */
+    int rule;
+    double *net;
+    taut_trust_region region;
+    int iterations; /* of all films on the way */
+    const char *method;
+} taut_film_work;
+
+/* What the cables do at the start. */
+void taut_film_start_laws(taut_film_work *w);
+
+/* The functional of a rule, all forces `factor` times what they are. TAUT_NO_MEMORY. */
+taut_status taut_film_take_rule(taut_film_work *w, int rule, double factor);
+void taut_film_drop_rule(taut_film_work *w);
+
+/* w->net: the film that it goes to with all forces `factor` times what they are. TAUT_NOT_CONVERGED: folds,
+ * not-converged; TAUT_NO_SOLUTION, TAUT_INTERRUPTED, TAUT_NO_MEMORY. */
+taut_status taut_film_rest(taut_film_work *w, double factor, taut_error *error);
+
+/* The error of an attempt becomes that of the whole. */
+static inline taut_status taut_film_pass_on(const taut_error *inner, taut_error *error)
+{
+    if (error != NULL) {
+        *error = *inner;
+    }
+    return inner->status;
+}
+
+#endif /* TAUT_CONSTRUCT_FILM_EQUILIBRIUM_H */
