@@ -13,7 +13,8 @@ target_link_options(taut_web PRIVATE -mexec-model=reactor ${exported} -Wl,--gc-s
 target_link_libraries(taut_web PRIVATE wasi-emulated-signal m)
 set_target_properties(taut_web PROPERTIES OUTPUT_NAME taut SUFFIX .wasm)
 add_custom_command(TARGET taut_web POST_BUILD
-  COMMAND ${WASM_OPT} -Oz --converge --enable-simd --enable-bulk-memory --enable-nontrapping-float-to-int --enable-sign-ext
+  COMMAND ${WASM_OPT} --flatten --rereloop -Oz -Oz --converge
+          --enable-simd --enable-bulk-memory --enable-nontrapping-float-to-int --enable-sign-ext
           $<TARGET_FILE:taut_web> -o $<TARGET_FILE:taut_web> VERBATIM)
 # Small code, but in the loops over numbers that a hand that drags waits for.
 target_compile_options(taut_web PRIVATE -Oz)
