@@ -94,6 +94,7 @@ typedef struct taut_write_options {
     double *bound;
     double thickness; /* meshes: of a sheet (taut/mesh.h), in the model's unit; 0: none */
     int coefficients; /* vtu: nonzero: fields of Bezier cells as coefficients, not as values */
+    int reactions;    /* figures: nonzero: arrows, as the supports of a film pull at it */
 } taut_write_options;
 
 /* The library's own formats, i = 0 .. count-1: its ending without the dot, and one line on what it holds. */

@@ -68,6 +68,7 @@ typedef struct cli_options {
     int isolines;
     int reflections;
     int combs;
+    int reactions;
     int side_by_side;
     int width;
     int help;
@@ -176,6 +177,14 @@ typedef struct cli_command {
          0,                                                                                        \
          NULL,                                                                                     \
          "figures: curvature combs along the edges"},                                              \
+        {"--reactions",                                                                            \
+         CLI_FLAG,                                                                                 \
+         offsetof(cli_options, reactions),                                                         \
+         0,                                                                                        \
+         0,                                                                                        \
+         0,                                                                                        \
+         NULL,                                                                                     \
+         "figures: arrows, as the supports of a film pull"},                                       \
         {"--side-by-side",                                                                         \
          CLI_FLAG,                                                                                 \
          offsetof(cli_options, side_by_side),                                                      \

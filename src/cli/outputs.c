@@ -80,6 +80,7 @@ int cli_write_options(const cli_options *options, taut_write_options *chosen)
                                    .isolines = options->isolines,
                                    .reflections = options->reflections,
                                    .combs = options->combs,
+                                   .reactions = options->reactions,
                                    .side_by_side = options->side_by_side,
                                    .width = options->width,
                                    .monitor = cli_monitor(options->quiet || options->json)};

@@ -2,7 +2,7 @@
  *
  * Surfaces are shaded, or coloured by H or K over a scale symmetric about 0 or by isothermality
  * over one from 0 (options->colour), with their boundaries, knot lines, control nets (unless
- * no_net) and curves, and where asked for isolines, reflections and curvature combs; hidden parts
+ * no_net) and curves, and where asked for isolines, reflections, curvature combs and reactions; hidden parts
  * hidden, in an orthographic view with z up. The page is white, 1200 by 900 units: 1200 by 900
  * pixels of PNG (unless width), 600 by 450 points of SVG and PDF. The frames of a deformation stand
  * side by side (panes.h).
@@ -17,7 +17,7 @@
 
 /* kind     "svg", "pdf" or "png"
  * options  or NULL: surface (then no curves), side_by_side, divide (cells a knot span; else about
- *          20000 cells in a PNG and 3600 in vectors), threads, colour, isolines, reflections, combs,
+ *          20000 cells in a PNG and 3600 in vectors), threads, colour, isolines, reflections, combs, reactions,
  *          no_net, view (elevation in [-90, 90]; else one that shows the surfaces' faces), title,
  *          labels, width, monitor
  * out      flushed on success, left open

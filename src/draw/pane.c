@@ -70,10 +70,25 @@ static taut_status sample_curves(taut_pane *pane, const taut_write_options *opti
     return status;
 }
 
-/* The longest tooth is an eighth of the diagonal of the box of the surfaces. */
-static taut_status sample_combs(taut_pane *pane, taut_arena *arena)
+/* The diagonal of the box of the surfaces. */
+static double size_of_sheets(const taut_pane *pane)
 {
     double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
+
+    for (int i = 0; i < pane->sheet_count; i++) {
+        const taut_sheet *s = &pane->sheets[i];
+        for (size_t k = 0; k < 3 * (size_t)s->u.count * (size_t)s->v.count; k++) {
+            low[k % 3] = fmin(low[k % 3], s->points[k]);
+            high[k % 3] = fmax(high[k % 3], s->points[k]);
+        }
+    }
+    return taut_hypot(taut_hypot(high[0] - low[0], high[1] - low[1]), high[2] - low[2]);
+}
+
+/* The longest tooth is an eighth of the size. */
+static taut_status sample_combs(taut_pane *pane, taut_arena *arena)
+{
+    const double size = size_of_sheets(pane);
     taut_status status = TAUT_OK;
 
     pane->combs = taut_arena_take(arena, (size_t)pane->sheet_count, sizeof *pane->combs);
@@ -81,21 +96,25 @@ static taut_status sample_combs(taut_pane *pane, taut_arena *arena)
         return TAUT_NO_MEMORY;
     }
     for (int i = 0; i < pane->sheet_count && status == TAUT_OK; i++) {
-        const taut_sheet *s = &pane->sheets[i];
-        for (size_t k = 0; k < 3 * (size_t)s->u.count * (size_t)s->v.count; k++) {
-            low[k % 3] = fmin(low[k % 3], s->points[k]);
-            high[k % 3] = fmax(high[k % 3], s->points[k]);
-        }
-        status = taut_combs_fill(s->surface, &pane->combs[i], &pane->comb_most);
+        status = taut_combs_fill(pane->sheets[i].surface, &pane->combs[i], &pane->comb_most);
     }
-    const double size =
-        taut_hypot(taut_hypot(high[0] - low[0], high[1] - low[1]), high[2] - low[2]);
     const int bends = pane->comb_most * size > 1e-9 && isfinite(pane->comb_most * size);
     pane->comb_scale = bends ? size / 8 / pane->comb_most : 0;
     for (int i = 0; i < pane->sheet_count && status == TAUT_OK; i++) {
         taut_combs_scale(&pane->combs[i], pane->comb_scale);
     }
     return status;
+}
+
+/* The longest arrow is an eighth of the size. */
+static void sample_arrows(taut_pane *pane)
+{
+    const double size = size_of_sheets(pane);
+
+    taut_arrows_fill(pane->model, &pane->arrows, &pane->arrow_most);
+    pane->arrow_scale = pane->arrow_most > 0 ? size / 8 / pane->arrow_most : 0;
+    pane->arrow_scale = isfinite(pane->arrow_scale) ? pane->arrow_scale : 0;
+    taut_arrows_scale(&pane->arrows, pane->arrow_scale);
 }
 
 taut_status taut_pane_sample(taut_pane *pane, const taut_write_options *options, int cells,
@@ -115,6 +134,10 @@ taut_status taut_pane_sample(taut_pane *pane, const taut_write_options *options,
     status = sample_surfaces(pane, options, cells, most, arena);
     if (status != TAUT_OK) {
         return status;
+    }
+    if (options->reactions && taut_model_surface_count(pane->model) > 0 &&
+        taut_pane_shows(pane, options, 0)) {
+        sample_arrows(pane);
     }
     status = sample_curves(pane, options, along, arena);
     return status == TAUT_OK && options->combs ? sample_combs(pane, arena) : status;
@@ -171,6 +194,7 @@ void taut_pane_visit_core(const taut_pane *pane, taut_camera *camera,
             visit(camera, (size_t)4 * TAUT_COMB_TEETH, &pane->combs[i].tip[0][0][0]);
         }
     }
+    visit(camera, (size_t)pane->arrows.count, pane->arrows.tip[0]);
     for (int i = 0; i < pane->curve_count; i++) {
         visit(camera, pane->curves[i].count, pane->curves[i].points);
     }
@@ -264,7 +288,7 @@ taut_status taut_pane_add_lines(taut_pane *pane, const taut_write_options *optio
         status = taut_parts_outline(&pane->sheets[i], pane->pages[i], 1, taut_colour_plain(i),
                                     arena, scene);
     }
-    return status;
+    return status == TAUT_OK ? taut_arrows_add(&pane->arrows, &pane->camera, scene) : status;
 }
 
 taut_status taut_pane_add_curves(taut_pane *pane, const taut_write_options *options,

@@ -22,9 +22,12 @@ typedef struct taut_pane {
     taut_sheet *sheets;
     taut_combs *combs; /* [sheet_count], or NULL */
     double comb_scale, comb_most;
+    taut_arrows arrows; /* of no support where they are not asked for */
+    double arrow_scale, arrow_most;
     taut_polyline *curves;
-    double **pages;   /* [sheet_count] the sheets' points on the page */
-    taut_camera core; /* the box of surfaces, curves and combs: nets far beyond are left out */
+    double **pages; /* [sheet_count] the sheets' points on the page */
+    taut_camera
+        core; /* the box of surfaces, curves, combs and arrows: nets far beyond are left out */
     taut_camera camera;
 } taut_pane;
 
@@ -33,7 +36,7 @@ int taut_pane_shows(const taut_pane *pane, const taut_write_options *options, in
 /* Samples what the pane shows, in about `cells` cells a surface, `most` at the most. */
 taut_status taut_pane_sample(taut_pane *pane, const taut_write_options *options, int cells,
                              int most, int along, taut_arena *arena);
-/* visit(camera, count, points) for surfaces, curves and combs, and for the nets that are drawn. */
+/* visit(camera, count, points) for surfaces, curves, combs and arrows, and for the nets that are drawn. */
 void taut_pane_visit_core(const taut_pane *pane, taut_camera *camera,
                           void (*visit)(taut_camera *, size_t, const double *));
 void taut_pane_visit_nets(const taut_pane *pane, const taut_write_options *options,

@@ -255,6 +255,25 @@ static const char *blame_certificate(const taut_certificate *certificate)
     return count > 0 && saved == count ? "certificate as saved, not proved again" : NULL;
 }
 
+/* The force of the longest arrow, of the first pane that has any. */
+static void note_arrows(const taut_panes *panes, char *note, size_t size)
+{
+    const taut_pane *first = NULL;
+    char text[160], number[48];
+
+    for (int i = panes->count - 1; i >= 0; i--) {
+        first = panes->pane[i].arrow_most > 0 ? &panes->pane[i] : first;
+    }
+    if (first == NULL) {
+        append_note(note, size, "no reactions: there is no certificate that tells them");
+        return;
+    }
+    taut_label_number(first->arrow_most, number, sizeof number);
+    snprintf(text, sizeof text, "reactions%s: the longest arrow is a force of %s",
+             panes->count > 1 ? ", each model at its own scale" : "", number);
+    append_note(note, size, text);
+}
+
 void taut_panes_note(const taut_panes *panes, const taut_write_options *options, double limit,
                      char *note, size_t size)
 {
@@ -288,6 +307,9 @@ void taut_panes_note(const taut_panes *panes, const taut_write_options *options,
         taut_label_number(limit / options->isolines, number, sizeof number);
         snprintf(text, sizeof text, "a line every %s", number);
         append_note(note, size, text);
+    }
+    if (options->reactions) {
+        note_arrows(panes, note, size);
     }
     if (options->combs) {
         taut_label_number(panes->pane[0].comb_most, number, sizeof number);

@@ -24,7 +24,7 @@ int taut_panes_sheets(const taut_panes *panes, const taut_write_options *options
 /* Places the sampled panes on the page x0 y0 x1 y1 and aims their cameras, all alike. 0 where
  * nothing of a model is finite. */
 int taut_panes_aim(taut_panes *panes, const taut_write_options *options, const double page[4]);
-/* What must be said below: steps of isolines, lengths of combs, what is left out. */
+/* What must be said below: steps of isolines, lengths of combs and arrows, what is left out. */
 void taut_panes_note(const taut_panes *panes, const taut_write_options *options, double limit,
                      char *note, size_t size);
 

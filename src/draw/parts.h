@@ -64,4 +64,21 @@ taut_status taut_combs_fill(const taut_surface *surface, taut_combs *combs, doub
 void taut_combs_scale(taut_combs *combs, double scale);
 taut_status taut_combs_add(const taut_combs *combs, const taut_camera *camera, taut_scene *scene);
 
+/* ---- reactions: an arrow from each corner that a film is held at, as the support pulls ----
+ *
+ * The longest of a figure is an eighth of its size, and the figure says what it is. */
+
+typedef struct taut_arrows {
+    int count;
+    double foot[4][3];
+    double pull[4][3]; /* the opposite of `reactions` among the figures of the certificate */
+    double tip[4][3];  /* after taut_arrows_scale */
+} taut_arrows;
+
+/* None where the model's certificate tells none. The largest force in *most, which is not lowered. */
+void taut_arrows_fill(const taut_model *model, taut_arrows *arrows, double *most);
+void taut_arrows_scale(taut_arrows *arrows, double scale);
+taut_status taut_arrows_add(const taut_arrows *arrows, const taut_camera *camera,
+                            taut_scene *scene);
+
 #endif /* TAUT_DRAW_PARTS_H */

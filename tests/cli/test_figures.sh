@@ -23,6 +23,12 @@ run 2 convert skew.json -o gap.glb --colour gap
 contains i.svg 'Isothermality'
 run 0 convert saddle.json -o c.svg --combs --reflections 12 --no-net
 contains c.svg 'the longest tooth is a curvature of '
+run 0 convert saddle.json -o bare.svg --reactions
+contains bare.svg 'no reactions'
+"$TAUT" example film-sail | "$TAUT" make - --quiet -o sail.json -o sail.svg --reactions
+contains sail.svg 'reactions: the longest arrow is a force of '
+run 0 convert sail.json -o again.svg --reactions
+contains again.svg 'reactions: the longest arrow is a force of '
 
 # The limits of the page's scales, rounded up to two digits, are the extremes that `measure` finds.
 run 0 view saddle.json -o s.html

@@ -31,7 +31,8 @@ static taut_status draw_marks(const void *context, void **result, taut_error *er
                                                .colour = TAUT_COLOUR_ISOTHERMALITY,
                                                .isolines = 3,
                                                .reflections = 5,
-                                               .combs = 1};
+                                               .combs = 1,
+                                               .reactions = 1};
     const taut_model *models[2] = {context, context};
     char *text = NULL;
     size_t length = 0;

@@ -1,10 +1,11 @@
-/* test_marks.c -- isothermality, isolines, reflections and combs against closed forms.
+/* test_marks.c -- isothermality, isolines, reflections, combs and reactions against closed forms.
  *
  * The saddle (x, y, x y), x = 2u - 1, y = 2v - 1, has E = 4 (1 + y^2), G = 4 (1 + x^2), F = 4 x y,
  * so isothermality = sqrt((E-G)^2 + 4 F^2) / (E+G) = (x^2 + y^2) / (2 + x^2 + y^2) K = -1 / (1 +
  * x^2 + y^2)^2 and its edges are straight. */
 #include "cameras.h"
 #include "check.h"
+#include "sails.h"
 #include "shapes.h"
 
 #include "draw/parts.h"
@@ -167,11 +168,42 @@ static void test_combs(void)
     taut_surface_free(flat);
 }
 
+/* A cable of force 2 between corners of the square of side 2 leaves its chord by 30 degrees: two pull by 4 cos 15 degrees at a
+ * corner, along its diagonal. Degree 4 on 8 spans errs by the fourth power of a span in the slope of its end, 2e-7. */
+static void test_arrows(void)
+{
+    const double force = 3.8637033051562731, scale = 0.5;
+    sail s = sail_new(4, 12, sail_square, 2);
+    taut_certificate *proof = NULL;
+    taut_model *model = sail_make(&s, &proof);
+    taut_arrows arrows = {.count = 9};
+    double most = 0;
+
+    taut_arrows_fill(model, &arrows, &most);
+    CHECK(arrows.count == 0 && !(most > 0), "without a certificate");
+    taut_model_set_certificate(model, proof);
+    taut_arrows_fill(model, &arrows, &most);
+    taut_arrows_scale(&arrows, scale);
+    CHECK(arrows.count == 4, "%d arrows", arrows.count);
+    CHECK_NEAR(most, force, 1e-6, "the largest");
+    for (int k = 0; k < arrows.count; k++) {
+        for (int c = 0; c < 2; c++) {
+            const double corner = sail_square[k][c];
+            CHECK_NEAR(arrows.foot[k][c], corner, 0, "corner %d", k);
+            CHECK_NEAR(arrows.tip[k][c], corner + copysign(scale * force * sqrt(0.5), corner - 1),
+                       1e-6, "tip %d", k);
+        }
+    }
+    taut_model_free(model);
+    sail_free(&s);
+}
+
 int main(void)
 {
     test_values();
     test_isolines();
     test_stripes();
     test_combs();
+    test_arrows();
     return check_failures != 0;
 }
