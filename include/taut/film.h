@@ -150,7 +150,8 @@ typedef struct taut_film_problem {
 /* Makes the model: the surface, and each cable as a curve named as its edge ("u0"); details:
  * unknowns, iterations, method, residual, updates, cables (edge, force, length, of elastic ones unstressed),
  * supports (the held corners at which cables end), verdict { exists, stable, least }, rivals,
- * deviation of fitted curves.
+ * deviation of fitted curves, least: of sails in space the witness of the claim `least`, unless
+ * without_least (docs/film.md).
  * TAUT_BAD_INPUT: data out of range, error->where the member. TAUT_NO_SOLUTION: no-area, crossed,
  * cable-too-weak, cable-too-short. TAUT_NOT_CONVERGED: folds, not-converged, curve-fit. */
 TAUT_API taut_status taut_film_make(const taut_film_problem *problem,

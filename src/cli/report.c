@@ -90,6 +90,13 @@ static void print_value(const taut_record *value)
     }
 }
 
+/* A force times a length: what bounds the energy of a film, where other surfaces have their area bounded. */
+static int is_energy(const taut_record *figures, const char *key)
+{
+    return taut_record_get(figures, "energy") != NULL &&
+           (strcmp(key, "gap") == 0 || strcmp(key, "lower_bound") == 0);
+}
+
 void cli_members_print(const taut_record *record, const char *unit)
 {
     char room[CLI_UNIT_ROOM];
@@ -103,7 +110,9 @@ void cli_members_print(const taut_record *record, const char *unit)
                 words(taut_record_key(record, i), name, sizeof name));
         print_value(value);
         fprintf(stderr, "%s\n",
-                unit != NULL ? cli_unit_of(taut_record_key(record, i), unit, room) : "");
+                unit != NULL && !is_energy(record, taut_record_key(record, i))
+                    ? cli_unit_of(taut_record_key(record, i), unit, room)
+                    : "");
     }
 }
 

@@ -21,8 +21,8 @@
  *               own (certify/film/sheet.h), and has to be positive.
  *   stable      lowest eigenvalue of the second variation over those moves, scaled; holds above
  *               1e-6, by the inertia of the factors.
- *   least       (energy - bound) / energy, of flat sails (certify/film/least.h). Null where that is
- *               above the limit, 1e-6, or no bound is known, and why.
+ *   least       (energy - bound) / energy (certify/film/least.h). Null where that is above the limit,
+ *               1e-6, by fields that the model carries 1e-3, or no bound is known, and why.
  *   equilibrium where it is asked for: the largest defect.
  */
 #include "taut/film.h"
@@ -648,34 +648,48 @@ static const char *threads_bound(const request *r, const finding *found,
     return found->bounded ? NULL : "the threads' matrix is not safely positive definite";
 }
 
+static taut_status find_least(const request *r, const finding *found, const taut_film_sheet *sheet,
+                              taut_film_least *least)
+{
+    *least = (taut_film_least){.limit = largest_limit};
+    if (r->problem->without_least) {
+        least->why = "declined: the problem asks for no bound";
+        return TAUT_OK;
+    }
+    if (taut_film_sheet_has_threads(r->problem)) {
+        least->why = threads_bound(r, found, sheet, &least->bound);
+        return TAUT_OK;
+    }
+    const taut_record *witness = taut_record_get(taut_model_details(r->model), "least");
+    return taut_film_least_of(sheet, witness, found->given, least);
+}
+
 static taut_status add_least(const request *r, const finding *found, const taut_film_sheet *sheet,
                              taut_record *figures, taut_certificate *certificate)
 {
+    const double energy = find_energy(r, found, sheet);
+    taut_film_least least;
+    const taut_status status = find_least(r, found, sheet, &least);
     taut_claim claim = {.claim = "least",
                         .kind = TAUT_BOUND,
                         .residual = taut_none,
-                        .limit = largest_limit,
+                        .limit = least.limit,
                         .holds = TAUT_UNDECIDED,
-                        .where = "declined: the problem asks for no bound"};
-    const double energy = find_energy(r, found, sheet);
-    double bound = 0;
-    const char *why = r->problem->without_least ? claim.where
-                      : taut_film_sheet_has_threads(r->problem)
-                          ? threads_bound(r, found, sheet, &bound)
-                          : taut_film_least(sheet, found->given, &bound);
+                        .where = least.why};
 
-    if (why == NULL) {
-        claim.residual = (energy - bound) / energy;
+    if (status != TAUT_OK) {
+        return status;
+    }
+    if (least.why == NULL) {
+        claim.residual = (energy - least.bound) / energy;
         claim.holds = taut_certify_below(claim.residual, claim.limit);
         claim.where = claim.holds == TAUT_UNDECIDED ? TAUT_CERTIFY_OUT_OF_RANGE
                       : claim.holds == TAUT_FALSE
                           ? "coarse: there is a bound, further below; take more points"
                           : "";
         claim.holds = claim.holds == TAUT_FALSE ? TAUT_UNDECIDED : claim.holds;
-        taut_record_add_number(figures, "lower_bound", bound);
-        taut_record_add_number(figures, "gap", energy - bound);
-    } else {
-        claim.where = why;
+        taut_record_add_number(figures, "lower_bound", least.bound);
+        taut_record_add_number(figures, "gap", energy - least.bound);
     }
     return taut_certificate_add(certificate, &claim);
 }

@@ -1,5 +1,6 @@
 #include "certify/film/least.h"
 
+#include "certify/film/calibration.h"
 #include "core/elementary/elementary.h"
 #include "core/vec3.h"
 
@@ -10,6 +11,7 @@ enum { SIDES = 4 };
 static const double flat_share = 1e-12; /* of the size: a corner in the plane of the others */
 /* Of what is added up: what rounding may have taken from the bound, a few hundred units of it. */
 static const double rounding = 0x1p-44;
+static const double flat_limit = 1e-6, space_limit = 1e-3;
 static const double inside = 1 - 1e-12; /* of R: as far as a corner may be along a chord */
 
 /* The corners as they run round the sail, and the edge from each to the next. */
@@ -91,30 +93,41 @@ static double stored(const taut_film_sheet *sheet, int e, double given)
                : -force * given;
 }
 
-const char *taut_film_least(const taut_film_sheet *sheet, const double given[4], double *bound)
-{
-    const double unit = sheet->tension; /* of energy, over scaled squares */
-    double sum = 0, sizes = 0;
-    polygon p;
+/* What is added up, and the sum of the sizes. User's unit. */
+typedef struct total {
+    double sum, sizes;
+} total;
 
+static const char *find_obstacle(const taut_film_sheet *sheet)
+{
     if (sheet->problem->ring != TAUT_FILM_OPEN) {
         return "ring: the bound is one of films with four corners";
     }
     for (int e = 0; e < 4; e++) {
-        const taut_curve *curve = sheet->problem->edges[e].curve;
         if (sheet->problem->edges[e].kind == TAUT_FILM_SLIDE ||
             sheet->problem->corner_kinds[e] != TAUT_FILM_HELD) {
             return "moving: the bound is one of corners that are held, and of no slides";
         }
+    }
+    return NULL;
+}
+
+/* By the fields in closed form, without what cables store. */
+static const char *bound_flat(const taut_film_sheet *sheet, total *t)
+{
+    const double unit = sheet->tension; /* of energy, over scaled squares */
+    polygon p;
+
+    for (int e = 0; e < 4; e++) {
+        const taut_curve *curve = sheet->problem->edges[e].curve;
         if (curve != NULL && taut_basis_count(taut_curve_t(curve)) > 2) { /* two points: a line */
-            return "curved: the bound is one of straight edges and cables";
+            return "curved: the edges are not straight, and the model carries no witness";
         }
     }
     if (!lay_flat(sheet, &p)) {
-        return "space: the corners lie in no plane, and the bound is one of flat sails";
+        return "space: the corners lie in no plane, and the model carries no witness";
     }
-    sum = unit * ldexp(p.area, 2 * sheet->unit);
-    sizes = sum;
+    t->sum = t->sizes = unit * ldexp(p.area, 2 * sheet->unit);
     for (int k = 0; k < SIDES; k++) {
         const int e = p.edge[k];
         const double radius = sheet->ratios[e];
@@ -127,10 +140,49 @@ const char *taut_film_least(const taut_film_sheet *sheet, const double given[4],
         }
         const double half = 0.5 * chord / radius, a = taut_asin(half);
         const double arc = radius * radius * (a + half * sqrt((1 - half) * (1 + half)));
-        const double more = unit * ldexp(arc, 2 * sheet->unit), less = stored(sheet, e, given[e]);
-        sum += more + less;
-        sizes += more - less;
+        t->sum += unit * ldexp(arc, 2 * sheet->unit);
+        t->sizes += unit * ldexp(arc, 2 * sheet->unit);
     }
-    *bound = sum - rounding * sizes;
-    return isfinite(sum) ? NULL : "a value leaves the range of doubles";
+    t->sizes *= rounding;
+    return NULL;
+}
+
+/* By the fields that the model carries. */
+static taut_status bound_space(const taut_film_sheet *sheet, const taut_record *witness, total *t,
+                               const char **why)
+{
+    taut_film_calibration calibration;
+    const taut_status status = taut_film_calibrate(sheet, witness, &calibration);
+
+    *why = calibration.why;
+    t->sum = sheet->tension * ldexp(calibration.flux, 2 * sheet->unit);
+    t->sizes = sheet->tension * ldexp(calibration.off, 2 * sheet->unit);
+    return status;
+}
+
+taut_status taut_film_least_of(const taut_film_sheet *sheet, const taut_record *witness,
+                               const double given[4], taut_film_least *least)
+{
+    total t = {0, 0};
+    taut_status status = TAUT_OK;
+
+    *least = (taut_film_least){.why = find_obstacle(sheet), .limit = flat_limit};
+    if (least->why != NULL) {
+        return TAUT_OK;
+    }
+    least->why = bound_flat(sheet, &t);
+    if (least->why != NULL && taut_record_kind_of(witness) == TAUT_RECORD_OBJECT) {
+        least->limit = space_limit;
+        status = bound_space(sheet, witness, &t, &least->why);
+    }
+    for (int e = 0; e < 4; e++) {
+        const double more = taut_film_sheet_is_cable(sheet, e) ? stored(sheet, e, given[e]) : 0;
+        t.sum += more;
+        t.sizes += rounding * fabs(more);
+    }
+    least->bound = t.sum - t.sizes;
+    if (least->why == NULL && !isfinite(least->bound)) {
+        least->why = "a value leaves the range of doubles";
+    }
+    return status;
 }

@@ -13,6 +13,7 @@
 #include "construct/film/flat.h"
 #include "construct/film/ring.h"
 #include "construct/film/solve.h"
+#include "construct/film/witness.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 
@@ -449,6 +450,30 @@ typedef struct request {
     const taut_monitor *monitor;
 } request;
 
+/* The witness speaks of the surface as the model has it. */
+static taut_status add_details(const request *r, const taut_film_space *space,
+                               const taut_film_solution *solution, taut_model *model,
+                               taut_error *error)
+{
+    const double tension = r->problem->tension > 0 ? r->problem->tension : 1;
+    taut_record *details = details_of(space, solution);
+    double radii[4];
+
+    for (int e = 0; e < 4; e++) {
+        radii[e] = space->ratios[e] > 0 ? solution->forces[e] / tension : 0;
+    }
+    const taut_status status =
+        taut_film_witness_add(r->problem, taut_model_surface(model, 0), radii, r->monitor, details);
+    if (status == TAUT_OK) {
+        return taut_construct_set_details(model, details, error);
+    }
+    taut_record_free(details);
+    return status == TAUT_INTERRUPTED
+               ? taut_fail(error, TAUT_INTERRUPTED, "interrupted", NULL, taut_none, taut_none,
+                           "stopped before there was a witness")
+               : taut_fail_memory(error);
+}
+
 static taut_status build(void *context, taut_arena *arena, taut_model *model, taut_error *error)
 {
     const request *r = context;
@@ -477,9 +502,7 @@ static taut_status build(void *context, taut_arena *arena, taut_model *model, ta
             status = add_cable(&space, e, solution.points, arena, model, error);
         }
     }
-    return status == TAUT_OK
-               ? taut_construct_set_details(model, details_of(&space, &solution), error)
-               : status;
+    return status == TAUT_OK ? add_details(r, &space, &solution, model, error) : status;
 }
 
 taut_status taut_film_make(const taut_film_problem *problem, const taut_make_options *options,
