@@ -13,12 +13,12 @@ target_link_options(taut_web PRIVATE -mexec-model=reactor ${exported} -Wl,--gc-s
 target_link_libraries(taut_web PRIVATE wasi-emulated-signal m)
 set_target_properties(taut_web PROPERTIES OUTPUT_NAME taut SUFFIX .wasm)
 add_custom_command(TARGET taut_web POST_BUILD
-  COMMAND ${WASM_OPT} --flatten --rereloop -Oz -Oz --converge
+  COMMAND ${WASM_OPT} --flatten --rereloop -Oz -Oz -Oz --converge
           --enable-simd --enable-bulk-memory --enable-nontrapping-float-to-int --enable-sign-ext
           $<TARGET_FILE:taut_web> -o $<TARGET_FILE:taut_web> VERBATIM)
 # Small code, but in the loops over numbers that a hand that drags waits for.
 target_compile_options(taut_web PRIVATE -Oz)
-set(loops numeric/kernel numeric/tensor numeric/band numeric/modes geometry/grid basis/basis basis/bspline
+set(loops numeric/kernel numeric/band numeric/modes geometry/grid basis/basis basis/bspline
   measure/integrate/eight_ measure/integrate/cell construct/plateau/area certify/dirichlet/gradient_)
 list(JOIN loops "|" loops)
 set(loop_sources ${web_sources})

@@ -21,50 +21,55 @@ enum {
 static const double wider = 0x1p-30; /* of its size: what Q reaches beyond what it is to hold */
 static const double straight = 1e-9; /* sines below are no corner */
 
-/* Edges as they run round the film, with the corner each begins in, and whether it runs as its points do. */
+/* Edges as they run round the film, with the corners that each runs between, and whether it runs as its points do. */
 static const struct {
-    int edge, from, to, is_forward;
-} rounds[ROUND] = {{2, 0, 1, 1}, {1, 1, 3, 1}, {3, 3, 2, 0}, {0, 2, 0, 0}};
+    int edge, ends[2], is_forward;
+} rounds[ROUND] = {{2, {0, 1}, 1}, {1, {1, 3}, 1}, {3, {3, 2}, 0}, {0, {2, 0}, 0}};
 
 /* ---- numbers and what they stand for ---- */
 
-static int psi_at(int i, int j)
-{
-    return (P + 1) * i + j - 1; /* -1: the one that is 0 */
-}
+/* The coefficients of a polynomial among the numbers, by rows; the first of them are 0 and no numbers. */
+typedef struct net {
+    int first, rows, columns, zeros;
+} net;
 
-static int along_at(int i, int j) /* of B; i = 0: 0 */
-{
-    return (P + 1) * (P + 1) - 1 + (P + 1) * (i - 1) + j;
-}
-
-static int own_at(int i, int j) /* of g; -1 below the own ones: the one that is 0 */
-{
-    return TAUT_FLOWS_SHARED + (M + 1) * i + j - 1;
-}
+static const net psi_net = {0, P + 1, P + 1, 1},
+                 along_net = {(P + 1) * (P + 1) - 1, M + 1, P + 1, P + 1},
+                 own_net = {TAUT_FLOWS_SHARED, M + 1, M + 1, 1};
 
 enum { HEIGHT = TAUT_FLOWS_ROW - 1 };
 
-/* Bernstein polynomials and their first derivatives at an abscissa, of the degrees in use. */
+/* Bernstein polynomials at an abscissa: [degree P, M][derivative][]. */
 typedef struct line_values {
-    double p[2][P + 1], m[2][M + 1]; /* [derivative][] */
+    double of[2][2][M + 1];
 } line_values;
-
-/* The same of a place: [s, t]. */
-typedef struct basis_values {
-    line_values of[2];
-} basis_values;
 
 static void find_line(double t, line_values *values)
 {
-    taut_bernstein_eval(P, 1, t, values->p[0]);
-    taut_bernstein_eval(M, 1, t, values->m[0]);
+    double found[2 * (M + 1)];
+
+    for (int degree = P; degree <= M; degree++) {
+        taut_bernstein_eval(degree, 1, t, found);
+        memcpy(values->of[degree - P][0], found, (size_t)(degree + 1) * sizeof(double));
+        memcpy(values->of[degree - P][1], found + degree + 1,
+               (size_t)(degree + 1) * sizeof(double));
+    }
 }
 
-static void find_values(double s, double t, basis_values *values)
+static const double *values_of(const line_values *values, int count, int derivative)
 {
-    find_line(s, &values->of[0]);
-    find_line(t, &values->of[1]);
+    return values->of[count - 1 - P][derivative];
+}
+
+/* Adds factor times what each number of a net is multiplied with, in a derivative at (s, t). */
+static void add_net(const net *n, const line_values st[2], int in_s, int in_t, double factor,
+                    double *row)
+{
+    const double *s = values_of(&st[0], n->rows, in_s), *t = values_of(&st[1], n->columns, in_t);
+
+    for (int k = n->zeros; k < n->rows * n->columns; k++) {
+        row[n->first + k - n->zeros] += factor * s[k / n->columns] * t[k % n->columns];
+    }
 }
 
 /* ---- the quadrilateral ---- */
@@ -274,31 +279,13 @@ static void lay_box(const taut_surface *surface, const double radii[4], taut_flo
 
 /* ---- what is to be as large as it gets ---- */
 
-/* What is added for int (B dt - psi dz) over a piece dt, dz at (s, t). */
-static void add_piece(double s, double t, double dt, double dz, double *objective)
-{
-    basis_values v;
-
-    find_values(s, t, &v);
-    for (int i = 0; i <= P; i++) {
-        for (int j = 0; j <= P; j++) {
-            if (i + j > 0) {
-                objective[psi_at(i, j)] -= dz * v.of[0].p[0][i] * v.of[1].p[0][j];
-            }
-        }
-    }
-    for (int i = 1; i <= M; i++) {
-        for (int j = 0; j <= P; j++) {
-            objective[along_at(i, j)] += dt * v.of[0].m[0][i] * v.of[1].p[0][j];
-        }
-    }
-}
-
+/* int (B dt - psi dz) along edge e. */
 static void add_held(const taut_surface *surface, int e, double sign, taut_flows *flows)
 {
     const taut_basis *basis = e < 2 ? taut_surface_v(surface) : taut_surface_u(surface);
     const double *breaks = taut_basis_breaks(basis);
     double nodes[NODES], weights[NODES], st[2] = {0.5, 0.5};
+    line_values v[2];
 
     taut_gauss_rule(NODES, nodes, weights);
     for (int k = 0; k < taut_basis_span_count(basis); k++) {
@@ -319,30 +306,28 @@ static void add_held(const taut_surface *surface, int e, double sign, taut_flows
             }
             find_parameters(flows, x, st);
             find_place(flows, st[0], st[1], r, rs, rt);
-            add_piece(st[0], st[1], cross2(rs, d) / cross2(rs, rt), d[2], flows->objective);
+            find_line(st[0], &v[0]);
+            find_line(st[1], &v[1]);
+            add_net(&psi_net, v, 0, 0, -d[2], flows->objective);
+            add_net(&along_net, v, 0, 0, cross2(rs, d) / cross2(rs, rt), flows->objective);
         }
     }
 }
 
 /* -[g + c z] over cable k, from one end to the other. */
-static void add_cable(const taut_surface *surface, int from, int to, int k, taut_flows *flows)
+static void add_cable(const taut_surface *surface, const int ends[2], int k, taut_flows *flows)
 {
-    double *own = flows->objective + k * TAUT_FLOWS_OWN; /* own_at begins after what is shared */
+    double *own = flows->objective + k * TAUT_FLOWS_OWN; /* its net begins after what is shared */
 
     for (int end = 0; end < 2; end++) {
         const double sign = end == 0 ? 1 : -1;
         double x[3], st[2] = {0.5, 0.5};
-        basis_values v;
-        find_point(flows, corner_of(surface, end == 0 ? from : to), x);
+        line_values v[2];
+        find_point(flows, corner_of(surface, ends[end]), x);
         find_parameters(flows, x, st);
-        find_values(st[0], st[1], &v);
-        for (int i = 0; i <= M; i++) {
-            for (int j = 0; j <= M; j++) {
-                if (i + j > 0) {
-                    own[own_at(i, j)] += sign * v.of[0].m[0][i] * v.of[1].m[0][j];
-                }
-            }
-        }
+        find_line(st[0], &v[0]);
+        find_line(st[1], &v[1]);
+        add_net(&own_net, v, 0, 0, sign, own);
         own[HEIGHT] += sign * x[2];
     }
 }
@@ -365,7 +350,7 @@ int taut_flows_new(const taut_surface *surface, const double radii[4], taut_flow
         if (radii[e] > 0) {
             flows->edges[flows->cables] = e;
             flows->radii[flows->cables] = ldexp(radii[e], -flows->exponent);
-            add_cable(surface, rounds[k].from, rounds[k].to, flows->cables++, flows);
+            add_cable(surface, rounds[k].ends, flows->cables++, flows);
         } else {
             add_held(surface, e, rounds[k].is_forward ? 1 : -1, flows);
         }
@@ -375,69 +360,31 @@ int taut_flows_new(const taut_surface *surface, const double radii[4], taut_flow
 
 /* ---- lengths ---- */
 
-/* (B_s, psi_s r_t - psi_t r_s) / J. */
-static void map_film(const basis_values *v, const double rs[2], const double rt[2], double j,
-                     double *rows)
-{
-    for (int a = 0; a <= P; a++) {
-        for (int b = 0; b <= P; b++) {
-            const double in_s = v->of[0].p[1][a] * v->of[1].p[0][b],
-                         in_t = v->of[0].p[0][a] * v->of[1].p[1][b];
-            for (int c = 0; c < 2 && a + b > 0; c++) {
-                rows[(c + 1) * TAUT_FLOWS_ROW + psi_at(a, b)] = (in_s * rt[c] - in_t * rs[c]) / j;
-            }
-        }
-    }
-    for (int a = 1; a <= M; a++) {
-        for (int b = 0; b <= P; b++) {
-            rows[along_at(a, b)] = v->of[0].m[1][a] * v->of[1].p[0][b] / j;
-        }
-    }
-}
-
-/* (g_s r_t - (B + g_t) r_s, J (c - psi)) / (J R). */
-static void map_cable(const basis_values *v, const double rs[2], const double rt[2], double j,
-                      double radius, double *rows)
-{
-    for (int a = 0; a <= M; a++) {
-        for (int b = 0; b <= M; b++) {
-            const double in_s = v->of[0].m[1][a] * v->of[1].m[0][b],
-                         in_t = v->of[0].m[0][a] * v->of[1].m[1][b];
-            for (int c = 0; c < 2; c++) {
-                double *row = rows + c * TAUT_FLOWS_ROW;
-                if (a + b > 0) {
-                    row[own_at(a, b)] = (in_s * rt[c] - in_t * rs[c]) / (j * radius);
-                }
-                if (a > 0 && b <= P) {
-                    row[along_at(a, b)] =
-                        -v->of[0].m[0][a] * v->of[1].p[0][b] * rs[c] / (j * radius);
-                }
-            }
-        }
-    }
-    for (int a = 0; a <= P; a++) {
-        for (int b = 0; b <= P; b++) {
-            if (a + b > 0) {
-                rows[2 * TAUT_FLOWS_ROW + psi_at(a, b)] =
-                    -v->of[0].p[0][a] * v->of[1].p[0][b] / radius;
-            }
-        }
-    }
-    rows[2 * TAUT_FLOWS_ROW + HEIGHT] = 1 / radius;
-}
-
 void taut_flows_map(const taut_flows *flows, int block, double s, double t, double *rows)
 {
-    double r[2], rs[2], rt[2];
-    basis_values v;
+    const net *n = block < 0 ? &psi_net : &own_net;
+    const double radius = block < 0 ? 1 : flows->radii[block];
+    double r[2], rs[2], rt[2], *third = rows + 2 * TAUT_FLOWS_ROW;
+    line_values v[2];
 
     memset(rows, 0, 3 * TAUT_FLOWS_ROW * sizeof(double));
-    find_values(s, t, &v);
+    find_line(s, &v[0]);
+    find_line(t, &v[1]);
     find_place(flows, s, t, r, rs, rt);
+    const double limit = cross2(rs, rt) * radius;
+    for (int c = 0; c < 2; c++) {
+        double *row = rows + c * TAUT_FLOWS_ROW;
+        add_net(n, v, 1, 0, rt[c] / limit, row);
+        add_net(n, v, 0, 1, -rs[c] / limit, row);
+        if (block >= 0) {
+            add_net(&along_net, v, 0, 0, -rs[c] / limit, row);
+        }
+    }
     if (block < 0) {
-        map_film(&v, rs, rt, cross2(rs, rt), rows);
+        add_net(&along_net, v, 1, 0, 1 / limit, third);
     } else {
-        map_cable(&v, rs, rt, cross2(rs, rt), flows->radii[block], rows);
+        add_net(&psi_net, v, 0, 0, -1 / radius, third);
+        third[HEIGHT] = 1 / radius;
     }
 }
 
@@ -448,96 +395,62 @@ double taut_flows_at(int k)
     return 0.5 - 0.5 * taut_cos(TAUT_PI * k / (LOOK - 1));
 }
 
-/* The coefficients of a block, with those that are 0. */
-typedef struct nets {
-    double psi[P + 1][P + 1], along[M + 1][P + 1], g[M + 1][M + 1], height;
-} nets;
+/* A polynomial on a line of constant s, by t: its value and its derivative in s. */
+typedef struct line {
+    double of[2][M + 1];
+} line;
 
-static void unpack(int block, const double *x, nets *n)
+/* x: the numbers, those of the net at first. */
+static void find_on_line(const net *n, const double *x, const line_values *at, line *l)
 {
-    memset(n, 0, sizeof *n);
-    memcpy(n->psi[0] + 1, x, ((P + 1) * (P + 1) - 1) * sizeof(double));
-    memcpy(n->along[1], x + along_at(1, 0), M * (P + 1) * sizeof(double));
-    if (block >= 0) {
-        const double *own = x + TAUT_FLOWS_SHARED + block * TAUT_FLOWS_OWN;
-        memcpy(n->g[0] + 1, own, ((M + 1) * (M + 1) - 1) * sizeof(double));
-        n->height = own[TAUT_FLOWS_OWN - 1];
-    }
-}
-
-/* out[columns] = sum over rows of values[row] net[row][]. */
-static void reduce(int rows, int columns, const double *values, const double *net, double *out)
-{
-    memset(out, 0, (size_t)columns * sizeof(double));
-    for (int i = 0; i < rows; i++) {
-        for (int j = 0; j < columns; j++) {
-            out[j] += values[i] * net[i * columns + j];
+    for (int d = 0; d < 2; d++) {
+        const double *values = values_of(at, n->rows, d);
+        memset(l->of[d], 0, sizeof l->of[d]);
+        for (int k = n->zeros; k < n->rows * n->columns; k++) {
+            l->of[d][k % n->columns] += values[k / n->columns] * x[n->first + k - n->zeros];
         }
     }
 }
 
-static double sum_of(int count, const double *values, const double *line)
+static double value_on(const line *l, const net *n, const line_values *t, int in_s, int in_t)
 {
+    const double *values = values_of(t, n->columns, in_t);
     double sum = 0;
-    for (int k = 0; k < count; k++) {
-        sum += values[k] * line[k];
+
+    for (int k = 0; k < n->columns; k++) {
+        sum += values[k] * l->of[in_s][k];
     }
     return sum;
 }
 
-/* The polynomials of a block on a line of constant s, by t. */
-typedef struct lines {
-    double psi[2][P + 1], along[2][P + 1], g[2][M + 1]; /* [derivative in s][] */
-} lines;
-
-static void find_lines(const nets *n, const line_values *at, lines *l)
-{
-    for (int d = 0; d < 2; d++) {
-        reduce(P + 1, P + 1, at->p[d], n->psi[0], l->psi[d]);
-        reduce(M + 1, P + 1, at->m[d], n->along[0], l->along[d]);
-        reduce(M + 1, M + 1, at->m[d], n->g[0], l->g[d]);
-    }
-}
-
-/* The square of the length at a place. */
-static double square_at(const taut_flows *flows, int block, const nets *n, const lines *l,
-                        const line_values *t, const double rs[2], const double rt[2])
-{
-    const double j = cross2(rs, rt);
-    double in_s = 0, in_t = 0, third = 0;
-
-    if (block < 0) {
-        in_s = sum_of(P + 1, t->p[0], l->psi[1]);
-        in_t = sum_of(P + 1, t->p[1], l->psi[0]);
-        third = sum_of(P + 1, t->p[0], l->along[1]);
-    } else {
-        in_s = sum_of(M + 1, t->m[0], l->g[1]);
-        in_t = sum_of(M + 1, t->m[1], l->g[0]) + sum_of(P + 1, t->p[0], l->along[0]);
-        third = j * (n->height - sum_of(P + 1, t->p[0], l->psi[0]));
-    }
-    const double x = in_s * rt[0] - in_t * rs[0], y = in_s * rt[1] - in_t * rs[1];
-    const double limit = block < 0 ? j : j * flows->radii[block];
-    return (x * x + y * y + third * third) / (limit * limit);
-}
-
 void taut_flows_lengths(const taut_flows *flows, int block, const double *x, double *lengths)
 {
+    const net *n = block < 0 ? &psi_net : &own_net;
+    const double *own = x + (block < 0 ? 0 : block * TAUT_FLOWS_OWN);
+    const double radius = block < 0 ? 1 : flows->radii[block];
     double places[LOOK];
     line_values at[LOOK];
-    lines l;
-    nets n;
+    line main, along, psi;
 
-    unpack(block, x, &n);
     for (int k = 0; k < LOOK; k++) {
         places[k] = taut_flows_at(k);
         find_line(places[k], &at[k]);
     }
-    for (int a = 0; a < LOOK; a++) {
-        find_lines(&n, &at[a], &l);
-        for (int b = 0; b < LOOK; b++) {
-            double r[2], rs[2], rt[2];
-            find_place(flows, places[a], places[b], r, rs, rt);
-            lengths[a * LOOK + b] = sqrt(square_at(flows, block, &n, &l, &at[b], rs, rt));
+    for (int k = 0; k < LOOK * LOOK; k++) {
+        const line_values *t = &at[k % LOOK];
+        double r[2], rs[2], rt[2];
+        if (k % LOOK == 0) {
+            find_on_line(n, own, &at[k / LOOK], &main);
+            find_on_line(&along_net, x, &at[k / LOOK], &along);
+            find_on_line(&psi_net, x, &at[k / LOOK], &psi);
         }
+        find_place(flows, places[k / LOOK], places[k % LOOK], r, rs, rt);
+        const double j = cross2(rs, rt), in_s = value_on(&main, n, t, 1, 0),
+                     in_t = value_on(&main, n, t, 0, 1) +
+                            (block < 0 ? 0 : value_on(&along, &along_net, t, 0, 0));
+        const double up = block < 0 ? value_on(&along, &along_net, t, 1, 0)
+                                    : j * (own[HEIGHT] - value_on(&psi, &psi_net, t, 0, 0));
+        const double out[3] = {in_s * rt[0] - in_t * rs[0], in_s * rt[1] - in_t * rs[1], up};
+        lengths[k] = taut_length(out) / (j * radius);
     }
 }

@@ -13,7 +13,7 @@
  * by Bernstein coefficients; psi and g_k are 0 at (0, 0) and B at s = 0, which changes no field. All
  * lengths are those of maps that are linear in the coefficients (film's, over its limit, and cable's):
  *
- *     (B_s, psi_s r_t - psi_t r_s) / J,      (g_s r_t - (B + g_t) r_s, J (c - psi)) / (J R)
+ *     (psi_s r_t - psi_t r_s, B_s) / J,      (g_s r_t - (B + g_t) r_s, J (c - psi)) / (J R)
  */
 #ifndef TAUT_CONSTRUCT_FILM_FLOWS_H
 #define TAUT_CONSTRUCT_FILM_FLOWS_H
