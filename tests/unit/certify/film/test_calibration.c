@@ -190,12 +190,12 @@ static void test_changed(void)
         taut_certificate *certificate = NULL;
         taut_model *model = sail_make(&sails[k], &certificate);
         static const char *const members[] = {NULL,        "origin", "quadrilateral", "psi",
-                                              "potential", "cables", "frame"};
-        for (int trial = 0; trial < random_trials(140); trial++) {
+                                              "potential", "cables", "frame",         "height"};
+        for (int trial = 0; trial < random_trials(160); trial++) {
             const double size = random_log(1e-14, 3);
             const proof p =
                 prove_changed(model, &sails[k].problem,
-                              (change){.at = -1, .by = size, .only = members[trial % 7]});
+                              (change){.at = -1, .by = size, .only = members[trial % 8]});
             CHECK(!(p.lower > energies[k] * (1 + 1e-13)), "%d, size %g: %.17g above %.17g", k, size,
                   p.lower, energies[k]);
             CHECK(p.holds != TAUT_FALSE, "nothing was asked for");
@@ -208,6 +208,29 @@ static void test_changed(void)
         sail_free(&sails[k]);
     }
     CHECK(refused > 5 && weaker > 10, "%d refused, %d weaker: nothing was tried", refused, weaker);
+}
+
+/* The height of the cable's field alone: what it gains along the cable it loses by its length. */
+static void test_height(void)
+{
+    static const double moves[] = {1e-3, -1e-3, 0.03, -0.03, 0.3, -0.3, 3, -3};
+    sail s = sail_helicoid(5, 13, 1, 1.2);
+    taut_certificate *certificate = NULL;
+    taut_model *model = sail_make(&s, &certificate);
+    const taut_record *least = taut_record_get(taut_model_details(model), "least");
+    const taut_record *cable = taut_record_at(taut_record_get(least, "cables"), 0);
+    const double height = taut_record_number(taut_record_get(cable, "height"));
+
+    for (size_t k = 0; k < sizeof moves / sizeof *moves; k++) {
+        const long at = 3 + 9 + 8 + 25 + 30; /* the numbers before it */
+        const proof p =
+            prove_changed(model, &s.problem, (change){.at = at, .instead = height + moves[k]});
+        CHECK(p.lower <= helicoid_energy, "%g: %.17g above %.17g", moves[k], p.lower,
+              helicoid_energy);
+    }
+    taut_certificate_free(certificate);
+    taut_model_free(model);
+    sail_free(&s);
 }
 
 /* What is no witness, and why. */
@@ -280,6 +303,7 @@ int main(void)
     test_moved();
     test_curved();
     test_changed();
+    test_height();
     test_refused();
     test_none();
     return check_failures != 0;
