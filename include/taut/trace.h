@@ -109,9 +109,14 @@ typedef struct taut_trace_problem {
 
 /* Reasons: word, meaning, remedy. */
 #define TAUT_TRACE_REASON_LIST(X)                                                                  \
-    X("net", "a seed or an option that this net has no use for",                                   \
+    X("net", "a net that is not known, or a seed or an option that this net has no use for",       \
       "leave it out, or trace another net")                                                        \
     X("family", "the net has no family of this name", "take one of those that the message names")  \
+    X("edge", "an edge that is not known", "take u0, u1, v0 or v1")                                \
+    X("count", "a number of curves that is no whole number above 0, or too large",                 \
+      "give one from 1 to 1000")                                                                   \
+    X("direction", "a geodesic without a direction, or one that is 0",                             \
+      "give two numbers that are not both 0")                                                      \
     X("outside", "a seed lies outside the window of the surface", "give one inside its ranges")    \
     X("elliptic", "asymptotic curves where the Gauss curvature is positive",                       \
       "seed where it is negative, as at the place that the message names")                         \

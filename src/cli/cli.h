@@ -256,6 +256,9 @@ int cli_speaks_json(void);
 int cli_fail(const taut_error *error);
 /* The same about a document: where the place is a JSON pointer the file's name comes first. */
 int cli_fail_in(const char *file, const taut_error *error);
+/* The same about the document that the words of `taut trace` made: what is wrong with a word is a wrong
+ * command line, 2. */
+int cli_fail_in_words(const char *file, const taut_error *error);
 /* The same, told to a program with the place where it happened, a path: the sentence has it already. */
 int cli_fail_at(const char *path, const taut_error *error);
 /* Prints "taut: message" and returns 2: the command line is wrong. `reason` is a word of the list

@@ -192,6 +192,20 @@ int cli_misuse_value(const char *option, const char *word, const char *expected,
     return cli_fail(&error);
 }
 
+int cli_fail_in_words(const char *file, const taut_error *error)
+{
+    taut_error told = *error;
+    if (error->status != TAUT_BAD_INPUT || strncmp(error->where, "/of", 3) == 0 ||
+        strcmp(error->where, "/surface") == 0) {
+        return cli_fail_in(file, error);
+    }
+    told.status = TAUT_BAD_ARGUMENT;
+    told.where[0] = '\0';
+    snprintf(told.message, sizeof told.message, "`taut trace`: %.80s: %.160s", error->where,
+             error->message);
+    return cli_fail(&told);
+}
+
 int cli_no_memory(void)
 {
     taut_error error = {.status = TAUT_NO_MEMORY, .found = (double)NAN, .limit = (double)NAN};

@@ -8,6 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+static const int cells_default = 8;
+
 /* A document that is written piece by piece. */
 typedef struct text {
     char *bytes;
@@ -131,7 +133,7 @@ static int put_line(const cli_options *options, const char *word, text *t)
     return 0;
 }
 
-static int put_cells(const cli_options *options, text *t)
+static int put_cells(const cli_options *options, int any, text *t)
 {
     double cell = 0;
     if (options->cell != NULL && (!cli_number(options->cell, &cell) || !(cell > 0))) {
@@ -141,8 +143,8 @@ static int put_cells(const cli_options *options, text *t)
         put(t, "{ \"cell\": %.17g", cell);
         end_seed(options, t);
     }
-    if (options->cells > 0) {
-        put(t, "{ \"cells\": %d", options->cells);
+    if (options->cells > 0 || !any) {
+        put(t, "{ \"cells\": %d", options->cells > 0 ? options->cells : cells_default);
         end_seed(options, t);
     }
     return 0;
@@ -153,7 +155,7 @@ static int put_seeds(const cli_options *options, text *t)
     int code = 0;
     const int any = options->at_count + options->seed_edge_count + options->seed_line_count +
                     (options->cell != NULL) + (options->cells > 0);
-    if (any == 0) {
+    if (any == 0 && options->by == NULL) {
         return 0;
     }
     put(t, ", \"seeds\": [");
@@ -166,7 +168,7 @@ static int put_seeds(const cli_options *options, text *t)
     for (int k = 0; code == 0 && k < options->seed_line_count; k++) {
         code = put_line(options, options->seed_lines[k], t);
     }
-    code = code == 0 ? put_cells(options, t) : code;
+    code = code == 0 ? put_cells(options, any, t) : code;
     t->length -= t->length > 1 ? 2 : 0; /* the last comma */
     put(t, "]");
     return code;
@@ -242,17 +244,6 @@ static int write_document(const cli_options *options, text *t)
     return code == 0 && t->failed ? cli_no_memory() : code;
 }
 
-/* What is wrong with a value on the command line is told as such: exit 2, not 3. */
-static int fail_in_words(const taut_error *error)
-{
-    taut_error told = *error;
-    if (strcmp(error->where, "/of") != 0 && strncmp(error->where, "/of/", 4) != 0 &&
-        error->status == TAUT_BAD_INPUT) {
-        return cli_misuse("value", "`taut trace`: %s: %s", error->where, error->message);
-    }
-    return cli_fail(&told);
-}
-
 static int run_words(const cli_options *options)
 {
     text document = {NULL, 0, 0, 0};
@@ -262,7 +253,7 @@ static int run_words(const cli_options *options)
 
     if (code == 0 && taut_problem_read_text(document.bytes, document.length, "the command line",
                                             &problem, &error) != TAUT_OK) {
-        code = fail_in_words(&error);
+        code = cli_fail_in_words(options->files[0], &error);
     }
     if (code == 0) {
         code = cli_make_one(problem, options);

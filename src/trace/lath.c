@@ -342,7 +342,7 @@ taut_status taut_lath_trace(const taut_carrier *carrier, taut_linefield_kind kin
         status = go(carrier, kind, at, back, options, &walks[0], &behind, fault);
     } else {
         walks[0] =
-            (taut_walk){.end = walks[1].end == TAUT_END_CLOSED ? TAUT_END_CLOSED : TAUT_END_LENGTH,
+            (taut_walk){.end = walks[1].end == TAUT_END_CLOSED ? TAUT_END_CLOSED : TAUT_END_SEED,
                         .edges = {-1, -1},
                         .end_at = {at[0], at[1]}};
     }

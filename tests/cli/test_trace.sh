@@ -24,6 +24,9 @@ contains max.json '"name": "A3"'
 grep -q '"name": "B1"' max.json && complain "a family was traced that was not asked for"
 run 0 trace words.json --net geodesic --seed 0,0.2 --direction 1,0.5 --both --max-length 0.5 --quiet -o geodesic.json
 contains geodesic.json '"ended": \["length", "length"\]'
+# One way from a place that has no exact double.
+run 0 trace words.json --net geodesic --seed 0.1,0.3 --direction 1,0 --quiet -o one-way.json
+contains one-way.json '"ended": \["seed", "edge u1"\]'
 run 0 trace words.json --net isoparametric --line -0.5,-0.5:0.5,0.5:3 --quiet -o iso.json
 run 0 trace words.json --net asymptotic --cell 0.9 --quiet -o cell.json
 
@@ -44,7 +47,7 @@ run 0 trace roof.json --net asymptotic --cells 2 --width 64 --quiet -o narrow.sv
 refused 2 'value --width 3.5' trace roof.json --net asymptotic --width 3.5 -o none.json
 refused 2 'value --width x' trace roof.json --net asymptotic --strip standing --width x -o none.json
 refused 2 'option' trace roof.json --net asymptotic --thickness 1 -o none.json
-refused 2 'value' trace roof.json --net asymptotic --strip standing --width -1 -o none.json
+refused 2 'width' trace roof.json --net asymptotic --strip standing --width -1 -o none.json
 for wrong in 'width /laths/width: "strip": "standing", "width": 0' 'value /laths/thickness: "strip": "standing", "thickness": -1' \
     'value /laths/play: "strip": "standing", "play": -1' 'material /laths/material: "strip": "plank", "material": "butter"' \
     'material /laths/material/G: "strip": "plank", "material": { "E": 1, "G": 0, "strength": 1 }' \
@@ -58,12 +61,26 @@ echo '{ "taut": 1, "trace": "asymptotic", "of": "roof.json", "seeds": [{ "cells"
 refused 4 'slots /laths/thickness' make thick.json -o none.json --quiet
 
 # What is wrong.
-refused 2 'value' trace roof.json --net wavy -o none.json
+refused 2 'net' trace roof.json --net wavy -o none.json
+refused 2 'edge' trace roof.json --net asymptotic --edge w0:3 -o none.json
+refused 2 'count' trace roof.json --net asymptotic --edge v0:0 -o none.json
+refused 2 'outside' trace roof.json --net asymptotic --seed 5,5 -o none.json
+refused 2 'direction' trace roof.json --net geodesic --seed 0.5,0.3 -o none.json
+refused 2 'direction' trace roof.json --net geodesic --seed 0.5,0.3 --direction 0,0 -o none.json
+refused 2 'name' trace roof.json --net asymptotic --by eye -o none.json
+for wrong in 'net /trace: "trace": "wavy"' 'edge /seeds/0/edge: "trace": "asymptotic", "seeds": [{ "edge": "w0", "count": 2 }]' \
+    'count /seeds/0/count: "trace": "asymptotic", "seeds": [{ "edge": "v0", "count": 0 }]' 'count /seeds/0/cells: "trace": "asymptotic", "seeds": [{ "cells": 0 }]' \
+    'conflict /seeds/0/at: "trace": "asymptotic", "seeds": [{ "at": [0, 0], "edge": "v0", "count": 2 }]' \
+    'conflict /seeds/0/cells: "trace": "asymptotic", "seeds": [{ "cell": 1, "cells": 2 }]' \
+    'direction /seeds/0: "trace": "geodesic", "seeds": [{ "at": [0, 0] }]' 'outside /seeds/0/at/0: "trace": "asymptotic", "seeds": [{ "at": [5, 0] }]'; do
+    echo "{ \"taut\": 1, \"of\": \"roof.json\", ${wrong#*: } }" > wrong.json
+    refused 3 "${wrong%%: *}" make wrong.json -o none.json --quiet
+done
 refused 2 'option' trace roof.json -o none.json
 refused 2 'value --seed x' trace roof.json --net asymptotic --seed x -o none.json
 refused 2 'value --edge v0' trace roof.json --net asymptotic --edge v0 -o none.json
 refused 2 'value --line 0,0:1' trace roof.json --net asymptotic --line 0,0:1 -o none.json
-refused 2 'value' trace roof.json --net asymptotic --family max -o none.json
+refused 2 'family' trace roof.json --net asymptotic --family max -o none.json
 refused 3 'no-such-object /surface' trace words.json --net asymptotic --surface nothing -o none.json
 refused 5 '[a-z-]+' trace missing.json --net asymptotic -o none.json
 absent none.json

@@ -299,13 +299,25 @@ static int is_crease(const taut_surface *surface, int d, const double at[2])
     return taut_distance(before, after) > crease_limit;
 }
 
+/* Two places of the window that differ by rounding alone. */
+static int are_one(const request *r, const double a[2], const double b[2])
+{
+    const taut_basis *basis[2] = {taut_surface_u(r->surface), taut_surface_v(r->surface)};
+    int near = 1;
+    for (int d = 0; d < 2; d++) {
+        const double room = 1e-12 * (taut_basis_hi(basis[d]) - taut_basis_lo(basis[d]));
+        near &= fabs(a[d] - b[d]) <= room;
+    }
+    return near;
+}
+
 /* Does a curve that is not followed both ways begin at this place? */
 static int is_seed(const request *r, const taut_net_line *line, const double at[2])
 {
     const taut_record *laths = taut_record_get(taut_model_details(r->lines.model), "laths");
     for (int k = 0; r->problem != NULL && k < r->problem->seed_count; k++) {
         const taut_trace_seed *seed = &r->problem->seeds[k];
-        if (!seed->both && seed->at[0] == at[0] && seed->at[1] == at[1]) {
+        if (!seed->both && are_one(r, seed->at, at)) {
             return 1;
         }
     }
@@ -313,8 +325,9 @@ static int is_seed(const request *r, const taut_net_line *line, const double at[
         const taut_record *lath = taut_record_at(laths, k), *seed = taut_record_get(lath, "seed");
         if (strcmp(taut_record_text(taut_record_get(lath, "name")), taut_curve_name(line->space)) ==
             0) {
-            return taut_record_number(taut_record_at(seed, 0)) == at[0] &&
-                   taut_record_number(taut_record_at(seed, 1)) == at[1];
+            const double told[2] = {taut_record_number(taut_record_at(seed, 0)),
+                                    taut_record_number(taut_record_at(seed, 1))};
+            return are_one(r, told, at);
         }
     }
     return 0;

@@ -46,6 +46,15 @@ static const struct {
     taut_trace_material material;
 } materials[] = {{"steel-s235", {210000, 81000, 235}}, {"timber-c24", {11000, 690, 24}}};
 
+/* A word or a value that is wrong has the net's own reason. */
+static void take_reason(taut_reader *in, int was_fine, const char *reason)
+{
+    if (was_fine && in->status == TAUT_BAD_INPUT && in->error != NULL &&
+        (strcmp(in->error->reason, "name") == 0 || strcmp(in->error->reason, "value") == 0)) {
+        snprintf(in->error->reason, sizeof in->error->reason, "%s", reason);
+    }
+}
+
 /* ---- what it is traced on ---- */
 
 typedef struct target {
@@ -247,9 +256,14 @@ static void read_at(taut_reader *in, taut_trace_net net, taut_trace_seed *seed)
         }
         return;
     }
+    if (in->status == TAUT_OK && direction.value == NULL) {
+        in->status =
+            taut_json_refuse(in->object, in->error, "direction", "a \"direction\" besides \"at\"");
+    }
     taut_reader_numbers(in, "direction", 2, seed->direction);
     if (in->status == TAUT_OK && seed->direction[0] == 0 && seed->direction[1] == 0) {
-        in->status = taut_json_expected(&direction, in->error, "two numbers that are not both 0");
+        in->status =
+            taut_json_refuse(&direction, in->error, "direction", "two numbers that are not both 0");
     }
     taut_reader_flag(in, "both", &seed->both);
 }
@@ -284,17 +298,41 @@ static taut_status read_cell(const taut_json *at, void *value, taut_error *error
 
 static void read_counted(taut_reader *in, taut_trace_seed *seed)
 {
+    const int was_fine = in->status == TAUT_OK;
     taut_reader_integer(in, "count", 1, TAUT_TRACE_SEEDS_MAX, &seed->count);
+    take_reason(in, was_fine, "count");
     taut_reader_flag(in, "ends", &seed->ends);
+}
+
+/* A seed is of one kind; a place stands with cells too. */
+static void refuse_two_kinds(taut_reader *in)
+{
+    static const char *const kinds[] = {"edge", "line", "lath", "cell", "cells", "at"};
+    const char *first = NULL;
+    for (size_t k = 0; in->status == TAUT_OK && k < sizeof kinds / sizeof kinds[0]; k++) {
+        const taut_json at = taut_json_member(in->object, kinds[k]);
+        if (at.value == NULL || (strcmp(kinds[k], "at") == 0 && first != NULL && first[0] == 'c')) {
+            continue;
+        }
+        if (first != NULL) {
+            in->status =
+                taut_json_fail(&at, in->error, "conflict", taut_none, taut_none,
+                               "found \"%s\" beside \"%s\", expected one of them", kinds[k], first);
+        }
+        first = kinds[k];
+    }
 }
 
 /* Of the members that say what a seed is, the one that is there. */
 static void read_kind(taut_reader *in, const seeds *s, taut_trace_seed *seed)
 {
     int word = 0;
+    refuse_two_kinds(in);
     if (taut_reader_has(in, "edge")) {
+        const int was_fine = in->status == TAUT_OK;
         seed->kind = TAUT_TRACE_EDGE;
         taut_reader_word(in, "edge", edges, &word);
+        take_reason(in, was_fine, "edge");
         seed->edge = (taut_edge)word;
         read_counted(in, seed);
     } else if (taut_reader_has(in, "line")) {
@@ -309,8 +347,10 @@ static void read_kind(taut_reader *in, const seeds *s, taut_trace_seed *seed)
         read_counted(in, seed);
     } else if (taut_reader_has(in, "cell") || taut_reader_has(in, "cells")) {
         seed->kind = taut_reader_has(in, "cell") ? TAUT_TRACE_CELL : TAUT_TRACE_CELLS;
+        const int was_fine = in->status == TAUT_OK;
         taut_reader_optional(in, "cell", read_cell, &seed->cell);
         taut_reader_optional_integer(in, "cells", 1, TAUT_TRACE_SEEDS_MAX, &seed->count);
+        take_reason(in, was_fine, "count");
         if (taut_reader_has(in, "at")) {
             taut_reader_numbers(in, "at", 2, seed->at);
             seed->has_at = 1;
@@ -496,7 +536,9 @@ static void trace_read(taut_reader *document, taut_problem *problem, void *into)
     int net = 0;
 
     refuse_members(document);
+    const int was_fine = document->status == TAUT_OK;
     taut_reader_word(document, "trace", nets, &net);
+    take_reason(document, was_fine, "net");
     data->net = (taut_trace_net)net;
     taut_reader_member(document, "of", read_of, &to);
     take_unit(document, problem, data);
