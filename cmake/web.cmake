@@ -8,13 +8,17 @@ target_compile_options(taut_web PRIVATE -D_WASI_EMULATED_SIGNAL)
 file(STRINGS ${CMAKE_SOURCE_DIR}/src/web/web.c exported REGEX "^[a-z].*[ *]taut_web_[a-z]+\\(.*\\);$")
 list(TRANSFORM exported REPLACE ".*[ *](taut_web_[a-z]+)\\(.*" "-Wl,--export=\\1")
 target_link_options(taut_web PRIVATE -mexec-model=reactor ${exported} -Wl,--gc-sections -Wl,--strip-all
-  -Wl,-z,stack-size=1048576
+  -Wl,-z,stack-size=1048576 -Wl,--global-base=1024
   -O0) # no wasm-opt by the driver, which does not name the features: see below
 target_link_libraries(taut_web PRIVATE wasi-emulated-signal m)
 set_target_properties(taut_web PROPERTIES OUTPUT_NAME taut SUFFIX .wasm)
+# Once as the compiler left it, once more with what the linker promises: nothing lies below the first datum, at 1024, so that
+# small offsets go into loads and stores.
+set(web_features --enable-simd --enable-bulk-memory --enable-nontrapping-float-to-int --enable-sign-ext)
 add_custom_command(TARGET taut_web POST_BUILD
-  COMMAND ${WASM_OPT} --flatten --rereloop -Oz -Oz -Oz --converge
-          --enable-simd --enable-bulk-memory --enable-nontrapping-float-to-int --enable-sign-ext
+  COMMAND ${WASM_OPT} --flatten --rereloop -Oz -Oz -Oz --converge ${web_features}
+          $<TARGET_FILE:taut_web> -o $<TARGET_FILE:taut_web>
+  COMMAND ${WASM_OPT} --low-memory-unused --flatten --rereloop --optimize-added-constants-propagate -Oz -Oz ${web_features}
           $<TARGET_FILE:taut_web> -o $<TARGET_FILE:taut_web> VERBATIM)
 # Small code, but in the loops over numbers that a hand that drags waits for.
 target_compile_options(taut_web PRIVATE -Oz)
