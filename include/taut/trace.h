@@ -41,12 +41,13 @@ typedef enum taut_trace_by {
 
 /* Where curves begin. */
 typedef enum taut_trace_seed_kind {
-    TAUT_TRACE_AT = 0, /* through the point `at`, both ways; a geodesic along `direction` */
-    TAUT_TRACE_EDGE,   /* `count` points that cut the edge into count + 1 equal parts */
-    TAUT_TRACE_LINE,   /* the same of the straight line of the window from `at` to `to` */
-    TAUT_TRACE_LATH,   /* the same of the traced curve named `lath`, for the other family */
-    TAUT_TRACE_CELL,   /* a net over the whole window, a node at `at`, the part nearest to `cell` */
-    TAUT_TRACE_CELLS   /* the same with the part 1/count of the longer curve through `at` */
+    TAUT_TRACE_AT =
+        0, /* through the point `at`, both ways; a geodesic along `direction`, or to `to` */
+    TAUT_TRACE_EDGE, /* `count` points that cut the edge into count + 1 equal parts */
+    TAUT_TRACE_LINE, /* the same of the straight line of the window from `at` to `to` */
+    TAUT_TRACE_LATH, /* the same of the traced curve named `lath`, for the other family */
+    TAUT_TRACE_CELL, /* a net over the whole window, a node at `at`, the part nearest to `cell` */
+    TAUT_TRACE_CELLS /* the same with the part 1/count of the longer curve through `at` */
 } taut_trace_seed_kind;
 
 /* One of them; what its kind does not name is not looked at. */
@@ -55,7 +56,8 @@ typedef struct taut_trace_seed {
     int family;          /* 1 or 2: of the first or the second alone; 0: of both */
     int has_at;          /* cell, cells: nonzero, or the node lies in the middle */
     double at[2];        /* u, v */
-    double to[2];        /* line: its end */
+    double to[2];        /* line: its end; geodesics: where it goes */
+    int has_to;          /* geodesics: nonzero: to `to`, and `direction` is not looked at */
     double direction[2]; /* geodesics: du, dv, not both 0 */
     int both;            /* geodesics: nonzero: both ways */
     taut_edge edge;
@@ -115,8 +117,10 @@ typedef struct taut_trace_problem {
     X("edge", "an edge that is not known", "take u0, u1, v0 or v1")                                \
     X("count", "a number of curves that is no whole number above 0, or too large",                 \
       "give one from 1 to 1000")                                                                   \
-    X("direction", "a geodesic without a direction, or one that is 0",                             \
-      "give two numbers that are not both 0")                                                      \
+    X("direction", "a geodesic without a direction or an end, or a direction that is 0",           \
+      "give two numbers that are not both 0, or \"to\"")                                           \
+    X("no-geodesic", "no geodesic between the two places was found inside the window",             \
+      "bring them nearer to each other")                                                           \
     X("outside", "a seed lies outside the window of the surface", "give one inside its ranges")    \
     X("elliptic", "asymptotic curves where the Gauss curvature is positive",                       \
       "seed where it is negative, as at the place that the message names")                         \

@@ -35,7 +35,7 @@ typedef struct cli_options {
     int seed_edge_count;
     const char **seed_lines;
     int seed_line_count;
-    const char *direction;
+    const char *direction, *to;
     const char *cell;
     const char *by;
     const char *max_length;

@@ -92,6 +92,12 @@ static int put_at(const cli_options *options, const char *word, text *t)
         }
         put(t, ", \"direction\": [%.17g, %.17g]", du, dv);
     }
+    if (options->to != NULL) {
+        if (!cli_pair(options->to, &du, &dv)) {
+            return cli_misuse_value("--to", options->to, "U,V");
+        }
+        put(t, ", \"to\": [%.17g, %.17g]", du, dv);
+    }
     if (options->both) {
         put(t, ", \"both\": true");
     }
@@ -316,6 +322,8 @@ static const cli_option options_of_trace[] = {
      "a curve of each family through this place"},
     {"--direction", CLI_TEXT, offsetof(cli_options, direction), 0, 0, 0, "DU,DV",
      "of the geodesics from the seeds"},
+    {"--to", CLI_TEXT, offsetof(cli_options, to), 0, 0, 0, "U,V",
+     "the geodesics from the seeds end there"},
     {"--both", CLI_FLAG, offsetof(cli_options, both), 0, 0, 0, NULL,
      "geodesics go both ways from their seeds"},
     {"--edge", CLI_LIST, offsetof(cli_options, seed_edges), offsetof(cli_options, seed_edge_count),

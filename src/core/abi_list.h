@@ -450,6 +450,7 @@
     X(taut_trace_seed, has_at, "int") \
     X(taut_trace_seed, at, "double[2]") \
     X(taut_trace_seed, to, "double[2]") \
+    X(taut_trace_seed, has_to, "int") \
     X(taut_trace_seed, direction, "double[2]") \
     X(taut_trace_seed, both, "int") \
     X(taut_trace_seed, edge, "taut_edge") \

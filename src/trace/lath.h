@@ -33,6 +33,7 @@ typedef struct taut_lath {
     double length, twist, measure, drift;
     taut_kink *kinks;
     int kink_count;
+    int is_longer; /* a geodesic to a place, and not the shortest way there */
 } taut_lath;
 
 typedef struct taut_lath_options {

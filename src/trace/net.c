@@ -3,6 +3,7 @@
 #include "core/fail.h"
 #include "core/vec3.h"
 #include "numeric/quadrature.h"
+#include "trace/between.h"
 #include "trace/divide.h"
 
 #include <stdio.h>
@@ -91,6 +92,13 @@ static void leave_out(taut_net *net, int family, const double at[2], taut_linefi
     }
 }
 
+static taut_status too_many(double count, taut_error *error)
+{
+    return taut_fail(error, TAUT_NO_SOLUTION, "too-many-laths", "/seeds", count,
+                     TAUT_TRACE_LATHS_MAX, "the net has more than %d curves: ask for fewer",
+                     TAUT_TRACE_LATHS_MAX);
+}
+
 /* The lath of a family through a place. *fault: why there is none. */
 static taut_status add_lath(taut_net *net, int family, const double at[2], const double *direction,
                             int both, taut_linefield_fault *fault, taut_error *error)
@@ -103,9 +111,7 @@ static taut_status add_lath(taut_net *net, int family, const double at[2], const
         return TAUT_OK;
     }
     if (net->count >= TAUT_TRACE_LATHS_MAX) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "too-many-laths", "/seeds", net->count,
-                         TAUT_TRACE_LATHS_MAX, "the net has more than %d curves: ask for fewer",
-                         TAUT_TRACE_LATHS_MAX);
+        return too_many(net->count, error);
     }
     if (make_room(net) != TAUT_OK) {
         return taut_fail_memory(error);
@@ -471,9 +477,7 @@ static taut_status seed_lattice(taut_net *net, int family, const taut_lath *othe
     const double lowest = ceil(-middle / part - 1e-9),
                  highest = floor((whole - middle) / part + 1e-9);
     if (!(highest - lowest < TAUT_TRACE_LATHS_MAX)) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "too-many-laths", "/seeds", highest - lowest,
-                         TAUT_TRACE_LATHS_MAX, "the net has more than %d curves: ask for fewer",
-                         TAUT_TRACE_LATHS_MAX);
+        return too_many(highest - lowest, error);
     }
     for (double k = lowest; status == TAUT_OK && k <= highest; k++) {
         const double target = fmin(fmax(middle + k * part, 0), whole);
@@ -639,6 +643,51 @@ static taut_status seed_at(taut_net *net, const taut_trace_seed *seed, int famil
     return status;
 }
 
+/* The geodesic from one place to another. */
+static taut_status seed_between(taut_net *net, const taut_trace_seed *seed, int index,
+                                taut_error *error)
+{
+    const taut_linefield_kind kind = {TAUT_TRACE_GEODESIC, 0};
+    taut_linefield_fault fault = TAUT_LINEFIELD_FINE;
+    taut_lath_options options = net->options;
+    taut_between way;
+    char where[32];
+
+    snprintf(where, sizeof where, "/seeds/%d", index);
+    taut_status status = make_room(net);
+    if (status == TAUT_OK) {
+        status = taut_geodesic_between(net->carrier, seed->at, seed->to, &net->options.follow,
+                                       net->arena, &way);
+    }
+    if (status != TAUT_OK) {
+        return taut_fail_status(error, status);
+    }
+    if (net->count >= TAUT_TRACE_LATHS_MAX) {
+        return too_many(net->count, error);
+    }
+    if (way.is_found) {
+        options.follow.max_length = way.length;
+        status = taut_lath_trace(net->carrier, kind, seed->at, way.along, 0, &options, net->arena,
+                                 &net->laths[net->count], &fault);
+        if (status != TAUT_OK) {
+            return taut_fail_status(error, status);
+        }
+    }
+    taut_lath *lath = &net->laths[net->count];
+    if (!way.is_found || fault != TAUT_LINEFIELD_FINE || lath->count == 0) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-geodesic", where, taut_none, taut_none,
+                         "no geodesic from (%.6g, %.6g) to (%.6g, %.6g) was found inside the "
+                         "window: bring them nearer to each other",
+                         seed->at[0], seed->at[1], seed->to[0], seed->to[1]);
+    }
+    lath->ended[1] = TAUT_END_SEED;
+    memcpy(lath->ends[1], seed->to, sizeof seed->to);
+    lath->is_longer = !way.is_shortest;
+    snprintf(lath->name, sizeof lath->name, "G%d", ++net->of_family[0]);
+    net->count++;
+    return TAUT_OK;
+}
+
 static taut_status check_inside(const taut_net *net, const double at[2], int index,
                                 const char *member, taut_error *error)
 {
@@ -656,6 +705,11 @@ static taut_status check_inside(const taut_net *net, const double at[2], int ind
     return TAUT_OK;
 }
 
+static int goes_to(const taut_net *net, const taut_trace_seed *seed)
+{
+    return net->problem->net == TAUT_TRACE_GEODESIC && seed->kind == TAUT_TRACE_AT && seed->has_to;
+}
+
 static taut_status check_seed(const taut_net *net, const taut_trace_seed *seed, int index,
                               taut_error *error)
 {
@@ -665,9 +719,11 @@ static taut_status check_seed(const taut_net *net, const taut_trace_seed *seed, 
         status = check_inside(net, seed->at, index, seed->kind == TAUT_TRACE_LINE ? "line/0" : "at",
                               error);
     }
-    return status == TAUT_OK && seed->kind == TAUT_TRACE_LINE
-               ? check_inside(net, seed->to, index, "line/1", error)
-               : status;
+    if (status == TAUT_OK && (seed->kind == TAUT_TRACE_LINE || goes_to(net, seed))) {
+        status = check_inside(net, seed->to, index, seed->kind == TAUT_TRACE_LINE ? "line/1" : "to",
+                              error);
+    }
+    return status;
 }
 
 static taut_status seed_family(taut_net *net, const taut_trace_seed *seed, int family, int index,
@@ -694,6 +750,9 @@ static taut_status trace_seed(taut_net *net, const taut_trace_seed *seed, int in
 
     if (status != TAUT_OK) {
         return status;
+    }
+    if (goes_to(net, seed)) {
+        return seed_between(net, seed, index, error);
     }
     if (seed->kind == TAUT_TRACE_LATH) {
         return seed_lath(net, seed, index, error);

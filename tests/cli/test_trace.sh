@@ -27,6 +27,19 @@ contains geodesic.json '"ended": \["length", "length"\]'
 # One way from a place that has no exact double.
 run 0 trace words.json --net geodesic --seed 0.1,0.3 --direction 1,0 --quiet -o one-way.json
 contains one-way.json '"ended": \["seed", "edge u1"\]'
+run 0 trace words.json --net geodesic --seed -0.5,-0.5 --to 0.4,0.5 --quiet -o between.json
+contains between.json '"ended": \["seed", "seed"\]'
+run 0 certify between.json
+refused 2 'value --to x' trace words.json --net geodesic --seed 0,0 --to x -o none.json
+refused 2 'conflict' trace words.json --net geodesic --seed 0,0 --to 0.1,0.1 --direction 1,0 -o none.json
+refused 2 'net' trace words.json --net asymptotic --seed 0,0 --to 0.1,0.1 -o none.json
+# The outer equator of a torus, beyond where its neighbours meet again.
+"$TAUT" example trace-torus > torus.json
+run 0 make torus.json --quiet -o torus-made.json
+run 0 trace torus-made.json --net geodesic --seed 0,0.5 --to 0.3,0.5 --quiet -o equator.json
+contains equator.json 'G1 is a geodesic, but not the shortest way'
+run 0 trace torus-made.json --net geodesic --seed 0,0.5 --to 0.2,0.5 --quiet -o equator.json
+grep -q 'not the shortest' equator.json && complain "a shortest way was told not to be"
 run 0 trace words.json --net isoparametric --line -0.5,-0.5:0.5,0.5:3 --quiet -o iso.json
 run 0 trace words.json --net asymptotic --cell 0.9 --quiet -o cell.json
 

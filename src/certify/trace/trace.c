@@ -311,23 +311,26 @@ static int are_one(const request *r, const double a[2], const double b[2])
     return near;
 }
 
-/* Does a curve that is not followed both ways begin at this place? */
-static int is_seed(const request *r, const taut_net_line *line, const double at[2])
+/* Does the document, or without it the lath of details, say that a geodesic begins there, or ends? */
+static int is_told(const request *r, const taut_net_line *line, const double at[2], int end)
 {
     const taut_record *laths = taut_record_get(taut_model_details(r->lines.model), "laths");
     for (int k = 0; r->problem != NULL && k < r->problem->seed_count; k++) {
         const taut_trace_seed *seed = &r->problem->seeds[k];
-        if (!seed->both && are_one(r, seed->at, at)) {
+        if (end == 0 ? !seed->both && are_one(r, seed->at, at)
+                     : seed->has_to && are_one(r, seed->to, at)) {
             return 1;
         }
     }
     for (size_t k = 0; r->problem == NULL && k < taut_record_count(laths); k++) {
-        const taut_record *lath = taut_record_at(laths, k), *seed = taut_record_get(lath, "seed");
+        const taut_record *lath = taut_record_at(laths, k);
         if (strcmp(taut_record_text(taut_record_get(lath, "name")), taut_curve_name(line->space)) ==
             0) {
-            const double told[2] = {taut_record_number(taut_record_at(seed, 0)),
-                                    taut_record_number(taut_record_at(seed, 1))};
-            return are_one(r, told, at);
+            const taut_record *known = taut_record_get(lath, end == 0 ? "from" : "to");
+            const taut_record *ended = taut_record_at(taut_record_get(lath, "ended"), (size_t)end);
+            const double told[2] = {taut_record_number(taut_record_at(known, 0)),
+                                    taut_record_number(taut_record_at(known, 1))};
+            return strcmp(taut_record_text(ended), "seed") == 0 && are_one(r, told, at);
         }
     }
     return 0;
@@ -368,7 +371,7 @@ static double judge_end(const request *r, const taut_net_line *line, const doubl
         nearest = fmin(nearest, distance_to_zero(r, &p, 1));
     }
     if (line->length >= longest(r) * (1 - 1e-9) ||
-        (r->lines.net == TAUT_TRACE_GEODESIC && end == 0 && is_seed(r, line, p.at))) {
+        (r->lines.net == TAUT_TRACE_GEODESIC && is_told(r, line, p.at, end))) {
         nearest = 0;
     }
     return nearest / r->size;

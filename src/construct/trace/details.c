@@ -307,6 +307,18 @@ static void warn_of_use(const taut_net *net, const taut_strip *strips, taut_reco
     }
 }
 
+static void warn_of_longer(const taut_net *net, taut_record *warnings)
+{
+    for (int k = 0; k < net->count; k++) {
+        if (net->laths[k].is_longer) {
+            char text[120];
+            snprintf(text, sizeof text, "%s is a geodesic, but not the shortest way to its end",
+                     net->laths[k].name);
+            taut_record_add_text(warnings, NULL, text);
+        }
+    }
+}
+
 void taut_trace_describe(const taut_net *net, const taut_strip *strips, taut_record *details)
 {
     taut_record_add_text(details, "trace", nets[net->problem->net]);
@@ -323,6 +335,7 @@ void taut_trace_describe(const taut_net *net, const taut_strip *strips, taut_rec
     describe_kinks(net, details);
     taut_record *warnings = taut_record_add_list(details, "warnings");
     warn_of_kinks(net, warnings);
+    warn_of_longer(net, warnings);
     warn_of_use(net, strips, warnings);
     if (net->left_count > 0) {
         char text[80];

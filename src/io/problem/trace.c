@@ -244,21 +244,42 @@ static taut_status refuse_net(const taut_json *at, const char *what, taut_error 
     return taut_json_fail(at, error, "net", taut_none, taut_none, "found %s", what);
 }
 
+/* The geodesic to a place has no direction of its own. */
+static void read_to(taut_reader *in, const taut_json *to, const taut_json *direction,
+                    taut_trace_seed *seed)
+{
+    if (in->status == TAUT_OK && direction->value != NULL) {
+        in->status = taut_json_fail(direction, in->error, "conflict", taut_none, taut_none,
+                                    "found \"direction\" beside \"to\", expected one of them");
+    }
+    taut_reader_numbers(in, "to", 2, seed->to);
+    seed->has_to = 1;
+    if (in->status == TAUT_OK && seed->to[0] == seed->at[0] && seed->to[1] == seed->at[1]) {
+        in->status = taut_json_expected(to, in->error, "another place than \"at\"");
+    }
+}
+
 static void read_at(taut_reader *in, taut_trace_net net, taut_trace_seed *seed)
 {
     const taut_json direction = taut_json_member(in->object, "direction");
+    const taut_json to = taut_json_member(in->object, "to");
+
     taut_reader_numbers(in, "at", 2, seed->at);
     seed->has_at = 1;
     if (net != TAUT_TRACE_GEODESIC) {
-        if (in->status == TAUT_OK && direction.value != NULL) {
-            in->status =
-                refuse_net(&direction, "a direction, which only geodesics need", in->error);
+        if (in->status == TAUT_OK && (direction.value != NULL || to.value != NULL)) {
+            in->status = refuse_net(direction.value != NULL ? &direction : &to,
+                                    "a direction or an end, which only geodesics need", in->error);
         }
         return;
     }
+    if (to.value != NULL) {
+        read_to(in, &to, &direction, seed);
+        return;
+    }
     if (in->status == TAUT_OK && direction.value == NULL) {
-        in->status =
-            taut_json_refuse(in->object, in->error, "direction", "a \"direction\" besides \"at\"");
+        in->status = taut_json_refuse(in->object, in->error, "direction",
+                                      "a \"direction\" or \"to\" besides \"at\"");
     }
     taut_reader_numbers(in, "direction", 2, seed->direction);
     if (in->status == TAUT_OK && seed->direction[0] == 0 && seed->direction[1] == 0) {
@@ -376,13 +397,9 @@ static taut_status read_seed(const taut_json *at, void *into, taut_error *error)
     seeds *s = into;
     taut_trace_seed *seed = &s->list[s->count++];
     taut_reader in = taut_reader_of(at, seed_members, error);
-    const taut_json family = taut_json_member(at, "family"), to = taut_json_member(at, "to");
+    const taut_json family = taut_json_member(at, "family");
     int word = 0;
 
-    if (in.status == TAUT_OK && to.value != NULL) {
-        in.status = taut_json_fail(&to, error, "trace-not-yet", taut_none, taut_none,
-                                   "found \"to\", which this version cannot do: give a direction");
-    }
     if (in.status == TAUT_OK && family.value != NULL) {
         in.status = read_family_word(&family, s->data->net, &seed->family, error);
     }

@@ -29,6 +29,13 @@ typedef struct row {
     double from[2], to[2];
 } row;
 
+/* A plane arch, which the straight line between its feet leaves. */
+#define ARCH                                                                                       \
+    "{ \"taut\": 1, \"surfaces\": [{ \"u\": { \"type\": \"bezier\", \"degree\": 2 }, \"v\": { "    \
+    "\"type\": \"bezier\", \"degree\": 1 }, \"points\": [[[1, 0, 0], [2, 0, 0]], [[0, 2, 0], [0, " \
+    "4, "                                                                                          \
+    "0]], [[-1, 0, 0], [-2, 0, 0]]] }] }"
+
 static void test_curves(void)
 {
     const row rows[] = {{"asymptotic",
@@ -240,6 +247,20 @@ static void test_geodesics(void)
     }
 }
 
+/* The geodesic between two places is the one of this c, and ends there. */
+static void test_between(void)
+{
+    made_net made = net_make("geodesic", CATENOID_LONG,
+                             "\"seeds\": [{ \"at\": [0.2, -0.7], \"to\": [1.6, 0.9] }]");
+    const double end[2] = {1.6, 0.9};
+    CHECK(taut_certificate_holds(made.proof) == TAUT_TRUE, "%s", made.error.message);
+    CHECK_NEAR(net_number(&made, "G1", "length"), 2.36404915637517, 1e-12, "length");
+    for (int d = 0; d < 2; d++) {
+        CHECK(net_end(&made, "G1", "to", d) == end[d], "end %d", d);
+    }
+    net_free(&made);
+}
+
 /* Equal conformal parts on one curve of each family are squares: on the window of `bonnet`, equal
  * parts; on Enneper's surface the lattice of the diagonals. */
 static void test_seeds(void)
@@ -305,6 +326,12 @@ static void test_refusals(void)
         {"geodesic", BILINEAR, "", "net", TAUT_BAD_INPUT},
         {"geodesic", BILINEAR, "\"seeds\": [{ \"at\": [0, 0], \"direction\": [0, 0] }]",
          "direction", TAUT_BAD_INPUT},
+        {"geodesic", ARCH, "\"seeds\": [{ \"at\": [0, 0], \"to\": [1, 0] }]", "no-geodesic",
+         TAUT_NO_SOLUTION},
+        {"geodesic", BILINEAR, "\"seeds\": [{ \"at\": [0, 0], \"to\": [0, 2] }]", "outside",
+         TAUT_BAD_INPUT},
+        {"geodesic", BILINEAR, "\"seeds\": [{ \"at\": [0, 0], \"to\": [0, 0] }]", "value",
+         TAUT_BAD_INPUT},
         {"principal", BILINEAR, "\"seeds\": [{ \"lath\": \"A9\", \"count\": 2 }]", "name",
          TAUT_BAD_INPUT},
         {"asymptotic", BILINEAR, "\"surface\": \"other\"", "no-such-object", TAUT_BAD_INPUT},
@@ -323,6 +350,7 @@ int main(void)
     test_curves();
     test_bending();
     test_geodesics();
+    test_between();
     test_seeds();
     test_cells();
     test_refusals();
