@@ -15,4 +15,9 @@ if ./bench_table.py --check; then
 else
     bad=1
 fi
+if ./draw_architecture.py --check; then
+    echo "picture of the architecture: ok"
+else
+    bad=1
+fi
 exit $bad
