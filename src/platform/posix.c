@@ -1,9 +1,11 @@
-#define _GNU_SOURCE /* O_TMPFILE, dladdr, secure_getenv */
+#define _GNU_SOURCE /* posix_own.h, dladdr */
+#define _DARWIN_C_SOURCE
 /* posix.c -- taut on POSIX systems; files without a name, and modules, as Linux has them.
  *
  * A new file has no name until it is whole, where the system allows that, and else one that nobody
  * can guess; then it is renamed over what was there.
  */
+#include "platform/posix_own.h"
 #include "platform/system.h"
 
 #include "taut/limits.h"
@@ -15,7 +17,6 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/random.h>
 #include <sys/stat.h>
 #include <sys/time.h>
 #include <time.h>
@@ -174,7 +175,7 @@ static int find_near(const char *folder, const char *name, char path[TAUT_PATH_R
 int taut_system_helper(const char *name, const char *variable, char path[TAUT_PATH_ROOM])
 {
     static const char *const others[] = {TAUT_HELPER_INSTALL_DIR, TAUT_HELPER_BUILD_DIR};
-    const char *said = secure_getenv(variable);
+    const char *said = own_getenv(variable);
     char folder[1024];
 
     if (said != NULL && said[0] != '\0') {
@@ -352,7 +353,7 @@ static int name_temporary(char *temporary)
     char *name = strrchr(temporary, '/') + 1; /* the target is spelled in full */
     unsigned char random[8];
 
-    if (getrandom(random, sizeof random, 0) != (ssize_t)sizeof random) {
+    if (!own_random(random, sizeof random)) {
         return errno;
     }
     memcpy(name, ".taut-", 6);
@@ -384,12 +385,9 @@ static int open_nameless(char *temporary)
 {
     char *slash = strrchr(temporary, '/');
     const char first = slash[1];
-    int file = -1;
-    if (access("/proc/self/fd", X_OK) == 0) {
-        slash[1] = '\0';
-        file = open(temporary, O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
-        slash[1] = first;
-    }
+    slash[1] = '\0';
+    const int file = own_open_nameless(temporary);
+    slash[1] = first;
     return file;
 }
 

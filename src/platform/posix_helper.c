@@ -1,4 +1,5 @@
-#define _GNU_SOURCE /* O_TMPFILE, memfd_create, pipe2, closing by posix_spawn, secure_getenv */
+#define _GNU_SOURCE /* posix_own.h, closing by posix_spawn */
+#define _DARWIN_C_SOURCE
 /* posix_helper.c -- a helper process on POSIX systems, in a host of which nothing is known.
  *
  * It is started by posix_spawn: between fork and exec a process with threads may do next to nothing. All that is opened
@@ -7,6 +8,7 @@
  * until the deadline. The host may ignore SIGCHLD, or wait for all of its children: then how the helper ended is
  * not known, and all else goes on.
  */
+#include "platform/posix_own.h"
 #include "platform/system.h"
 
 #include <errno.h>
@@ -14,12 +16,9 @@
 #include <poll.h>
 #include <spawn.h>
 #include <stdlib.h>
-#include <sys/mman.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
-
-extern char **environ;
 
 enum { STANDARD = 3, WAIT_MAX = 1000000, PAUSES = 500 };
 
@@ -37,13 +36,10 @@ static int above_standard(int file)
     return moved;
 }
 
-/* On disk, where there may be more room than in memory; where no folder takes such files, in memory. */
 static int open_without_name(void)
 {
-    const char *folder = secure_getenv("TMPDIR");
-    const int file = open(folder != NULL && folder[0] != '\0' ? folder : "/tmp",
-                          O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
-    return above_standard(file >= 0 ? file : memfd_create("taut-request", MFD_CLOEXEC));
+    const char *folder = own_getenv("TMPDIR");
+    return above_standard(own_open_private(folder != NULL && folder[0] != '\0' ? folder : "/tmp"));
 }
 
 FILE *taut_system_helper_request(int *reason)
@@ -118,7 +114,7 @@ static int spawn(const char *program, int request, int answer, pid_t *process)
             reason = set_signals(&attributes);
         }
         if (reason == 0) {
-            reason = posix_spawn(process, program, &files, &attributes, arguments, environ);
+            reason = posix_spawn(process, program, &files, &attributes, arguments, own_environ);
         }
         posix_spawnattr_destroy(&attributes);
     }
@@ -132,8 +128,7 @@ int taut_system_helper_start(taut_helper *helper, const char *program, FILE *req
     int ends[2];
     pid_t process = 0;
 
-    if (fflush(request) != 0 || lseek(fileno(request), 0, SEEK_SET) != 0 ||
-        pipe2(ends, O_CLOEXEC) != 0) {
+    if (fflush(request) != 0 || lseek(fileno(request), 0, SEEK_SET) != 0 || own_pipe(ends) != 0) {
         return errno;
     }
     ends[0] = above_standard(ends[0]);
