@@ -48,6 +48,16 @@ for header in include/taut/*.h; do
     ' "$header" || bad=1
 done
 
+# A worked problem is listed with its title.
+for example in examples/*.json; do
+    [ -e "$example" ] || continue
+    name=$(basename "$example" .json)
+    grep -q "^$name: ." examples/titles.txt || complain "examples/titles.txt has no line \"$name: ...\""
+done
+for name in $(sed -n 's/^\([a-z0-9-]*\):.*/\1/p' examples/titles.txt 2> /dev/null); do
+    [ -e "examples/$name.json" ] || complain "examples/titles.txt has a title of $name, which is no example"
+done
+
 names() { # names LIST: the words that documents use
     sed -n 's/.*X([a-z_0-9]*, "\([a-z0-9.-]*\)".*/\1/p' "$1" 2> /dev/null || true
 }

@@ -106,6 +106,7 @@ const cli_command cli_command_boundary = {
         "One line a curve of the file, and an edge of its surfaces: number, kind, name, length, "
         "ends. A document\ntakes four of them by number or name: \"boundary\": { \"file\": "
         "\"FILE\", \"edges\": [1, 2, \"face.u0\", 7] }.\n",
+    .example = "taut boundary hull.step\n",
     .files_min = 1,
     .files_max = 1,
     .options = options_of_boundary,

@@ -56,7 +56,9 @@ typedef struct cli_options {
     int divide;
     int quiet;
     int json;
-    int lines; /* make --lines */
+    int lines;             /* make --lines */
+    int watch;             /* make --watch */
+    const char *construct; /* example --construct */
     int markdown;
     int flag_u; /* refine --u */
     int flag_v;
@@ -98,6 +100,7 @@ typedef struct cli_command {
     const char *usage;   /* after "taut NAME" */
     const char *summary; /* one line */
     const char *text;    /* the rest of the help */
+    const char *example; /* command lines to try, one a line */
     int files_min, files_max;
     const cli_option *options; /* ended by CLI_END */
     int (*run)(const cli_options *options);
@@ -245,6 +248,11 @@ int cli_pair(const char *word, double *a, double *b);
     X("name", "the model, or the list of examples, papers or schemas, has nothing of this name",   \
       "take one of the names that are there")                                                      \
     X("range", "a parameter outside the range of its basis", "give one inside the range")
+
+/* Prints what a reason means and what to change, once for each list that has it; how many had. */
+int cli_reason_help(const char *word);
+/* All reasons, i = 0, 1, ..., some twice; NULL at the end. */
+const char *cli_reason_at(int i);
 
 /* From now on what goes wrong is told as JSON: one line on standard error. */
 void cli_speak_json(void);

@@ -112,6 +112,7 @@ const cli_command cli_command_convert = {
             "distance that is\nproved and printed; without it the model itself. Several models go "
             "side by side into one figure\n(.svg, .pdf, .png). With --pieces a spline comes as its "
             "Bezier patches, a ce-bezier\nas its quartic bezier.\n",
+    .example = "taut convert model.json -o model.step -o model.png --colour H\n",
     .files_min = 1,
     .files_max = TAUT_MODELS_MAX,
     .options = options_of_convert,

@@ -15,6 +15,7 @@ typedef struct taut_embedded {
 extern const taut_embedded taut_examples[]; /* examples/NAME.json */
 extern const taut_embedded taut_papers[];   /* data/papers/KEY.json */
 extern const taut_embedded taut_schemas[];  /* docs/schema/KIND.json */
+extern const taut_embedded taut_titles[];   /* examples/titles.txt: "NAME: title", one a line */
 
 /* The file whose name is `name` plus ".json", or NULL. */
 const taut_embedded *cli_embedded_find(const taut_embedded *files, const char *name);

@@ -221,6 +221,7 @@ const cli_command cli_command_eval = {
     .summary = "points, derivatives, normal and curvature at given parameters",
     .text = "Without a name the first surface is taken, or the first curve where there is none.\n"
             "At a knot derivatives are those from the right.\n",
+    .example = "taut eval model.json --at 0.5,0.5 --at 0,1\n",
     .files_min = 1,
     .files_max = 1,
     .options = options_of_eval,

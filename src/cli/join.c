@@ -100,6 +100,7 @@ const cli_command cli_command_join = {
     .text =
         "EDGE is u0, u1, v0 or v1, or NAME.u1 where the model has several surfaces. The edges are\n"
         "matched end to end, whatever their directions; orders are -1 for a gap and at most 3.\n",
+    .example = "taut join left.json u1 right.json u0\n",
     .files_min = 4,
     .files_max = 4,
     .options = options_of_join,

@@ -26,6 +26,7 @@ static int print_help(void)
     }
     printf(
         "\n  taut help COMMAND     what a command takes; so does taut COMMAND --help\n"
+        "  taut help REASON      what an error means, and what to change\n"
         "  taut --version        which taut this is\n\n"
         "A first surface:  taut example dirichlet-tent | taut make - -o tent.json -o tent.png\n"
         "Exit codes: 0 done, 1 the numbers say no, 2 command line, 3 document, 4 does not exist,\n"
@@ -47,6 +48,10 @@ static int print_command_help(const cli_command *command)
     if (!prints_json) {
         printf("  %-18s %s\n", "--json", "tell what goes wrong as JSON, for programs");
     }
+    printf("\nExample:\n");
+    for (const char *line = command->example; *line != '\0'; line += strcspn(line, "\n") + 1) {
+        printf("  %.*s\n", (int)strcspn(line, "\n"), line);
+    }
     return cli_print_text("", 0);
 }
 
@@ -60,35 +65,52 @@ static int print_version(void)
     return cli_print_text("", 0);
 }
 
-/* The command of that name; else NULL, said on standard error, and the exit code. */
-static const cli_command *find_command(const char *name, int *code)
+static const cli_command *command_of(const char *name)
 {
-    const char *names[COMMAND_COUNT + 4] = {"--help", "--version", "help"};
     for (int i = 0; i < COMMAND_COUNT; i++) {
         if (strcmp(name, commands[i]->name) == 0) {
             return commands[i];
         }
-        names[i + 3] = commands[i]->name;
     }
-    const char *near = cli_nearest(name, names);
-    *code = cli_misuse("command", "there is no command \"%.40s\"%s%s%s; `taut --help` lists them",
-                       name, near != NULL ? " (did you mean \"" : "", near != NULL ? near : "",
-                       near != NULL ? "\"?)" : "");
     return NULL;
 }
 
-/* taut help [COMMAND] */
+enum { REASONS_MAX = 512 };
+
+/* No such command, nor reason where those are asked for too; 2. */
+static int unknown(const char *name, int reasons_too)
+{
+    const char *names[COMMAND_COUNT + REASONS_MAX + 4] = {"--help", "--version", "help"};
+    size_t count = 3;
+    for (int i = 0; i < COMMAND_COUNT; i++) {
+        names[count++] = commands[i]->name;
+    }
+    for (int i = 0; reasons_too && i < REASONS_MAX && cli_reason_at(i) != NULL; i++) {
+        names[count++] = cli_reason_at(i);
+    }
+    const char *near = cli_nearest(name, names);
+    return cli_misuse("command", "there is no command%s \"%.40s\"%s%s%s; %s",
+                      reasons_too ? " or reason of errors" : "", name,
+                      near != NULL ? " (did you mean \"" : "", near != NULL ? near : "",
+                      near != NULL ? "\"?)" : "",
+                      reasons_too ? "`taut --help` lists commands, docs/errors.md reasons"
+                                  : "`taut --help` lists them");
+}
+
+/* taut help [COMMAND | REASON]; no word is both (tests/cli/test_help.sh). */
 static int help(int count, char **words)
 {
-    int code = 0;
     if (count == 0) {
         return print_help();
     }
     if (count > 1) {
-        return cli_misuse("command", "`taut help` takes one command");
+        return cli_misuse("command", "`taut help` takes one command or one reason");
     }
-    const cli_command *command = find_command(words[0], &code);
-    return command != NULL ? print_command_help(command) : code;
+    const cli_command *command = command_of(words[0]);
+    if (command != NULL) {
+        return print_command_help(command);
+    }
+    return cli_reason_help(words[0]) > 0 ? cli_print_text("", 0) : unknown(words[0], 1);
 }
 
 static int run(const cli_command *command, int count, char **words)
@@ -130,7 +152,6 @@ int main(int argc, char **argv)
     if (strcmp(argv[1], "help") == 0) {
         return help(argc - 2, argv + 2);
     }
-    int code = 0;
-    const cli_command *command = find_command(argv[1], &code);
-    return command != NULL ? run(command, argc - 2, argv + 2) : code;
+    const cli_command *command = command_of(argv[1]);
+    return command != NULL ? run(command, argc - 2, argv + 2) : unknown(argv[1], 0);
 }

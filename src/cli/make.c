@@ -94,19 +94,12 @@ int cli_make_one(const taut_problem *problem, const cli_options *options)
     return code;
 }
 
-static int run(const cli_options *options)
+static int make(const cli_options *options)
 {
     taut_problem_list *list = NULL;
     taut_error error;
     int code = 0;
 
-    if (options->lines) {
-        return cli_make_lines(options);
-    }
-    code = cli_check_outputs(options);
-    if (code != 0) {
-        return code;
-    }
     if (taut_problem_list_read(options->files[0], &list, &error) != TAUT_OK) {
         return cli_fail_in(options->files[0], &error);
     }
@@ -114,6 +107,23 @@ static int run(const cli_options *options)
                                            : cli_make_one(taut_problem_list_at(list, 0), options);
     taut_problem_list_free(list);
     return code;
+}
+
+static int run(const cli_options *options)
+{
+    int code = 0;
+    if (options->watch && (options->lines || options->output_count == 0)) {
+        return cli_misuse("option", options->lines ? "--watch makes one document, not --lines"
+                                                   : "--watch needs a file to write: -o FILE");
+    }
+    if (options->watch && strcmp(options->files[0], "-") == 0) {
+        return cli_misuse("operand", "--watch needs the name of a file, not standard input");
+    }
+    if (options->lines) {
+        return cli_make_lines(options);
+    }
+    code = cli_check_outputs(options);
+    return code != 0 ? code : options->watch ? cli_watch(options, make) : make(options);
 }
 
 static const cli_option options_of_make[] = {
@@ -131,6 +141,8 @@ static const cli_option options_of_make[] = {
     CLI_EXACT,
     {"--lines", CLI_FLAG, offsetof(cli_options, lines), 0, 0, 0, NULL,
      "a problem a line, a model or an error a line; goes on where it was stopped"},
+    {"--watch", CLI_FLAG, offsetof(cli_options, watch), 0, 0, 0, NULL,
+     "make again whenever the file is saved, until Ctrl-C"},
     {"--json", CLI_FLAG, offsetof(cli_options, json), 0, 0, 0, NULL,
      "report, and tell what goes wrong, as JSON on standard error"},
     {"--quiet", CLI_FLAG, offsetof(cli_options, quiet), 0, 0, 0, NULL, "no report"},
@@ -153,7 +165,11 @@ const cli_command cli_command_make = {
             "leaves no file of any.\n"
             "With --lines problems and models stand one a line (JSON Lines), and one that fails is "
             "a line\n"
-            "too; started again it makes the lines that are missing.\n",
+            "too; started again it makes the lines that are missing. With --watch it goes on: each "
+            "time the\n"
+            "file is saved it is made again.\n",
+    .example = "taut make tent.json -o model.json -o model.step -o model.png\n"
+               "taut make --watch tent.json -o model.html\n",
     .files_min = 1,
     .files_max = 1,
     .options = options_of_make,

@@ -25,4 +25,7 @@ int cli_make_list(const taut_problem_list *list, const cli_options *options);
  * code. */
 int cli_make_lines(const cli_options *options);
 
+/* Makes by `make`, again whenever the problem's file is saved, until it is interrupted or saving cannot help; the exit code. */
+int cli_watch(const cli_options *options, int (*make)(const cli_options *options));
+
 #endif /* TAUT_CLI_MAKE_H */

@@ -163,6 +163,7 @@ const cli_command cli_command_measure = {
     .summary = "areas, energies, curvatures, edges of a model",
     .text = "Integrals are good to 1e-10 relative; extremes are over a closed uniform grid of "
             "parameters.\n",
+    .example = "taut measure model.json --grid 201\n",
     .files_min = 1,
     .files_max = 1,
     .options = options_of_measure,

@@ -112,15 +112,25 @@ static void print_json(const taut_error *error, const char *where)
     taut_record_free(record);
 }
 
+/* What a person reads more about by `taut help`; a wrong command line has its own --help, and what the machine or the
+ * person at it did needs none. */
+static int has_more(const taut_error *error)
+{
+    return error->status != TAUT_BAD_ARGUMENT && error->status != TAUT_INTERRUPTED &&
+           error->status != TAUT_NO_MEMORY;
+}
+
 static int print_error(const taut_error *error, const char *where)
 {
-    char line[sizeof error->where + sizeof error->message + 2];
+    char line[sizeof error->where + sizeof error->message + sizeof error->reason + 32];
     cli_monitor_done();
     if (speaks_json) {
         print_json(error, where);
     } else {
-        snprintf(line, sizeof line, "%s%s%s", error->where, error->where[0] != '\0' ? ": " : "",
-                 sentence_of(error));
+        snprintf(line, sizeof line, "%s%s%s%s%s%s", error->where,
+                 error->where[0] != '\0' ? ": " : "", sentence_of(error),
+                 has_more(error) ? " (see: taut help " : "",
+                 has_more(error) ? reason_of(error) : "", has_more(error) ? ")" : "");
         print_line(line);
     }
     return taut_status_exit_code(error->status);

@@ -107,6 +107,7 @@ const cli_command cli_command_panels = {
             "Prints the largest residuals:\nplanarity (over the size of a panel), balance "
             "(conical: of the angles around a vertex) or circle\n(circular: of opposite angles), "
             "in radians, and distance from the surface.\n",
+    .example = "taut panels roof.json --kind conical --divide 12,8 -o roof.obj -o panels.dxf\n",
     .files_min = 1,
     .files_max = 1,
     .options = options_of_panels,

@@ -40,6 +40,7 @@ const cli_command cli_command_refine = {
     .text =
         "Without --u and --v both directions are refined. A c- or h-bezier direction becomes the\n"
         "bspline of two segments.\n",
+    .example = "taut refine model.json --u -o finer.json\n",
     .files_min = 1,
     .files_max = 1,
     .options = options_of_refine,

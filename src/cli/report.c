@@ -18,13 +18,52 @@ static const char *words(const char *key, char *buffer, size_t size)
     return buffer;
 }
 
+/* "350 ms", "0.095 ms", "1.29 s": two digits that count, never a power of ten. */
 static void print_duration(const char *what, double seconds, const char *end)
 {
-    if (seconds < 1) {
-        fprintf(stderr, "%s %.2g ms%s", what, 1e3 * seconds, end);
-    } else {
+    const double ms = 1e3 * seconds;
+    if (ms >= 995) {
         fprintf(stderr, "%s %.2f s%s", what, seconds, end);
+    } else if (ms >= 99.5) {
+        fprintf(stderr, "%s %.0f ms%s", what, 10 * round(ms / 10), end);
+    } else {
+        fprintf(stderr, "%s %.*f ms%s", what,
+                ms >= 9.95     ? 0
+                : ms >= 0.995  ? 1
+                : ms >= 0.0995 ? 2
+                               : 3,
+                ms, end);
     }
+}
+
+enum { DIGITS = 11 }; /* of integrals, which are good to 1e-10 relative; one more, so that rounding adds nothing to that */
+
+static int ends_in(const char *key, const char *end)
+{
+    const size_t length = strlen(key), tail = strlen(end);
+    return length >= tail && strcmp(key + length - tail, end) == 0;
+}
+
+/* How many digits of a figure are vouched for: those above the error that stands beside it; three of what is an error or a
+ * difference itself; four of curvatures that are sought on a grid or integrated across kinks. */
+static int digits_of(const taut_record *record, const char *key)
+{
+    char name[80];
+    snprintf(name, sizeof name, "%s_error", key);
+    const taut_record *error = taut_record_get(record, name);
+    const double size = fabs(taut_record_number(taut_record_get(record, key)));
+    if (ends_in(key, "_error") || ends_in(key, "gap") || ends_in(key, "_bound") ||
+        ends_in(key, "balance")) {
+        return strcmp(key, "lower_bound") == 0 ? DIGITS : 3;
+    }
+    if (ends_in(key, "mean_curvature")) {
+        return 4;
+    }
+    if (error != NULL && taut_record_number(error) > 0 && size > 0) {
+        const double digits = floor(log10(size / taut_record_number(error)));
+        return digits < 1 ? 1 : digits > DIGITS ? DIGITS : (int)digits;
+    }
+    return DIGITS;
 }
 
 /* Few members, none of which has members: short enough for a line. */
@@ -49,12 +88,12 @@ static int is_table(const taut_record *list)
             taut_record_kind_of(taut_record_at(row, 0)) == TAUT_RECORD_LIST);
 }
 
-static void print_value(const taut_record *value)
+static void print_value(const taut_record *value, int digits)
 {
     char name[64];
     switch (taut_record_kind_of(value)) {
     case TAUT_RECORD_NUMBER:
-        fprintf(stderr, "%.12g", taut_record_number(value));
+        fprintf(stderr, "%.*g", digits, taut_record_number(value));
         break;
     case TAUT_RECORD_TEXT:
         fprintf(stderr, "%s", taut_record_text(value));
@@ -69,7 +108,7 @@ static void print_value(const taut_record *value)
         }
         for (size_t i = 0; i < taut_record_count(value) && i < 6; i++) {
             fprintf(stderr, "%s", i > 0 ? ", " : "");
-            print_value(taut_record_at(value, i));
+            print_value(taut_record_at(value, i), digits);
         }
         fprintf(stderr, "%s", taut_record_count(value) > 6 ? ", ..." : "");
         break;
@@ -77,7 +116,7 @@ static void print_value(const taut_record *value)
         for (size_t i = 0; is_short(value) && i < taut_record_count(value); i++) {
             fprintf(stderr, "%s%s ", i > 0 ? " " : "",
                     words(taut_record_key(value, i), name, sizeof name));
-            print_value(taut_record_at(value, i));
+            print_value(taut_record_at(value, i), digits);
         }
         if (!is_short(value)) {
             fprintf(stderr, "(%zu members, in the report)", taut_record_count(value));
@@ -108,7 +147,7 @@ void cli_members_print(const taut_record *record, const char *unit)
         }
         fprintf(stderr, "  %-*s ", COLUMN - 1,
                 words(taut_record_key(record, i), name, sizeof name));
-        print_value(value);
+        print_value(value, digits_of(record, taut_record_key(record, i)));
         fprintf(stderr, "%s\n",
                 unit != NULL && !is_energy(record, taut_record_key(record, i))
                     ? cli_unit_of(taut_record_key(record, i), unit, room)

@@ -23,6 +23,7 @@ const cli_command cli_command_schema = {
     .usage = "[problem | model | report | trace]",
     .summary = "the JSON Schema of the documents",
     .text = "Without a name the schemas are listed.\n",
+    .example = "taut schema problem > problem.schema.json\n",
     .files_min = 0,
     .files_max = 1,
     .options = options_of_schema,

@@ -54,6 +54,7 @@ const cli_command cli_command_split = {
         "Every surface gives its low piece, then its high one, with names of their own; the pieces "
         "keep\n"
         "their parameters. A c- or h-bspline cut off its knots opens into c- or h-bezier pieces.\n",
+    .example = "taut split model.json --u 0.5 -o halves.json\n",
     .files_min = 1,
     .files_max = 1,
     .options = options_of_split,

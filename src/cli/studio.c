@@ -155,6 +155,7 @@ const cli_command cli_command_studio = {
             "the surface\n"
             "and its proof follow, save the problem, export the model. Without an operand it opens "
             "with an\nexample; all examples are in it.\n",
+    .example = "taut studio dirichlet-tent -o studio.html\n",
     .files_min = 0,
     .files_max = 1,
     .options = options_of_studio,

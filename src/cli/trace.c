@@ -370,6 +370,7 @@ const cli_command cli_command_trace = {
     .text = "Traces curves on a surface, finds where they cross, and proves it. The surface comes "
             "from any file\nthat holds one, or from a problem, which is made first; or all of it "
             "from the document of a net,\nwhich `taut make` takes too.\n",
+    .example = "taut trace model.json --net asymptotic --cells 8 -o net.json -o net.svg\n",
     .files_min = 1,
     .files_max = 1,
     .options = options_of_trace,

@@ -93,6 +93,7 @@ const cli_command cli_command_view = {
     .text = "The page is one file and asks for no other: open it in any browser. `make` and "
             "`convert` write it\ntoo, as -o FILE.html. It says what of a large model it leaves "
             "out.\n",
+    .example = "taut view model.json -o model.html\n",
     .files_min = 1,
     .files_max = 1,
     .options = options_of_view,

@@ -13,6 +13,7 @@
 #include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <math.h>
 #include <pthread.h>
 #include <signal.h>
 #include <stdlib.h>
@@ -586,6 +587,13 @@ static void ring(int number)
     const ssize_t done = write(STDERR_FILENO, notice, strlen(notice));
     (void)done; /* there is nobody else to tell */
     (void)number;
+}
+
+void taut_system_pause(double seconds)
+{
+    const struct timespec span = {.tv_sec = (time_t)seconds,
+                                  .tv_nsec = (long)(1e9 * (seconds - floor(seconds)))};
+    nanosleep(&span, NULL);
 }
 
 void taut_system_alarm(int seconds, const char *text)

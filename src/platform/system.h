@@ -166,6 +166,9 @@ int taut_system_begin(int *count, char ***words);
 typedef enum taut_standard { TAUT_STANDARD_OUTPUT = 1, TAUT_STANDARD_ERROR } taut_standard;
 int taut_system_is_terminal(taut_standard stream);
 
+/* Sleeps for so many seconds, or until a signal comes. */
+void taut_system_pause(double seconds);
+
 /* Writes `text`, which stays, on standard error once the process has worked so many seconds: those
  * of the processor, as a busy machine is no news of ours. */
 void taut_system_alarm(int seconds, const char *text);

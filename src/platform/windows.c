@@ -736,6 +736,11 @@ static unsigned __stdcall watch(void *nothing)
     return 0;
 }
 
+void taut_system_pause(double seconds)
+{
+    Sleep((DWORD)(1e3 * seconds));
+}
+
 void taut_system_alarm(int seconds, const char *text)
 {
     notice = text;

@@ -25,7 +25,7 @@ contains err.txt 'stationary +DOES NOT HOLD'
 film() { # film CODE PATTERN MEMBERS: a flat sail with these members besides
     printf '{ "taut": 1, "construct": "film", "corners": { "u0v0": [0,0,0], "u1v0": [2,0,0], "u0v1": [0,2,0], "u1v1": [2,2,0] }, %s }' "$3" > flat.json
     if [ "$1" = 0 ]; then
-        run 0 make flat.json -o flat-film.json
+        run 0 make flat.json -o flat-film.json --report film-report.json
     else
         refused "$1" "$2" make flat.json -o none.json --quiet
         absent none.json
@@ -38,9 +38,11 @@ cables() { # cables FORCE
     done
 }
 film 0 '' "\"edges\": { $(cables 2) }"
-contains err.txt 'energy +19\.3057836398'
+contains err.txt 'energy +19\.30578364$'
+contains film-report.json '"energy": 19\.3057836398'
 contains err.txt 'least +holds \(bound\)'
-contains err.txt 'lower bound +19\.3057836398'
+contains err.txt 'lower bound +19\.30578364$'
+contains film-report.json '"lower_bound": 19\.3057836398'
 film 0 '' '"edges": { "u0": "fixed" }, "tolerance": 1e-9, "name": "plate", "method": "full", "accept": "minimum", "least": false'
 contains err.txt 'area +4 mm\^2$'
 film 4 'cable-too-weak /edges/u0/cable found 1\.4 expected 1\.414213562[0-9]*' "\"edges\": { $(cables 1.4) }"

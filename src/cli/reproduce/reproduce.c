@@ -211,6 +211,7 @@ const cli_command cli_command_reproduce = {
             "wrong: ours is\n"
             "what is right, or shows how the printed number arose); beyond the paper; differs "
             "(exit 1).\n",
+    .example = "taut reproduce dirichlet\n",
     .files_min = 0,
     .files_max = 1,
     .options = options_of_reproduce,

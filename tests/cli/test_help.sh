@@ -1,0 +1,61 @@
+# test_help.sh -- help of commands, each with an example that the program takes; help of every reason; titles of examples.
+. "$SOURCE/tests/cli/cli.sh"
+
+commands=$("$TAUT" --help | sed -n 's/^  taut \([a-z]*\)  .*/\1/p')
+[ "$(echo "$commands" | wc -l)" -ge 16 ] || complain "few commands: $commands"
+for command in $commands; do
+    run 0 "$command" --help
+    cp out.txt said.txt
+    run 0 help "$command"
+    cmp -s out.txt said.txt || complain "taut help $command differs from taut $command --help"
+    sed -n '/^Example:$/,$p' said.txt | grep -q "^  taut $command " || complain "taut $command --help shows no example"
+done
+
+# Every reason of every list, in the headers and here, and none is the name of a command.
+python_with json || skip Python 'tools/deps.sh test'
+"$PYTHON" - "$SOURCE" > reasons.txt <<'PY'
+import glob, re, sys
+for path in sorted(glob.glob(sys.argv[1] + "/include/taut/*.h")) + [sys.argv[1] + "/src/cli/cli.h"]:
+    text = open(path, encoding="utf-8").read()
+    for body in re.findall(r"REASON_LIST\(X\)((?:.*\\\n)*.*)", text):
+        for word in re.findall(r'X\(\s*"([a-z0-9-]+)"', body):
+            print(word)
+PY
+[ "$(sort -u reasons.txt | wc -l)" -gt 120 ] || complain "few reasons: $(wc -l < reasons.txt)"
+for word in $(sort -u reasons.txt); do
+    run 0 help "$word"
+    [ "$(grep -c "^$word, a reason of errors" out.txt)" = "$(grep -cx -- "$word" reasons.txt)" ] ||
+        complain "taut help $word: told $(cat out.txt)"
+    [ "$(grep -c '^  What to do: ' out.txt)" = "$(grep -cx -- "$word" reasons.txt)" ] || complain "taut help $word: no remedy"
+    for page in $(sed -n 's/^  More: *//p' out.txt); do
+        [ -e "$SOURCE/$page" ] || complain "taut help $word leads to $page, which is not there"
+    done
+    if echo "$commands" | grep -qx -- "$word"; then complain "$word is a command and a reason"; fi
+done
+run 2 help cabel-too-weak
+contains err.txt 'did you mean "cable-too-weak"'
+
+# A message names where to read on; with --json the one line is as it was.
+echo '{ "taut": 1, "construct": "dirichlet" }' > bad.json
+run 3 make bad.json
+contains err.txt '^taut: bad\.json: .* \(see: taut help missing\)$'
+[ "$(wc -l < err.txt)" = 1 ] || complain "a message of several lines: $(cat err.txt)"
+refused 3 'missing' make bad.json
+if grep -q 'taut help' err.txt; then complain "--json has what is for people: $(cat err.txt)"; fi
+run 2 make --nonsense
+if grep -q 'see: taut help' err.txt; then complain "a wrong option leads away from its --help"; fi
+
+# A pipe gets bare names, a terminal a title beside each.
+run 0 example
+cp out.txt names.txt
+if grep -q ' ' names.txt; then complain "a pipe gets more than names: $(grep -m 1 ' ' names.txt)"; fi
+run 0 example --construct pipe
+grep '^pipe-' names.txt > pipes.txt
+cmp -s out.txt pipes.txt || complain "example --construct pipe: $(diff out.txt pipes.txt)"
+refused 2 'value --construct pip' example --construct pip
+if command -v script > /dev/null; then
+    script -qc "'$TAUT' example --construct film" /dev/null > told.txt < /dev/null
+    contains told.txt '^film-sail +a sail between four cables of given force'
+    [ "$(wc -l < told.txt)" = "$(grep -c '^film-' names.txt)" ] || complain "a title a line: $(cat told.txt)"
+fi
+finish
