@@ -37,7 +37,7 @@ standard='assert complex ctype errno fenv float immintrin inttypes limits locale
 stdbool stddef stdint stdio stdlib stdnoreturn string strings time'
 
 # What belongs to one system: only in src/platform, and in the program that reads CAD files.
-system='dirent dlfcn fcntl io malloc ntsecapi poll process pthread shellapi spawn sys/mman sys/random sys/resource sys/stat sys/time sys/types sys/wait
+system='crt_externs dirent dlfcn fcntl io malloc ntsecapi poll process pthread shellapi spawn sys/mman sys/random sys/resource sys/stat sys/time sys/types sys/wait
 termios threads unistd windows'
 system_names='_WIN32|_WIN64|__MINGW32__|__linux__|__gnu_linux__|__APPLE__|__wasi__|__unix__|__GLIBC__|__CYGWIN__'
 system_files='src/platform/[^/]*|cad/[^/]*|src/io/cad/cad\.c'
