@@ -96,6 +96,13 @@ typedef struct taut_trace_laths {
     double play;  /* not negative */
 } taut_trace_laths;
 
+/* The sheets that laths are cut from, in the document's unit. */
+typedef struct taut_trace_sheet {
+    double size[2]; /* along the pieces and across, above 0; or both 0: one as large as they need */
+    int has_gap;    /* nonzero, or pieces are 5 mm apart */
+    double gap;     /* not negative */
+} taut_trace_sheet;
+
 /* Zero means default everywhere. One of `model` and `of`. */
 typedef struct taut_trace_problem {
     const taut_model *model; /* the surface is in it */
@@ -107,6 +114,7 @@ typedef struct taut_trace_problem {
     const taut_trace_seed *seeds;
     double max_length;             /* 0: 20 times the size of the surface */
     const taut_trace_laths *laths; /* NULL: curves alone */
+    const taut_trace_sheet *sheet; /* NULL: one as large as the pieces need */
 } taut_trace_problem;
 
 /* Reasons: word, meaning, remedy. */
@@ -144,6 +152,8 @@ typedef struct taut_trace_problem {
       "take a width below the one that the message tells")                                         \
     X("slots", "slots overlap, or laths turn into each other within their width",                  \
       "take thinner or less wide laths, or fewer")                                                 \
+    X("sheet", "a piece is larger than the sheet, and cannot be split between crossings",          \
+      "take sheets of the size that the message tells")                                            \
     X("trace-not-yet", "a member or a word of nets that this version cannot do", "leave it out")
 
 /* Makes the model: the surface and a curve a lath, quintic B-splines over arc length, named A1, B1,

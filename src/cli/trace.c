@@ -220,6 +220,27 @@ static int put_laths(const cli_options *options, text *t)
     return code;
 }
 
+static int put_sheet(const cli_options *options, text *t)
+{
+    const char *word = options->cut_sheet, *times = word != NULL ? strchr(word, 'x') : NULL;
+    char along[64];
+    double size[2] = {0, 0};
+    if (word == NULL) {
+        return 0;
+    }
+    const size_t length = times != NULL ? (size_t)(times - word) : sizeof along;
+    if (length < sizeof along) {
+        memcpy(along, word, length);
+        along[length] = '\0';
+    }
+    if (length >= sizeof along || !cli_number(along, &size[0]) ||
+        !cli_number(times + 1, &size[1])) {
+        return cli_misuse_value("--sheet", word, "WxH, such as 2500x1250");
+    }
+    put(t, ", \"sheet\": { \"size\": [%.17g, %.17g] }", size[0], size[1]);
+    return 0;
+}
+
 /* The document that the words ask for. 0, or the exit code after one message. */
 static int write_document(const cli_options *options, text *t)
 {
@@ -246,6 +267,7 @@ static int write_document(const cli_options *options, text *t)
     }
     int code = put_seeds(options, t);
     code = code == 0 ? put_laths(options, t) : code;
+    code = code == 0 ? put_sheet(options, t) : code;
     put(t, " }");
     return code == 0 && t->failed ? cli_no_memory() : code;
 }
@@ -349,6 +371,8 @@ static const cli_option options_of_trace[] = {
      "laths are cut as long as the mean of their width (default), or as their axis"},
     {"--play", CLI_TEXT, offsetof(cli_options, play), 0, 0, 0, "P",
      "of the slots (default 0.2 mm, at most the thickness)"},
+    {"--sheet", CLI_TEXT, offsetof(cli_options, cut_sheet), 0, 0, 0, "WxH",
+     "the sheets that the laths are cut from (default: one as large as they need)"},
     CLI_SURFACE,
     CLI_OUTPUT,
     {"--report", CLI_TEXT, offsetof(cli_options, report), 0, 0, 0, "FILE",

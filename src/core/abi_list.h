@@ -442,7 +442,8 @@
     X(taut_trace_problem, seed_count, "int") \
     X(taut_trace_problem, seeds, "const taut_trace_seed *") \
     X(taut_trace_problem, max_length, "double") \
-    X(taut_trace_problem, laths, "const taut_trace_laths *")
+    X(taut_trace_problem, laths, "const taut_trace_laths *") \
+    X(taut_trace_problem, sheet, "const taut_trace_sheet *")
 
 #define TAUT_ABI_MEMBERS_taut_trace_seed(X) \
     X(taut_trace_seed, kind, "taut_trace_seed_kind") \
@@ -459,6 +460,11 @@
     X(taut_trace_seed, by, "taut_trace_by") \
     X(taut_trace_seed, lath, "const char *") \
     X(taut_trace_seed, cell, "double")
+
+#define TAUT_ABI_MEMBERS_taut_trace_sheet(X) \
+    X(taut_trace_sheet, size, "double[2]") \
+    X(taut_trace_sheet, has_gap, "int") \
+    X(taut_trace_sheet, gap, "double")
 
 #define TAUT_ABI_MEMBERS_taut_write_options(X) \
     X(taut_write_options, tolerance, "double") \
@@ -544,6 +550,7 @@
     X(taut_trace_material) \
     X(taut_trace_problem) \
     X(taut_trace_seed) \
+    X(taut_trace_sheet) \
     X(taut_write_options)
 
 #define TAUT_ABI_VALUES_taut_asymptotic_given(X) \

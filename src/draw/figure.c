@@ -1,14 +1,17 @@
 /* figure.c -- from models to a page: choose what is drawn, sample it, aim the cameras, cut into
  * pieces, paint. */
 #include "draw/figure.h"
+#include "draw/flat_svg.h"
 
 #include "core/arena.h"
 #include "core/elementary/elementary.h"
 #include "core/fail.h"
+#include "draw/flat_svg.h"
 #include "draw/label.h"
 #include "draw/legend.h"
 #include "draw/pane.h"
 #include "draw/panes.h"
+#include "io/flat/flat.h"
 #include "io/format.h"
 #include "mesh/colour.h"
 #include "platform/module.h"
@@ -380,12 +383,21 @@ taut_status taut_draw_figure(const taut_model *model, const taut_write_options *
     return taut_draw_figures(1, &model, options, kind, out, error);
 }
 
+/* Laths to cut are drawn as they are cut, where the figure is to scale. */
+static taut_status write_one(const taut_model *model, const taut_write_options *options,
+                             const char *kind, FILE *out, taut_error *error)
+{
+    return strcmp(kind, "svg") == 0 && taut_flat_is(model)
+               ? taut_flat_svg_write(model, out, error)
+               : taut_draw_figure(model, options, kind, out, error);
+}
+
 /* The formats that are pictures. */
 #define TAUT_FIGURE(kind)                                                                          \
     static taut_status write_##kind(const taut_model *model, const taut_write_options *options,    \
                                     FILE *out, taut_error *error)                                  \
     {                                                                                              \
-        return taut_draw_figure(model, options, #kind, out, error);                                \
+        return write_one(model, options, #kind, out, error);                                       \
     }                                                                                              \
     static taut_status write_many_##kind(int count, const taut_model *const *models,               \
                                          const taut_write_options *options, FILE *out,             \

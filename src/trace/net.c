@@ -13,6 +13,8 @@ enum { BORDER_PIECES = 64 /* a span */, LOOK = 101 };
 /* Sine of the angle below which a curve runs along the line that seeds it; seeds nearer than this,
  * over the size, are one; a lath that ends so near to where the next would begin, over the size, is that one. */
 static const double least_sine = 1e-6, same_seed = 1e-9, same_end = 1e-6;
+/* So near to a border, over the window's side, a place that was reckoned lies on it. */
+static const double on_border = 1e-12;
 
 static const char *const letters[] = {"AB", "AB", "GG", "AB"};
 
@@ -147,6 +149,16 @@ static taut_status add_lath(taut_net *net, int family, const double at[2], const
     return TAUT_OK;
 }
 
+/* A place that was reckoned: within the window, and on its border where rounding alone keeps it off, as a
+ * curve beside it would leave the window instead of running on it. */
+static void hold_in_window(const taut_carrier *carrier, double at[2])
+{
+    for (int d = 0; d < 2; d++) {
+        const double lo = carrier->lo[d], hi = carrier->hi[d], room = on_border * (hi - lo);
+        at[d] = at[d] <= lo + room ? lo : at[d] >= hi - room ? hi : at[d];
+    }
+}
+
 /* One of several places: where there is no curve it is left out. */
 static taut_status add_or_leave(taut_net *net, int family, const double at[2], taut_error *error)
 {
@@ -254,9 +266,7 @@ static taut_status seed_lath(taut_net *net, const taut_trace_seed *seed, int ind
         taut_station at;
         const taut_lath lath = net->laths[found];
         if (taut_lath_at(net->carrier, kind, &lath, seed->by, whole * k / (seed->count + 1), &at)) {
-            for (int d = 0; d < 2; d++) {
-                at.at[d] = fmin(fmax(at.at[d], net->carrier->lo[d]), net->carrier->hi[d]);
-            }
+            hold_in_window(net->carrier, at.at);
             status = add_or_leave(net, other, at.at, error);
         }
     }
@@ -484,9 +494,7 @@ static taut_status seed_lattice(taut_net *net, int family, const taut_lath *othe
         if (k == 0) {
             status = add_or_leave(net, family, other->seed, error);
         } else if (taut_lath_at(net->carrier, kind, other, by, target, &at)) {
-            for (int d = 0; d < 2; d++) {
-                at.at[d] = fmin(fmax(at.at[d], net->carrier->lo[d]), net->carrier->hi[d]);
-            }
+            hold_in_window(net->carrier, at.at);
             status = add_or_leave(net, family, at.at, error);
         }
     }

@@ -20,7 +20,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { NODES = TAUT_BENDING_NODES, HEIGHTS = 16 };
+enum { NODES = TAUT_BENDING_NODES, HEIGHTS = 16, PARTS_MAX = 4096 /* of a segment */ };
 /* From this y on mu - 1 by its closed form loses no more than a digit. */
 static const double closed_form = 0.5;
 
@@ -114,6 +114,66 @@ static void add_between(const cut *c, const taut_lath_samples *at, double t, sum
         sum->y += taut_sin(angle) * cut_ds;
     }
     sum->theta = theta + turn_between(c, at, 0, t);
+}
+
+/* ---- the axis of the pattern ---- */
+
+/* How many parts of a segment a polyline needs. */
+static int parts_of(const cut *c, const taut_lath_samples *at, double sagitta)
+{
+    const double length = at->segment->to.s - at->segment->from.s;
+    double most = 0;
+    for (int k = 0; k < NODES + 2; k++) {
+        most = fmax(most, fabs(flat_curvature(c, &at->at[k])));
+    }
+    const double edge = 1 + most * c->width / 2;
+    const double parts = ceil(length * sqrt(1.5 * most * edge / (8 * sagitta)));
+    return parts < 1 ? 1 : parts > PARTS_MAX ? PARTS_MAX : (int)parts;
+}
+
+taut_status taut_strip_axis(const taut_net *net, double play, const taut_lath *lath, double sagitta,
+                            int stop_count, const double *stops, taut_axis_point **points,
+                            int *count)
+{
+    const cut c = cut_of(net, play);
+    const taut_linefield_kind kind = {net->problem->net, lath->family};
+    sums sum = {0};
+    size_t most = (size_t)stop_count + 2;
+    taut_lath_samples at;
+    int stop = 0;
+
+    for (int k = 0; k < lath->count; k++) {
+        taut_lath_bending_sample(net->carrier, kind, &lath->segments[k], &at);
+        most += c.is_straight ? 0 : (size_t)parts_of(&c, &at, sagitta);
+    }
+    taut_axis_point *list = taut_arena_take(net->arena, most, sizeof *list);
+    if (list == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    *points = list;
+    *count = 1; /* the origin */
+    for (int k = 0; k < lath->count; k++) {
+        const taut_segment *on = &lath->segments[k];
+        const double from = on->from.s, length = on->to.s - from;
+        taut_lath_bending_sample(net->carrier, kind, on, &at);
+        const int parts = c.is_straight ? 1 : parts_of(&c, &at, sagitta);
+        for (int part = 1; part <= parts;) {
+            const double t = (double)part / parts, s = part == parts ? on->to.s : from + t * length;
+            const int is_stop = stop < stop_count && stops[stop] <= s;
+            const double here = is_stop ? fmax((stops[stop] - from) / length, 0) : t;
+            const int is_kept = is_stop || !c.is_straight || k == lath->count - 1;
+            sums there = sum;
+            add_between(&c, &at, here, &there);
+            if (is_kept) {
+                list[(*count)++] = (taut_axis_point){is_stop ? stops[stop] : s, there.cut, there.x,
+                                                     there.y, there.theta};
+            }
+            stop += is_stop;
+            part += !is_stop;
+        }
+        add_between(&c, &at, 1, &sum);
+    }
+    return TAUT_OK;
 }
 
 /* ---- stresses ---- */

@@ -32,6 +32,19 @@ typedef struct taut_strip {
     int slot_count;
 } taut_strip;
 
+/* A point of the pattern's axis. */
+typedef struct taut_axis_point {
+    double s;           /* of the lath */
+    double cut;         /* along the axis, as it is cut */
+    double x, y, theta; /* from the origin along x */
+} taut_axis_point;
+
+/* The axis of a lath's pattern, in the net's arena: its ends, the places `stops` (rising), and so many
+ * between that a polyline at half the width to both sides is within `sagitta` of the band's edges. */
+taut_status taut_strip_axis(const taut_net *net, double play, const taut_lath *lath, double sagitta,
+                            int stop_count, const double *stops, taut_axis_point **points,
+                            int *count);
+
 /* A strip a lath, in the net's arena; play: of the slots, in the document's unit. TAUT_NO_MEMORY;
  * TAUT_NO_SOLUTION, reasons "folds" and "slots". */
 taut_status taut_strips_new(const taut_net *net, double play, taut_strip **strips,

@@ -73,6 +73,31 @@ done
 echo '{ "taut": 1, "trace": "asymptotic", "of": "roof.json", "seeds": [{ "cells": 5 }], "laths": { "strip": "standing", "width": 0.1, "thickness": 5 } }' > thick.json
 refused 4 'slots /laths/thickness' make thick.json -o none.json --quiet
 
+# Pieces to cut: on one sheet, on several with split laths, curved ones, and planks.
+echo '{ "taut": 1, "unit": "m", "construct": "bonnet", "lambda": 0.29, "sign": "-", "alpha": 1.2, "beta": 0.9 }' > metres.json
+run 0 trace metres.json --net asymptotic --cells 4 --strip standing --width 0.06 --thickness 0.0015 -o one.json -o one.dxf -o one.svg
+contains err.txt 'pattern +holds \(exact\)'
+run 0 certify one.json
+run 0 trace metres.json --net asymptotic --cells 4 --strip standing --width 0.06 --thickness 0.0015 --sheet 1x0.3 --quiet -o several.json -o several.dxf -o several.svg
+contains several.json '"name": "[AB][0-9]/2"'
+run 0 trace metres.json --net principal --cells 3 --strip standing --width 0.06 --thickness 0.0015 --tolerance 1e-4 --quiet -o bent.json -o bent.dxf -o bent.svg
+run 0 trace metres.json --net geodesic --seed 0,0.2 --direction 1,0.5 --both --seed 0.1,0.4 --strip plank --width 0.06 --quiet -o planks.json -o planks.dxf -o planks.svg
+if python_with ezdxf; then
+    for name in one several bent planks; do
+        "$PYTHON" "$SOURCE/tests/cli/read_laths.py" $name.json $name.dxf $name.svg > $name.txt 2>&1 || complain "$name: $(cat $name.txt)"
+    done
+    contains one.txt '^SHEET 1$'
+    contains several.txt '^SHEET [2-9]$'
+    contains one.txt '^SLOT [0-9]+$'
+    grep -q SLOT planks.txt && complain "planks have slots"
+else
+    missing ezdxf 'tools/deps.sh check'
+fi
+refused 4 'sheet /sheet/size/0' trace metres.json --net asymptotic --cells 4 --strip standing --width 0.06 --thickness 0.0015 --sheet 0.2x1 -o none.json
+refused 4 'sheet /sheet/size/1' trace metres.json --net asymptotic --cells 4 --strip standing --width 0.06 --sheet 3x0.05 -o none.json
+refused 2 'value --sheet 3' trace metres.json --net asymptotic --strip standing --width 0.06 --sheet 3 -o none.json
+refused 2 'missing' trace metres.json --net asymptotic --sheet 3x1 -o none.json
+
 # What is wrong.
 refused 2 'net' trace roof.json --net wavy -o none.json
 refused 2 'edge' trace roof.json --net asymptotic --edge w0:3 -o none.json
@@ -101,7 +126,7 @@ echo '{ "taut": 1, "trace": "asymptotic", "of": "document.json" }' > nested.json
 refused 3 'kind /of' make nested.json -o none.json --quiet
 echo '{ "taut": 1, "trace": "asymptotic", "of": "self.json" }' > self.json
 refused 3 'kind /of' make self.json -o none.json --quiet
-for member in '"panels": true' '"sheet": {}'; do
+for member in '"panels": true'; do
     name=$(echo "$member" | sed 's/^"\([a-z]*\)".*/\1/')
     echo "{ \"taut\": 1, \"trace\": \"asymptotic\", \"of\": \"roof.json\", $member }" > later.json
     refused 3 "trace-not-yet /$name" make later.json -o none.json --quiet

@@ -15,6 +15,8 @@
  *   nodes         largest distance of the two curves of a node of details at their lengths
  *   complete      nodes missing or too many, by how the ends separate each other on the border
  *                 (certify/trace/complete.h); left out where that does not say
+ *   pattern       pieces to cut that lie over each other or over the border of their sheet
+ *                 (certify/trace/pieces.h)
  */
 #include "taut/trace.h"
 
@@ -23,6 +25,7 @@
 #include "certify/common/verdict.h"
 #include "certify/trace/complete.h"
 #include "certify/trace/lines.h"
+#include "certify/trace/pieces.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 #include "geometry/keep.h"
@@ -620,6 +623,9 @@ static taut_status prove(const request *r, taut_arena *arena, taut_certificate *
     }
     if (status == TAUT_OK) {
         status = taut_net_complete_add(&r->lines, arena, certificate);
+    }
+    if (status == TAUT_OK) {
+        status = taut_net_pieces_add(&r->lines, r->problem, arena, certificate);
     }
     return status == TAUT_OK ? add_figures(r, certificate) : status;
 }

@@ -62,7 +62,7 @@ static void add_ended(const taut_lath *lath, int end, taut_record *list)
     taut_record_add_text(list, NULL, text);
 }
 
-static void node_name(const taut_net *net, const taut_node *node, char *text, size_t size)
+void taut_trace_node_name(const taut_net *net, const taut_node *node, char *text, size_t size)
 {
     const int length = snprintf(text, size, "%s%s", net->laths[node->laths[0]].name,
                                 net->laths[node->laths[1]].name);
@@ -80,7 +80,7 @@ static void add_nodes_of(const taut_net *net, int index, taut_record *lath)
             if (node->laths[side] == index) {
                 char name[2 * TAUT_LATH_NAME + 8];
                 taut_record *pair = taut_record_add_list(list, NULL);
-                node_name(net, node, name, sizeof name);
+                taut_trace_node_name(net, node, name, sizeof name);
                 taut_record_add_text(pair, NULL, name);
                 taut_record_add_number(pair, NULL, ldexp(node->s[side], net->carrier->scale));
             }
@@ -118,7 +118,7 @@ static void describe_slots(const taut_net *net, const taut_strip *strip, taut_re
         const taut_slot *slot = &strip->slots[k];
         taut_record *at = taut_record_add_object(list, NULL);
         char name[2 * TAUT_LATH_NAME + 8];
-        node_name(net, &net->nodes.list[slot->node], name, sizeof name);
+        taut_trace_node_name(net, &net->nodes.list[slot->node], name, sizeof name);
         taut_record_add_text(at, "node", name);
         taut_record_add_number(at, "at", ldexp(slot->at, scale));
         taut_record_add_text(at, "from", slot->side == 0 ? "n" : "-n");
@@ -215,7 +215,7 @@ static void describe_node(const taut_net *net, const taut_node *node, taut_recor
     char name[2 * TAUT_LATH_NAME + 8];
     double point[3];
 
-    node_name(net, node, name, sizeof name);
+    taut_trace_node_name(net, node, name, sizeof name);
     taut_carrier_point(net->carrier, node->x, point);
     taut_record_add_text(at, "node", name);
     taut_record_add_numbers(at, "at", 2, node->at);

@@ -12,4 +12,7 @@ void taut_trace_describe(const taut_net *net, const taut_strip *strips, taut_rec
 void taut_trace_describe_part(const taut_lath *lath, const taut_lath_part *part,
                               taut_record *domain);
 
+/* "A3B5", a second one of the same two "A3B5.2". */
+void taut_trace_node_name(const taut_net *net, const taut_node *node, char *text, size_t size);
+
 #endif /* TAUT_CONSTRUCT_TRACE_DETAILS_H */

@@ -9,12 +9,14 @@
 #include "construct/common/build.h"
 #include "construct/construct_ops.h"
 #include "construct/trace/details.h"
+#include "construct/trace/flat.h"
 #include "core/fail.h"
 #include "core/unit.h"
 #include "geometry/keep.h"
 #include "problem/problem.h"
 #include "trace/curve.h"
 #include "trace/net.h"
+#include "trace/piece.h"
 #include "trace/strip.h"
 
 #include <math.h>
@@ -57,6 +59,28 @@ static taut_status check_laths(const taut_trace_laths *laths, taut_error *error)
                            "found %d numbers above 0, expected E, G and strength", told);
 }
 
+static taut_status check_sheet(const taut_trace_problem *problem, taut_error *error)
+{
+    const taut_trace_sheet *sheet = problem->sheet;
+    const double values[3] = {sheet->size[0], sheet->size[1], sheet->gap};
+    for (int k = 0; k < 3; k++) {
+        if (!(values[k] >= 0) || isinf(values[k])) {
+            return taut_fail(error, TAUT_BAD_INPUT, "value", k < 2 ? "/sheet/size" : "/sheet/gap",
+                             values[k], 0, "found %.17g, expected a number that is not negative",
+                             values[k]);
+        }
+    }
+    if ((sheet->size[0] > 0) != (sheet->size[1] > 0)) {
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/sheet/size", 0, 0,
+                         "found a 0, expected two positive numbers");
+    }
+    if (problem->laths == NULL || !(problem->laths->width > 0)) {
+        return taut_fail(error, TAUT_BAD_INPUT, "missing", "/laths/width", taut_none, taut_none,
+                         "found a sheet, expected laths with a width to cut from it");
+    }
+    return TAUT_OK;
+}
+
 static taut_status check_problem(const taut_trace_problem *problem, taut_error *error)
 {
     if (problem == NULL || (problem->model == NULL) == (problem->of == NULL) ||
@@ -71,6 +95,12 @@ static taut_status check_problem(const taut_trace_problem *problem, taut_error *
     if (problem->net == TAUT_TRACE_GEODESIC && problem->seed_count == 0) {
         return taut_fail(error, TAUT_BAD_INPUT, "net", "/seeds", taut_none, taut_none,
                          "geodesics need seeds with a place and a direction");
+    }
+    if (problem->sheet != NULL) {
+        const taut_status status = check_sheet(problem, error);
+        if (status != TAUT_OK) {
+            return status;
+        }
     }
     return problem->laths != NULL ? check_laths(problem->laths, error) : TAUT_OK;
 }
@@ -136,15 +166,40 @@ static taut_status add_lath(const taut_net *net, const taut_lath *lath, taut_are
     return taut_construct_add_curve(model, curve, error);
 }
 
-/* In the document's unit, which is that of the surface. */
+/* Millimetres in the document's unit, which is that of the surface. */
+static double of_millimetres(const request *r, double length)
+{
+    const char *unit =
+        r->problem->of != NULL ? r->problem->of->unit : taut_model_unit(r->problem->model);
+    return length * taut_unit_ratio("mm", unit);
+}
+
 static double play_of(const request *r)
 {
     static const double play_default = 0.2; /* mm */
     const taut_trace_laths *laths = r->problem->laths;
-    const char *unit =
-        r->problem->of != NULL ? r->problem->of->unit : taut_model_unit(r->problem->model);
-    return laths->has_play ? laths->play
-                           : fmin(play_default * taut_unit_ratio("mm", unit), laths->thickness);
+    return laths->has_play ? laths->play : fmin(of_millimetres(r, play_default), laths->thickness);
+}
+
+/* The flat pieces of laths that have a width. */
+static taut_status add_pieces(const request *r, const taut_net *net, const taut_strip *strips,
+                              taut_record *details, taut_error *error)
+{
+    static const double gap_default = 5; /* mm */
+    const taut_trace_sheet *sheet = r->problem->sheet;
+    const double gap =
+        sheet != NULL && sheet->has_gap ? sheet->gap : of_millimetres(r, gap_default);
+    taut_pieces pieces;
+
+    if (strips == NULL || !(r->problem->laths->width > 0)) {
+        return TAUT_OK;
+    }
+    const taut_status status =
+        taut_pieces_new(net, strips, play_of(r), gap, net->options.tolerance, &pieces, error);
+    if (status == TAUT_OK) {
+        taut_trace_describe_flat(net, &pieces, details);
+    }
+    return status;
 }
 
 static taut_status fill(const request *r, const taut_model *of, const taut_net *net,
@@ -165,6 +220,9 @@ static taut_status fill(const request *r, const taut_model *of, const taut_net *
         status = taut_strips_new(net, play_of(r), &strips, error);
     }
     taut_trace_describe(net, strips, details);
+    if (status == TAUT_OK) {
+        status = add_pieces(r, net, strips, details, error);
+    }
     taut_record *domain = taut_record_add_list(details, "domain");
     for (int k = 0; status == TAUT_OK && k < net->count; k++) {
         status = add_lath(net, &net->laths[k], arena, model, domain, error);

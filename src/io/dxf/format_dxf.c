@@ -1,4 +1,5 @@
-/* format_dxf.c -- the format `dxf`: the curves of a model where they are, or the panels of `taut panels` laid flat, 1:1.
+/* format_dxf.c -- the format `dxf`: the curves of a model where they are, or what is to be cut laid flat, 1:1: the panels of
+ * `taut panels`, the laths of a net (io/dxf/r12.h).
  *
  * Curves are lines, polylines and splines, exactly where their bases are polynomial or rational, else within the tolerance (io/cad/prepare).
  * Panels stand in rows, u to the right and v upwards, one surface above the other, each named in its middle. */
@@ -6,6 +7,8 @@
 #include "io/cad/prepare.h"
 #include "io/dxf/layers.h"
 #include "io/dxf/panels.h"
+#include "io/dxf/r12.h"
+#include "io/flat/flat.h"
 #include "io/format.h"
 #include "io/mesh/out.h"
 
@@ -163,6 +166,9 @@ static taut_status write_dxf(const taut_model *model, const taut_write_options *
 {
     if (count_panels(model, options) > 0) {
         return write_panels(model, options, out, error);
+    }
+    if (taut_flat_is(model)) {
+        return taut_r12_write(model, out, error);
     }
     if (taut_model_curve_count(model) > 0) {
         return write_curves(model, options, out, error);

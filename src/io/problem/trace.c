@@ -24,7 +24,8 @@ enum { PATH_ROOM = 4096 };
 
 static const char *const members[] = {"trace",      "of",     "surface", "families", "seeds",
                                       "max_length", "panels", "laths",   "sheet",    NULL};
-static const char *const not_yet[] = {"panels", "sheet", NULL};
+static const char *const not_yet[] = {"panels", NULL};
+static const char *const sheet_members[] = {"size", "gap", NULL};
 static const char *const nets[] = {"asymptotic", "principal", "geodesic", "isoparametric", NULL};
 static const char *const families[4][3] = {
     {"+", "-", NULL}, {"max", "min", NULL}, {"G", NULL, NULL}, {"u", "v", NULL}};
@@ -517,6 +518,49 @@ static taut_status read_laths(const taut_json *at, void *into, taut_error *error
     return in.status;
 }
 
+static taut_status read_gap(const taut_json *at, void *into, taut_error *error)
+{
+    taut_trace_sheet *sheet = into;
+    const taut_status status = taut_json_number(at, &sheet->gap, error);
+    sheet->has_gap = 1;
+    return status == TAUT_OK && !(sheet->gap >= 0)
+               ? taut_json_expected(at, error, "a number that is not negative")
+               : status;
+}
+
+static taut_status read_size(const taut_json *at, void *into, taut_error *error)
+{
+    double *size = into;
+    const taut_status status = taut_json_numbers(at, 2, size, error);
+    return status == TAUT_OK && !(size[0] > 0 && size[1] > 0)
+               ? taut_json_expected(at, error, "two positive numbers")
+               : status;
+}
+
+static taut_status read_sheet(const taut_json *at, void *into, taut_error *error)
+{
+    taut_trace_sheet *sheet = into;
+    taut_reader in = taut_reader_of(at, sheet_members, error);
+    taut_reader_optional(&in, "size", read_size, sheet->size);
+    taut_reader_optional(&in, "gap", read_gap, sheet);
+    return in.status;
+}
+
+static void take_sheet(taut_reader *document, taut_arena *arena, taut_trace_problem *data)
+{
+    taut_trace_sheet *sheet = NULL;
+    if (document->status != TAUT_OK || !taut_reader_has(document, "sheet")) {
+        return;
+    }
+    sheet = taut_arena_take(arena, 1, sizeof *sheet);
+    if (sheet == NULL) {
+        document->status = taut_fail_memory(document->error);
+        return;
+    }
+    taut_reader_member(document, "sheet", read_sheet, sheet);
+    data->sheet = sheet;
+}
+
 static void take_laths(taut_reader *document, taut_arena *arena, taut_trace_problem *data)
 {
     taut_trace_laths *laths = NULL;
@@ -567,6 +611,7 @@ static void trace_read(taut_reader *document, taut_problem *problem, void *into)
     read_seeds(document, problem->arena, data);
     taut_reader_optional(document, "max_length", read_cell, &data->max_length);
     take_laths(document, problem->arena, data);
+    take_sheet(document, problem->arena, data);
 }
 
 const taut_document_ops taut_document_trace = {

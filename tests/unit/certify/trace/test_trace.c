@@ -98,6 +98,39 @@ static void test_told(void)
     net_free(&made);
 }
 
+/* The details without some, or with the first piece twice. */
+static void test_pieces(void)
+{
+    made_net made =
+        net_make("asymptotic", SURFACE,
+                 "\"seeds\": [{ \"edge\": \"u0\", \"count\": 2 }], \"laths\": { \"strip\": "
+                 "\"standing\", \"width\": 0.1 }");
+    const taut_record *old = taut_model_details(made.model);
+
+    CHECK(claim_of(made.proof, "pattern")->holds == TAUT_TRUE, "%s", made.error.message);
+    CHECK(claim_of(made.proof, "pattern")->kind == TAUT_EXACT, "kind");
+    for (int twice = 0; twice < 2; twice++) {
+        const taut_record *pieces = taut_record_get(old, "pieces");
+        taut_record *details = taut_record_new();
+        for (size_t k = 0; k < taut_record_count(old); k++) {
+            if (strcmp(taut_record_key(old, k), "pieces") != 0) {
+                taut_record_add_record(details, taut_record_key(old, k), taut_record_at(old, k));
+            }
+        }
+        taut_record *list = taut_record_add_list(details, "pieces");
+        for (size_t k = 0; k + (twice == 0) < taut_record_count(pieces); k++) {
+            taut_record_add_record(list, NULL, taut_record_at(pieces, k));
+        }
+        if (twice) {
+            taut_record_add_record(list, NULL, taut_record_at(pieces, 0));
+        }
+        CHECK(judge(&made, changed(made.model, -1, 0, 0, details), "pattern") == TAUT_FALSE,
+              "twice %d", twice);
+        taut_record_free(details);
+    }
+    net_free(&made);
+}
+
 /* A net of another surface, or of the other family, is not this one. */
 static void test_other(void)
 {
@@ -122,6 +155,7 @@ int main(void)
 {
     test_moved();
     test_told();
+    test_pieces();
     test_other();
     return check_failures != 0;
 }

@@ -309,6 +309,22 @@ static void test_cells(void)
     }
 }
 
+/* Of principal curves of `bonnet`, which are parameter lines, 4 cells along v are 5 lines of constant u, the edges among
+ * them, whole. */
+static void test_edges(void)
+{
+    made_net made = net_make("principal", BONNET("0"), "\"seeds\": [{ \"cells\": 4 }]");
+    CHECK(net_count(&made, "laths") == 8, "%d laths", net_count(&made, "laths"));
+    for (int k = 0; k < 5; k++) {
+        char name[8];
+        snprintf(name, sizeof name, "A%d", k + 1);
+        CHECK_NEAR(net_end(&made, name, "from", 0), 0.3 * k, 1e-12, "%s", name);
+        CHECK(net_end(&made, name, "from", 1) == 0 && net_end(&made, name, "to", 1) == 0.9, "%s",
+              name);
+    }
+    net_free(&made);
+}
+
 static void test_refusals(void)
 {
     const struct {
@@ -353,6 +369,7 @@ int main(void)
     test_between();
     test_seeds();
     test_cells();
+    test_edges();
     test_refusals();
     return check_failures != 0;
 }
