@@ -36,7 +36,8 @@ static void print_duration(const char *what, double seconds, const char *end)
     }
 }
 
-enum { DIGITS = 11 }; /* of integrals, which are good to 1e-10 relative; one more, so that rounding adds nothing to that */
+/* Integrals are good to 1e-10 relative: one digit more, so that rounding adds nothing to that. */
+enum { DIGITS = 11 };
 
 static int ends_in(const char *key, const char *end)
 {

@@ -592,7 +592,7 @@ static void ring(int number)
 void taut_system_pause(double seconds)
 {
     const struct timespec span = {.tv_sec = (time_t)seconds,
-                                  .tv_nsec = (long)(1e9 * (seconds - floor(seconds)))};
+                                  .tv_nsec = (int)(1e9 * (seconds - floor(seconds)))};
     nanosleep(&span, NULL);
 }
 
