@@ -80,6 +80,14 @@ typedef struct taut_film_edge {
     taut_film_guide plane;
 } taut_film_edge;
 
+/* How a film is found. */
+typedef enum taut_film_method {
+    TAUT_FILM_FULL = 0, /* in all coordinates of the net */
+    TAUT_FILM_NORMAL /* at the end in those alone that the energy sees; the net lies as it came */
+} taut_film_method;
+
+/* The most rounds of refinement. */
+enum { TAUT_FILM_REFINE_MAX = 6 };
 /* The most updates of a reference. */
 enum { TAUT_FILM_UPDATES_MAX = 100 };
 
@@ -102,6 +110,10 @@ typedef struct taut_film_problem {
     double prestress[2];       /* both above 0: forces per width along u and v, on `reference` */
     const taut_surface *reference; /* regular, on the bases of the film; with prestress */
     int updates;                   /* so often the film becomes the reference, 0 to 100 */
+    const double *start; /* double[nu][nv][3], where to begin; NaN: a point that is not given */
+    taut_film_method method;
+    int accepts_stationary; /* nonzero: films at rest that are no minimum too */
+    int refine;             /* 0 to 6: found anew so often, each time with all spans halved */
 } taut_film_problem;
 
 /* Reasons: word, meaning, remedy. */
@@ -109,8 +121,12 @@ typedef struct taut_film_problem {
     X("not-yet", "a member or a word of films that this version cannot do", "leave it out")        \
     X("basis", "a basis is not of type bezier or bspline of degree 2 or more, or could crease",    \
       "take a bspline of degree 4, say")                                                           \
-    X("corner-missing", "a corner is not given, and no curve of its edges ends there",             \
+    X("corner-missing", "an edge is held on a line from a corner that is not given",               \
       "give the corner")                                                                           \
+    X("free-edge", "an edge is neither held, drawn nor kept in a plane",                           \
+      "give it a cable or a plane")                                                                \
+    X("start", "a start is of another net, or not on what holds the film",                         \
+      "give a model of the same surface, held in the same places")                                 \
     X("curve-ends", "a curve does not end in the corners of its edge",                             \
       "let u0 and u1 run with v, v0 and v1 with u, from corner to corner")                         \
     X("edge-conflict", "an edge is in a seam, and held or drawn too", "leave out one of them")     \
@@ -120,7 +136,7 @@ typedef struct taut_film_problem {
       "move the corner, or leave it out")                                                          \
     X("seam-mismatch", "two edges that are not opposite ones of a patch are to be one",            \
       "join u0 with u1, or v0 with v1")                                                            \
-    X("point-support", "a pole is held at a point, which holds no film",                           \
+    X("point-support", "a point inside is held, or a pole: a point holds no film",                 \
       "use a ring, or cables that end there")                                                      \
     X("no-corner", "two cables meet in a corner that is free: they draw it straight",              \
       "hold it, or keep it on a line or in a plane")                                               \
@@ -138,6 +154,8 @@ typedef struct taut_film_problem {
       "give the cables the force that the message names, or more")                                 \
     X("cable-too-short", "a cable is not longer than the chord it has to span",                    \
       "give it more length, or draw the corners together")                                         \
+    X("unstable", "the start lies at a film that is no minimum",                                   \
+      "begin elsewhere, or accept what is stationary")                                             \
     X("folds", "the film folds on its way to the least energy",                                    \
       "raise the forces, or move the corners")                                                     \
     X("not-converged", "the most iterations were made, or no step lowers the energy any more",     \
@@ -149,7 +167,7 @@ typedef struct taut_film_problem {
 
 /* Makes the model: the surface, and each cable as a curve named as its edge ("u0"); details:
  * unknowns, iterations, method, residual, updates, cables (edge, force, length, of elastic ones unstressed),
- * supports (the held corners at which cables end), verdict { exists, stable, least }, rivals,
+ * supports (the held corners), refinement, verdict { exists, stable, least }, rivals,
  * deviation of fitted curves, least: of sails in space the witness of the claim `least`, unless
  * without_least (docs/film.md).
  * TAUT_BAD_INPUT: data out of range, error->where the member. TAUT_NO_SOLUTION: no-area, crossed,

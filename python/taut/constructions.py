@@ -133,17 +133,21 @@ def dirichlet(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None
     return made_of("dirichlet", said, known, tolerance=tolerance, threads=threads, progress=progress, strict=strict)
 
 
-def film(*, u: BasisLike | None = None, v: BasisLike | None = None,
+def film(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None, v: BasisLike | None = None,
         unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, name: str | None = None,
         corners: Mapping[str, Union[npt.ArrayLike, None, Mapping[str, npt.ArrayLike], Mapping[str, Any]]] | None = None,
         edges: Mapping[str, Union[Literal["fixed"], Mapping[str, Union[CurveLike, Union[Mapping[str, npt.ArrayLike], Mapping[str, Mapping[str, Any]]]]], Mapping[str, Any], Mapping[str, Mapping[str, npt.ArrayLike]], Mapping[str, None]]] | None = None,
         seams: Sequence[Any] | None = None, tension: float | None = None, force_density: npt.ArrayLike | None = None,
         prestress: npt.ArrayLike | None = None, reference: SurfaceLike | None = None, updates: int | None = None,
         tolerance: float | None = None, max_iterations: int | None = None, equilibrium: float | None = None,
-        method: Literal["full"] | None = None, accept: Literal["minimum"] | None = None, least: bool | None = None,
-        threads: int | None = None, progress: Progress | None = None, strict: bool = False) -> Model:
+        method: Literal["full", "normal"] | None = None, accept: Literal["minimum", "stationary"] | None = None,
+        least: bool | None = None, start: Mapping[str, Any] | None = None, refine: int | None = None,
+        known: npt.ArrayLike | None = None, threads: int | None = None, progress: Progress | None = None,
+        strict: bool = False) -> Model:
     """The film of least energy between edges that are held or drawn by cables.
 
+    points                 (nu, nv, 3); a point with a NaN, or where `known` is False, is to be found; in place of
+                           corners: the rows of edges that are held, of others where they start; null inside
     u                      A function basis on a parameter range; its functions are as many as the points along it.
     v                      A function basis on a parameter range; its functions are as many as the points along it.
     unit                   of lengths; nothing is converted; one of "mm", "m", "cm", "in", "ft"; "mm" if not given
@@ -160,15 +164,20 @@ def film(*, u: BasisLike | None = None, v: BasisLike | None = None,
     tolerance              of the claim stationary; at least 1e-14; 1e-10 if not given
     max_iterations         at least 1; 200 if not given
     equilibrium            adds the claim of that name; above 0
-    method                 as in docs/format.md
-    accept                 as in docs/format.md
+    method                 normal: the last steps are those alone that the energy sees; one of "full", "normal"; "full"
+                           if not given
+    accept                 stationary: films at rest that are no minimum too; one of "minimum", "stationary"; "minimum"
+                           if not given
     least                  true if not given
+    start                  a model with a surface of the film's name on its bases: where to begin
+    refine                 so often the film is found anew with all spans halved; at least 0; 0 if not given
+    known                  (nu, nv) of truth values: which points are given
     """
-    said: dict[str, Any] = {"u": u, "v": v, "unit": unit, "name": name, "corners": corners, "edges": edges, "seams": seams,
-        "tension": tension, "force_density": force_density, "prestress": prestress, "reference": reference,
-        "updates": updates, "tolerance": tolerance, "max_iterations": max_iterations, "equilibrium": equilibrium,
-        "method": method, "accept": accept, "least": least}
-    return made_of("film", said, None, threads=threads, progress=progress, strict=strict)
+    said: dict[str, Any] = {"points": points, "u": u, "v": v, "unit": unit, "name": name, "corners": corners,
+        "edges": edges, "seams": seams, "tension": tension, "force_density": force_density, "prestress": prestress,
+        "reference": reference, "updates": updates, "tolerance": tolerance, "max_iterations": max_iterations,
+        "equilibrium": equilibrium, "method": method, "accept": accept, "least": least, "start": start, "refine": refine}
+    return made_of("film", said, known, threads=threads, progress=progress, strict=strict)
 
 
 def harmonic(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None, v: BasisLike | None = None,

@@ -205,7 +205,11 @@
     X(taut_film_problem, force_density, "double[2]") \
     X(taut_film_problem, prestress, "double[2]") \
     X(taut_film_problem, reference, "const taut_surface *") \
-    X(taut_film_problem, updates, "int")
+    X(taut_film_problem, updates, "int") \
+    X(taut_film_problem, start, "const double *") \
+    X(taut_film_problem, method, "taut_film_method") \
+    X(taut_film_problem, accepts_stationary, "int") \
+    X(taut_film_problem, refine, "int")
 
 #define TAUT_ABI_MEMBERS_taut_forms(X) \
     X(taut_forms, e, "double") \
@@ -606,6 +610,10 @@
     X(TAUT_FILM_SAG, "sag") \
     X(TAUT_FILM_ELASTIC, "elastic")
 
+#define TAUT_ABI_VALUES_taut_film_method(X) \
+    X(TAUT_FILM_FULL, "full") \
+    X(TAUT_FILM_NORMAL, "normal")
+
 #define TAUT_ABI_VALUES_taut_film_ring(X) \
     X(TAUT_FILM_OPEN, "open") \
     X(TAUT_FILM_RING_U, "ring-u") \
@@ -741,6 +749,7 @@
     X(taut_film_corner_kind) \
     X(taut_film_edge_kind) \
     X(taut_film_law) \
+    X(taut_film_method) \
     X(taut_film_ring) \
     X(taut_gradient_of) \
     X(taut_harmonic_even) \
@@ -779,6 +788,7 @@
     X(TAUT_ORDER_MAX, "TAUT_ORDER_MAX") \
     X(TAUT_THROUGH_MAX, "TAUT_THROUGH_MAX") \
     X(TAUT_FILM_POINTS_MAX, "TAUT_FILM_POINTS_MAX") \
+    X(TAUT_FILM_REFINE_MAX, "TAUT_FILM_REFINE_MAX") \
     X(TAUT_FILM_UPDATES_MAX, "TAUT_FILM_UPDATES_MAX") \
     X(TAUT_DEGREE_MAX, "TAUT_DEGREE_MAX") \
     X(TAUT_COUNT_MAX, "TAUT_COUNT_MAX") \

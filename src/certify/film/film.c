@@ -112,6 +112,7 @@ static taut_status read_request(const taut_model *model, const taut_film_problem
 typedef struct boundary {
     double residual, limit;
     int worst, count;
+    int fitted; /* is one of them held on a curve of another basis? */
 } boundary;
 
 /* What edge e has to be: to be freed. */
@@ -187,7 +188,11 @@ static taut_status check_edge(const request *r, int e, boundary *b, taut_error *
     if (status == TAUT_OK) {
         status = taut_certify_distance(found, wanted, &distance, error);
     }
-    if (status == TAUT_OK && r->problem->edges[e].curve != NULL) {
+    const taut_curve *given = r->problem->edges[e].curve;
+    if (status == TAUT_OK && given != NULL &&
+        (r->problem->ring != TAUT_FILM_OPEN || taut_curve_weights(given) != NULL ||
+         !taut_basis_equal(taut_curve_t(given), taut_curve_t(found)))) {
+        b->fitted = 1;
         status = fit_edge(wanted, taut_curve_t(found), &fitted, error);
     }
     if (status == TAUT_OK) {
@@ -215,7 +220,7 @@ static taut_status add_boundary(const request *r, taut_certificate *certificate,
         return TAUT_OK;
     }
     taut_claim claim = {.claim = "boundary",
-                        .kind = TAUT_BOUND,
+                        .kind = b.fitted ? TAUT_BOUND : TAUT_EXACT,
                         .residual = b.residual,
                         .limit = b.limit,
                         .holds = taut_certify_below(b.residual, b.limit),
@@ -450,7 +455,10 @@ static taut_status find_rest(const request *r, int rule, taut_arena *arena, find
     }
     scale_gradient(&sheet, largest, gradient);
     const double along = taut_film_moves_largest(&moves, gradient, &at_move);
-    const double free = largest_free(&sheet, gradient, &at_free) * (r->tolerance / largest_limit);
+    const double free =
+        r->problem->method == TAUT_FILM_NORMAL
+            ? 0
+            : largest_free(&sheet, gradient, &at_free) * (r->tolerance / largest_limit);
     found->residual = taut_certify_max(along, free);
     found->at = along >= free ? at_move : at_free;
     found->area = ldexp(found->area, 2 * sheet.unit);
@@ -589,7 +597,7 @@ static taut_status add_stationary(const request *r, const finding *found,
     return taut_certificate_add(certificate, &claim);
 }
 
-static taut_status add_stable(const finding *found, taut_certificate *certificate)
+static taut_status add_stable(const request *r, const finding *found, taut_certificate *certificate)
 {
     taut_claim claim = {.claim = "stable",
                         .kind = TAUT_CHECK,
@@ -597,6 +605,11 @@ static taut_status add_stable(const finding *found, taut_certificate *certificat
                         .limit = stable_limit,
                         .where = ""};
 
+    if (r->problem->accepts_stationary) {
+        claim.holds = TAUT_UNDECIDED;
+        claim.where = "stationary: the problem accepts films that are no minimum";
+        return taut_certificate_add(certificate, &claim);
+    }
     claim.holds = found->below < 0    ? TAUT_UNDECIDED
                   : found->below == 0 ? taut_certify_above(claim.residual, claim.limit)
                                       : TAUT_FALSE;
@@ -844,7 +857,7 @@ static taut_status prove(const request *r, taut_certificate *certificate)
         status = add_stationary(r, &found, certificate);
     }
     if (status == TAUT_OK) {
-        status = add_stable(&found, certificate);
+        status = add_stable(r, &found, certificate);
     }
     return status == TAUT_OK ? add_figures(r, &found, certificate) : status;
 }

@@ -200,15 +200,14 @@ static void add_held(const taut_film_sheet *sheet, int e, double sum[3], double 
 }
 
 /* Its ends pull at corners, where they are held. */
-static void add_ends(const taut_film_sheet *sheet, int e, double forces[4][3], unsigned char has[4],
-                     double sum[3], double *size)
+static void add_ends(const taut_film_sheet *sheet, int e, double forces[4][3], double sum[3],
+                     double *size)
 {
     for (int end = 0; end < 2; end++) {
         const int corner = e < 2 ? e + 2 * end : end + 2 * (e - 2);
         const double sign = end == 0 ? 1 : -1, r = sheet->ratios[e];
         spot s;
         look(sheet, e, parameter(basis_of(sheet, e), end * (GRID - 1)), &s);
-        has[corner] = sheet->problem->corner_kinds[corner] == TAUT_FILM_HELD;
         taut_add_scaled(sign * sheet->forces[e] / s.speed, s.d, forces[corner]);
         taut_add_scaled(sign * r / s.speed, s.d, sum);
         *size += r;
@@ -221,7 +220,10 @@ void taut_film_reactions(const taut_film_sheet *sheet, double forces[4][3], unsi
     double sum[3] = {0, 0, 0}, size = 0;
 
     memset(forces, 0, 12 * sizeof(double));
-    memset(has, 0, 4);
+    for (int c = 0; c < 4; c++) {
+        has[c] = sheet->problem->ring == TAUT_FILM_OPEN &&
+                 sheet->problem->corner_kinds[c] == TAUT_FILM_HELD;
+    }
     for (int e = 0; e < 4; e++) {
         const taut_film_edge *edge = &sheet->problem->edges[e];
         if (!taut_film_sheet_has_edge(sheet->problem, e) || edge->kind == TAUT_FILM_POLE) {
@@ -231,7 +233,7 @@ void taut_film_reactions(const taut_film_sheet *sheet, double forces[4][3], unsi
             add_held(sheet, e, sum, &size);
         }
         if (taut_film_sheet_is_cable(sheet, e) && sheet->problem->ring == TAUT_FILM_OPEN) {
-            add_ends(sheet, e, forces, has, sum, &size);
+            add_ends(sheet, e, forces, sum, &size);
         }
     }
     *balance = size > 0 ? taut_length(sum) / size : 0; /* forces that vanish beside the tension */

@@ -33,13 +33,14 @@
 #include <math.h>
 #include <string.h>
 
-enum { RULES = 8, POLISHES = 6, MULTIPLIERS = 40 };
+enum { RULES = 8, POLISHES = 6, MULTIPLIERS = 40, SEEKS = 20, APPROACH = 12 };
 
 /* Nodes on a span beyond the functions alive there. */
 static const int extra_nodes[RULES] = {1, 3, 6, 10, 16, 26, 42, 68};
 static const double energy_agreement = 1e-13; /* share: two rules that agree */
 static const double residual_agreement = 0.1; /* of the tolerance */
 static const double residual_any = 5e-7;      /* of all coordinates: the certificate allows 1e-6 */
+static const double residual_rough = 1e-3;    /* of all coordinates, by the method `normal` */
 /* Of given lengths: share. Rounding is 1e-15, the certificate's limit 1e-10. */
 static const double length_agreement = 1e-12;
 /* Stiffness of a cable at the start, over force / length. A film of a given length is stable where
@@ -211,6 +212,24 @@ static taut_status tell_ending(const taut_film_work *w, const taut_error *inner,
                      w->region.iterations, w->region.residual, w->region.tolerance);
 }
 
+/* A few steps in all coordinates, which steps along the moves follow: the net lies as these leave it. */
+static taut_status approach(taut_film_work *w, taut_newton_step *newton, taut_error *inner)
+{
+    taut_trust_region few = w->region;
+    const int most = few.iterations + (w->rule == 0 ? APPROACH : 0);
+
+    few.tolerance = fmax(few.tolerance, residual_rough);
+    few.max_iterations = most < few.max_iterations ? most : few.max_iterations;
+    const taut_status status =
+        taut_trust_region_minimise(w->functional, newton, &few, w->net, inner);
+    const int is_whole = few.max_iterations == most; /* else the caller's iterations are spent */
+    few.tolerance = w->region.tolerance;
+    few.max_iterations = w->region.max_iterations;
+    w->region = few;
+    return status == TAUT_NOT_CONVERGED && is_whole && strcmp(inner->reason, "folds") != 0 ? TAUT_OK
+                                                                                           : status;
+}
+
 /* Minimises by the rule of the moment. */
 static taut_status minimise(taut_film_work *w, taut_error *error)
 {
@@ -228,7 +247,9 @@ static taut_status minimise(taut_film_work *w, taut_error *error)
                          "the degree are too extreme");
     }
     w->method = taut_newton_step_method(newton);
-    status = taut_trust_region_minimise(w->functional, newton, &w->region, w->net, &inner);
+    status = w->space->problem->method == TAUT_FILM_NORMAL
+                 ? approach(w, newton, &inner)
+                 : taut_trust_region_minimise(w->functional, newton, &w->region, w->net, &inner);
     taut_newton_step_free(newton);
     return status == TAUT_OK ? TAUT_OK : tell_ending(w, &inner, status, error);
 }
@@ -242,6 +263,14 @@ static taut_status polish_moves(taut_film_work *w, double residual[3], taut_erro
 
     for (int k = 0; status == TAUT_OK; k++) {
         double found[3];
+        if (w->space->problem->method == TAUT_FILM_NORMAL) {
+            taut_film_rest_point at;
+            status = taut_film_seek(w->functional, w->space, w->net, SEEKS, &at);
+            residual[0] = at.first;
+            residual[1] = at.residual;
+            residual[2] = at.any;
+            return status == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
+        }
         if (taut_film_polish(w->functional, w->space, w->net, found) != TAUT_OK) {
             return taut_fail_memory(error);
         }
@@ -418,7 +447,7 @@ static taut_status minimise_moving(taut_film_work *w, taut_error *error)
 {
     taut_status status = minimise(w, error);
 
-    if (status == TAUT_OK && w->rule == 0 && w->space->around == NULL) {
+    if (status == TAUT_OK && w->rule == 0 && w->space->around == NULL && !w->space->has_inside) {
         taut_film_space_fill(w->space, w->net);
         status = minimise(w, error);
     }
@@ -450,4 +479,53 @@ taut_status taut_film_rest(taut_film_work *w, double factor, taut_error *error)
         }
     }
     return status;
+}
+
+/* Do the forces themselves follow no law? */
+static int has_forces_only(const taut_film_work *w)
+{
+    int only = 1;
+    for (int e = 0; e < 4; e++) {
+        only = only && !(w->space->cables[e].start > 0);
+    }
+    return only;
+}
+
+taut_status taut_film_rest_any(taut_film_work *w, int steps, taut_film_rest_point *at,
+                               taut_error *error)
+{
+    double before = INFINITY;
+
+    for (int rule = 0; rule < RULES && has_forces_only(w); rule++) {
+        if (taut_film_take_rule(w, rule, 1) != TAUT_OK ||
+            taut_film_seek(w->functional, w->space, w->net, steps, at) != TAUT_OK) {
+            return taut_fail_memory(error);
+        }
+        const double after = taut_area_functional_value(w->functional, w->net).area;
+        if (!(at->residual <= w->region.tolerance) || is_folded(w->functional)) {
+            break;
+        }
+        if (fabs(after - before) <= energy_agreement * after) {
+            w->region.residual = at->residual;
+            w->region.area = after;
+            w->method = "factors";
+            return TAUT_OK;
+        }
+        before = after;
+    }
+    return taut_fail(error, TAUT_NOT_CONVERGED, "not-converged", NULL, at->residual,
+                     w->region.tolerance,
+                     "no film at rest is found from there: the residual is %.3g, expected at "
+                     "most %.3g",
+                     at->residual, w->region.tolerance);
+}
+
+taut_status taut_film_judge(taut_film_work *w, taut_film_rest_point *at)
+{
+    unsigned char rigid[4] = {0, 0, 0, 0};
+
+    for (int k = 0; k < w->functional->cable_count; k++) {
+        rigid[k] = w->space->cables[w->edges[k]].length > 0;
+    }
+    return taut_film_inertia(w->functional, w->space, w->net, rigid, at);
 }

@@ -2,6 +2,7 @@
 #ifndef TAUT_CONSTRUCT_FILM_EQUILIBRIUM_H
 #define TAUT_CONSTRUCT_FILM_EQUILIBRIUM_H
 
+#include "construct/film/polish.h"
 #include "construct/film/space.h"
 #include "construct/plateau/density.h"
 #include "construct/plateau/trust_region.h"
@@ -27,6 +28,7 @@ typedef struct taut_film_work {
     double *net;
     taut_trust_region region;
     int iterations; /* of all films on the way */
+    int negative;   /* eigenvalues below 0 of the film; -1: not known */
     const char *method;
 } taut_film_work;
 
@@ -40,6 +42,13 @@ void taut_film_drop_rule(taut_film_work *w);
 /* w->net: the film that it goes to with all forces `factor` times what they are. TAUT_NOT_CONVERGED: folds,
  * not-converged; TAUT_NO_SOLUTION, TAUT_INTERRUPTED, TAUT_NO_MEMORY. */
 taut_status taut_film_rest(taut_film_work *w, double factor, taut_error *error);
+
+/* w->net: the film at rest that Newton's steps lead to, at most so many, minimum or not, with the forces that are given.
+ * TAUT_NOT_CONVERGED: they lead to none. *at: of it. TAUT_NO_MEMORY. */
+taut_status taut_film_rest_any(taut_film_work *w, int steps, taut_film_rest_point *at,
+                               taut_error *error);
+/* Of w->net, lengths given. TAUT_NO_MEMORY. */
+taut_status taut_film_judge(taut_film_work *w, taut_film_rest_point *at);
 
 /* The error of an attempt becomes that of the whole. */
 static inline taut_status taut_film_pass_on(const taut_error *inner, taut_error *error)

@@ -11,6 +11,7 @@
 #include "construct/common/build.h"
 #include "construct/construct_ops.h"
 #include "construct/film/flat.h"
+#include "construct/film/refine.h"
 #include "construct/film/ring.h"
 #include "construct/film/solve.h"
 #include "construct/film/witness.h"
@@ -23,6 +24,7 @@
 
 enum { REFERENCE_GRID = 33 };
 static const double sine_least = 1e-6;
+static const double parallel = 1e-9; /* sine: below it two directions are one */
 static const double tolerance_least = 1e-14, tolerance_most = 1e-3;
 
 /* Is an inner knot repeated so often that nothing but the energy keeps the film from a crease? */
@@ -189,6 +191,69 @@ static taut_status check_moving(const taut_film_problem *problem, int c, taut_er
     return TAUT_OK;
 }
 
+/* One direction more that something is held along: the part across those that are there. */
+static void add_hold(const double direction[3], double holds[3][3], int *count)
+{
+    double x[3] = {direction[0], direction[1], direction[2]};
+    const double whole = taut_norm(x);
+
+    for (int k = 0; k < *count; k++) {
+        taut_add_scaled(-taut_dot(x, holds[k]), holds[k], x);
+    }
+    const double size = taut_norm(x);
+    for (int c = 0; *count < 3 && size > parallel * whole && c < 3; c++) {
+        holds[*count][c] = x[c] / size;
+    }
+    *count += *count < 3 && size > parallel * whole;
+}
+
+/* Of a line the two across it. */
+static void add_line(const double direction[3], double holds[3][3], int *count)
+{
+    for (int c = 0; c < 3; c++) {
+        const double axis[3] = {c == 0, c == 1, c == 2};
+        double across[3];
+        taut_cross(direction, axis, across);
+        if (taut_norm(across) > 0.1 * taut_norm(direction)) {
+            add_hold(across, holds, count);
+        }
+    }
+}
+
+/* Do held points, lines and planes leave a translation? Nothing about a film is known where they do. */
+static taut_status check_support(const taut_film_problem *problem, taut_error *error)
+{
+    double holds[3][3], free[3] = {1, 0, 0};
+    int count = 0;
+
+    for (int k = 0; k < 4; k++) {
+        const taut_film_edge *edge = &problem->edges[k];
+        if (problem->corner_kinds[k] == TAUT_FILM_HELD ||
+            (taut_film_has_edge(problem, k) && edge->kind == TAUT_FILM_FIXED)) {
+            return TAUT_OK;
+        }
+        if (taut_film_has_plane(edge)) {
+            add_hold(edge->plane.direction, holds, &count);
+        }
+        if (problem->corner_kinds[k] == TAUT_FILM_ON_PLANE) {
+            add_hold(problem->guides[k].direction, holds, &count);
+        } else if (problem->corner_kinds[k] == TAUT_FILM_ON_LINE) {
+            add_line(problem->guides[k].direction, holds, &count);
+        }
+    }
+    if (count == 3) {
+        return TAUT_OK;
+    }
+    for (int k = 0, none = count; k < 3 && count == none; k++) { /* an axis that is not held */
+        const double axis[3] = {k == 0, k == 1, k == 2};
+        add_hold(axis, holds, &count);
+        memcpy(free, count > none ? holds[none] : free, sizeof free);
+    }
+    return taut_fail(error, TAUT_NO_SOLUTION, "floating", "/edges", count - 1, 3,
+                     "nothing holds the film along (%.6g, %.6g, %.6g): hold a corner or an edge",
+                     free[0], free[1], free[2]);
+}
+
 static taut_status check_ring(const taut_film_problem *problem, taut_error *error)
 {
     const int along_u = problem->ring == TAUT_FILM_RING_U;
@@ -301,6 +366,26 @@ static taut_status check_threads(const taut_film_problem *problem, taut_error *e
                : status;
 }
 
+static double finer_count(const taut_basis *basis, int refine)
+{
+    return taut_basis_count(basis) + (ldexp(1, refine) - 1) * taut_basis_span_count(basis);
+}
+
+static taut_status check_refine(const taut_film_problem *problem, taut_error *error)
+{
+    const taut_status status =
+        check_number(problem->refine, 1, TAUT_FILM_REFINE_MAX, "/refine", error);
+    const double count =
+        finer_count(problem->u, problem->refine) * finer_count(problem->v, problem->refine);
+
+    if (status == TAUT_OK && count > TAUT_FILM_POINTS_MAX) {
+        return taut_fail(error, TAUT_BAD_INPUT, "size", "/refine", count, TAUT_FILM_POINTS_MAX,
+                         "refine is %d, and makes a net of %.0f points, expected at most %d",
+                         problem->refine, count, TAUT_FILM_POINTS_MAX);
+    }
+    return status;
+}
+
 static taut_status check_options(const taut_film_problem *problem, taut_error *error)
 {
     taut_status status = check_threads(problem, error);
@@ -319,6 +404,9 @@ static taut_status check_options(const taut_film_problem *problem, taut_error *e
     }
     if (status == TAUT_OK && problem->max_iterations != 0) {
         status = check_number(problem->max_iterations, 1, 1e6, "/max_iterations", error);
+    }
+    if (status == TAUT_OK && problem->refine != 0) {
+        status = check_refine(problem, error);
     }
     if (status == TAUT_OK && !(problem->equilibrium >= 0 && problem->equilibrium < 1)) {
         return taut_fail(error, TAUT_BAD_INPUT, "value", "/equilibrium", problem->equilibrium, 1,
@@ -347,6 +435,9 @@ static taut_status check_problem(const taut_film_problem *problem, taut_error *e
     }
     for (int k = 0; status == TAUT_OK && k < 4; k++) {
         status = check_edge(problem, k, error);
+    }
+    if (status == TAUT_OK && problem->ring == TAUT_FILM_OPEN) {
+        status = check_support(problem, error);
     }
     for (int k = 0; status == TAUT_OK && k < 4; k++) {
         status = check_corner(problem, k, error);
@@ -377,8 +468,7 @@ static void describe_cables(const taut_film_space *space, const taut_film_soluti
     }
     taut_record *supports = taut_record_add_list(details, "supports");
     for (int c = 0; c < 4 && space->around == NULL; c++) {
-        if (space->problem->corner_kinds[c] == TAUT_FILM_HELD &&
-            (space->ratios[c % 2] > 0 || space->ratios[2 + c / 2] > 0)) {
+        if (space->problem->corner_kinds[c] == TAUT_FILM_HELD) {
             taut_record_add_text(supports, NULL, taut_film_corner_names[c]);
         }
     }
@@ -392,13 +482,18 @@ static taut_record *details_of(const taut_film_space *space, const taut_film_sol
 
     taut_record_add_number(details, "unknowns", 3 * (double)space->mask.unknowns);
     taut_record_add_number(details, "iterations", solution->iterations);
-    taut_record_add_text(details, "method", "full");
+    taut_record_add_text(details, "method",
+                         problem->method == TAUT_FILM_NORMAL ? "normal" : "full");
     taut_record_add_text(details, "solver", solution->method);
     taut_record_add_number(details, "residual", solution->residual);
     describe_cables(space, solution, details);
     taut_record *verdict = taut_record_add_object(details, "verdict");
     taut_record_add_text(verdict, "exists", "found");
-    taut_record_add_text(verdict, "stable", "found");
+    if (solution->negative > 0) {
+        taut_record_add_bool(verdict, "stable", 0);
+    } else {
+        taut_record_add_text(verdict, "stable", "found");
+    }
     const int is_beaten = solution->rival > 0 && solution->rival < solution->area;
     if (is_beaten) {
         taut_record_add_bool(verdict, "least", 0);
@@ -462,8 +557,17 @@ static taut_status add_details(const request *r, const taut_film_space *space,
     for (int e = 0; e < 4; e++) {
         radii[e] = space->ratios[e] > 0 ? solution->forces[e] / tension : 0;
     }
-    const taut_status status =
-        taut_film_witness_add(r->problem, taut_model_surface(model, 0), radii, r->monitor, details);
+    const taut_surface *surface = taut_model_surface(model, 0);
+    taut_status status = TAUT_OK;
+    if (r->problem->refine > 0) {
+        status =
+            taut_film_refine(r->problem, surface, solution->energy, r->monitor, details, error);
+    }
+    if (status != TAUT_OK) {
+        taut_record_free(details);
+        return status;
+    }
+    status = taut_film_witness_add(r->problem, surface, radii, r->monitor, details);
     if (status == TAUT_OK) {
         return taut_construct_set_details(model, details, error);
     }

@@ -17,6 +17,10 @@ static taut_status fit(const taut_film_space *space, int e, double *row, double 
     if (space->around != NULL) {
         return taut_curve_fit_around(curve, basis, space->around, row, deviation);
     }
+    if (taut_basis_equal(taut_curve_t(curve), basis) && taut_curve_weights(curve) == NULL) {
+        memcpy(row, taut_curve_points(curve), 3 * (size_t)taut_basis_count(basis) * sizeof(double));
+        return TAUT_OK;
+    }
     for (int end = 0; end < 2; end++) {
         memcpy(ends[end], space->corners[taut_film_corner_of(e, end)], sizeof ends[end]);
     }

@@ -2,13 +2,28 @@
 
 #include "construct/film/greville.h"
 #include "construct/plateau/hessian_band.h"
+#include "core/constants.h"
+#include "core/elementary/elementary.h"
 #include "core/vec3.h"
 
 #include <math.h>
 #include <string.h>
 
-enum { STEPS = 8 };
-static const double enough = 1e-14;  /* residual: rounding from here on */
+enum { STEPS = 8, GAUGES = 40, INVERSIONS = 40 };
+static const double enough = 1e-14; /* residual: rounding from here on */
+static const double residual_far = 10,
+                    enough_far =
+                        1e-12; /* what steps in all coordinates may leave along the moves: times
+                                                               * what there was, or so much */
+static const double falls =
+    0.25; /* of a step's length: the least share of the residual that it has to take */
+static const double gauge_most = 0.1;
+static const double gauge = 1e-6; /* of the metric, in steps in all coordinates */
+static const double gauge_enough = 1e-9,
+                    residual_near = 1e-8; /* residuals: of all coordinates; along the moves */
+static const double step_longest = 0.3,
+                    step_shortest =
+                        0x1p-7;      /* of a step: 0.15 of the size; shares of it that are tried */
 static const double stiffness = 1e4; /* over the largest of H: what is left moves 1e-4 a step */
 
 typedef struct work {
@@ -16,10 +31,12 @@ typedef struct work {
     const taut_film_space *space;
     const taut_mask *mask;
     size_t count;
-    double *net, *gradient, *step, *before; /* [nu][nv][3] */
-    double *directions;                     /* [nu][nv][3][3] */
-    double *moments;                        /* [nu][nv][3] */
-    double any;                             /* of the last look */
+    double *net, *gradient, *step, *before, *tried, *kept; /* [nu][nv][3] */
+    double *directions;                                    /* [nu][nv][3][3] */
+    double *moments;                                       /* [nu][nv][3] */
+    double any;                                            /* of the last look */
+    const taut_basis *bases[2];
+    double *greville[2];
 } work;
 
 static void make_unit(double x[3])
@@ -178,8 +195,10 @@ static void lay_vertex(work *w, size_t at)
     allow(w, at);
 }
 
-static void find_directions(work *w, const taut_basis *bases[2], double *const greville[2])
+static void find_directions(work *w)
 {
+    const taut_basis **bases = w->bases;
+    double *const *greville = w->greville;
     const taut_film_problem *problem = w->space->problem;
     const size_t nu = (size_t)w->mask->nu, nv = (size_t)w->mask->nv;
 
@@ -301,25 +320,27 @@ static taut_status respond(work *w, taut_area_hessian *hessian, double response[
 static taut_status prepare(work *w, taut_arena *arena, taut_area_hessian **hessian)
 {
     const taut_mask *mask = w->mask;
-    const taut_basis *bases[2] = {w->space->problem->u, w->space->problem->v};
-    double *greville[2];
 
+    w->bases[0] = w->space->problem->u;
+    w->bases[1] = w->space->problem->v;
     w->count = (size_t)mask->nu * (size_t)mask->nv;
     w->gradient = taut_arena_take(arena, w->count, 3 * sizeof(double));
     w->step = taut_arena_take(arena, w->count, 3 * sizeof(double));
     w->before = taut_arena_take(arena, w->count, 3 * sizeof(double));
+    w->tried = taut_arena_take(arena, w->count, 3 * sizeof(double));
+    w->kept = taut_arena_take(arena, w->count, 3 * sizeof(double));
     w->moments = taut_arena_take(arena, w->count, 3 * sizeof(double));
     w->directions = taut_arena_take(arena, w->count, 9 * sizeof(double));
-    greville[0] = taut_arena_take(arena, (size_t)mask->nu, sizeof(double));
-    greville[1] = taut_arena_take(arena, (size_t)mask->nv, sizeof(double));
+    w->greville[0] = taut_arena_take(arena, (size_t)mask->nu, sizeof(double));
+    w->greville[1] = taut_arena_take(arena, (size_t)mask->nv, sizeof(double));
     taut_status status = taut_arena_status(arena);
     if (status == TAUT_OK) {
         status = taut_area_hessian_new(w->functional, mask, hessian);
     }
     if (status == TAUT_OK) {
-        taut_film_greville(bases[0], greville[0]);
-        taut_film_greville(bases[1], greville[1]);
-        find_directions(w, bases, greville);
+        taut_film_greville(w->bases[0], w->greville[0]);
+        taut_film_greville(w->bases[1], w->greville[1]);
+        find_directions(w);
     }
     return status;
 }
@@ -357,6 +378,265 @@ taut_status taut_film_polish(taut_area_functional *functional, const taut_film_s
     taut_status status = prepare(&w, arena, &hessian);
     if (status == TAUT_OK) {
         status = polish(&w, hessian, residual);
+    }
+    taut_area_hessian_free(hessian);
+    taut_arena_free(arena);
+    return status;
+}
+
+/* ---- films at rest that may be no minimum ---- */
+
+/* How far the largest part of a step takes a point. */
+static double largest_move(const work *w)
+{
+    double largest = 0;
+    for (size_t i = 0; i < w->count; i++) {
+        largest = fmax(largest, taut_length(w->step + 3 * i));
+    }
+    return largest;
+}
+
+/* Along the moves, or in all coordinates that are allowed: the residual; the gradient is in `step`. */
+static double look_at(work *w, int all)
+{
+    if (!all) {
+        find_directions(w);
+    }
+    const double along = look(w);
+    if (all) {
+        memcpy(w->step, w->gradient, 3 * w->count * sizeof(double));
+    }
+    return all ? w->any : along;
+}
+
+/* One step of Newton's, shortened until the residual falls: 0 where it does not. */
+static int step_nearer(work *w, taut_area_hessian *hessian, int all, double theta, double *found)
+{
+    int negative = 0;
+
+    taut_area_hessian_assemble(hessian, w->functional);
+    if (!all) {
+        taut_area_hessian_stiffen(hessian, w->directions, stiffness);
+    }
+    if (taut_area_hessian_factor_any(hessian, theta, NULL, &negative) != TAUT_OK) {
+        return 0;
+    }
+    taut_area_hessian_solve(hessian, w->step);
+    taut_mask_follow(w->mask, w->step);
+    memcpy(w->before, w->net, 3 * w->count * sizeof(double));
+    memcpy(w->tried, w->step, 3 * w->count * sizeof(double));
+    const double first = fmin(1, step_longest / fmax(largest_move(w), step_longest));
+    for (double t = first; t > step_shortest * first; t *= 0.5) {
+        for (size_t i = 0; i < 3 * w->count; i++) {
+            w->net[i] = w->before[i] - t * w->tried[i];
+        }
+        const double next = look_at(w, all);
+        if (next < (1 - falls * t) * *found) {
+            *found = next;
+            return 1;
+        }
+    }
+    memcpy(w->net, w->before, 3 * w->count * sizeof(double));
+    look_at(w, all);
+    return 0;
+}
+
+/* How often the direction in `step` goes up and down around a ring. */
+static int count_waves(const work *w)
+{
+    const int along_u = w->space->problem->ring == TAUT_FILM_RING_U;
+    const int period = w->space->around->period, across = along_u ? w->mask->nv : w->mask->nu;
+    const size_t nv = (size_t)w->mask->nv;
+    double best = -1;
+    int waves = 0;
+
+    for (int m = 0; m <= period / 2; m++) {
+        double power = 0;
+        for (int k = 0; k < across; k++) {
+            double real = 0, imaginary = 0;
+            for (int i = 0; i < period; i++) {
+                const size_t at = along_u ? (size_t)i * nv + (size_t)k : (size_t)k * nv + (size_t)i;
+                const double angle = 2 * TAUT_PI * (double)(m * i % period) / period;
+                const double x = taut_dot(w->step + 3 * at, w->directions + 9 * at);
+                real += x * taut_cos(angle);
+                imaginary += x * taut_sin(angle);
+            }
+            power += real * real + imaginary * imaginary;
+        }
+        if (power > best) {
+            best = power;
+            waves = m;
+        }
+    }
+    return waves;
+}
+
+/* out = M in, M(d, d) = iint (n . d)^2 dA. */
+static void weigh(const work *w, const double *in, double *out)
+{
+    const taut_area_axis *u = &w->functional->u, *v = &w->functional->v;
+
+    memset(out, 0, 3 * w->count * sizeof(double));
+    for (int line = 0; line < u->count; line++) {
+        for (int k = 0; k < v->count; k++) {
+            double normal[3], along = 0;
+            weighted_normal(w, line, k, normal);
+            for (int round = 0; round < 2; round++) {
+                for (int p = 0; p < u->local * v->local; p++) {
+                    const int a = p / v->local, b = p % v->local;
+                    const size_t at = (size_t)(u->first[line] + a) * (size_t)w->mask->nv +
+                                      (size_t)(v->first[k] + b);
+                    const double value = u->value[line * u->local + a] * v->value[k * v->local + b];
+                    if (round == 0) {
+                        along += value * taut_dot(normal, in + 3 * at);
+                    } else {
+                        taut_add_scaled(value * along / taut_length(normal), normal, out + 3 * at);
+                    }
+                }
+            }
+        }
+    }
+    taut_mask_reduce(w->mask, out);
+}
+
+static double dot_nets(const work *w, const double *a, const double *b)
+{
+    double sum = 0;
+    for (size_t i = 0; i < 3 * w->count; i++) {
+        sum += w->mask->known[i / 3] ? 0 : a[i] * b[i];
+    }
+    return sum;
+}
+
+/* The lowest eigenvalue, about, by inverse iterations with as much of the metric as makes it definite; its direction is in
+ * `step`. Hessian: assembled, stiffened. */
+static double find_lowest(work *w, taut_area_hessian *hessian)
+{
+    unsigned seed = 12345;
+    double theta = 1e-6, lowest = 0;
+
+    while (theta < 1 && taut_area_hessian_factor(hessian, theta) != TAUT_OK) {
+        theta = fmin(1, 1.5 * theta);
+    }
+    for (size_t i = 0; i < 3 * w->count; i++) { /* a direction that no symmetry shares */
+        seed = 1664525u * seed + 1013904223u;
+        w->step[i] = w->mask->known[i / 3] ? 0 : (double)(seed >> 8) * 0x1p-24 - 0.25;
+    }
+    for (int k = 0; k < INVERSIONS; k++) {
+        taut_mask_follow(w->mask, w->step);
+        weigh(w, w->step, w->tried);
+        const double mass = dot_nets(w, w->step, w->tried);
+        memcpy(w->before, w->step, 3 * w->count * sizeof(double));
+        memcpy(w->step, w->tried, 3 * w->count * sizeof(double));
+        taut_area_hessian_solve(hessian, w->step);
+        const double size = sqrt(mass);
+        for (size_t i = 0; i < 3 * w->count; i++) {
+            w->step[i] /= size;
+        }
+    }
+    taut_mask_follow(w->mask, w->step);
+    weigh(w, w->step, w->tried);
+    const double mass = dot_nets(w, w->step, w->tried);
+    memset(w->before, 0, 3 * w->count * sizeof(double));
+    taut_area_functional_product(w->functional, 0, w->step, w->before);
+    taut_mask_reduce(w->mask, w->before);
+    lowest = dot_nets(w, w->step, w->before) / mass;
+    return lowest;
+}
+
+/* What kind of rest the net is at. */
+static void judge(work *w, taut_area_hessian *hessian, const unsigned char *rigid,
+                  taut_film_rest_point *at)
+{
+    find_directions(w);
+    at->residual = look(w);
+    at->any = w->any;
+    at->waves = -1;
+    taut_area_hessian_assemble(hessian, w->functional);
+    taut_area_hessian_stiffen(hessian, w->directions, stiffness);
+    if (taut_area_hessian_factor_any(hessian, 0, rigid, &at->negative) != TAUT_OK) {
+        at->negative = -1;
+    }
+    if (at->negative > 0) {
+        at->eigenvalue = find_lowest(w, hessian);
+        at->waves = w->space->around != NULL ? count_waves(w) : -1;
+    }
+}
+
+/* Steps in all coordinates, with as little of the metric as lets the residual fall. */
+static double settle_gauge(work *w, taut_area_hessian *hessian)
+{
+    double found = look_at(w, 1), theta = gauge;
+
+    for (int k = 0; k < GAUGES && found > gauge_enough && theta <= gauge_most; k++) {
+        theta = step_nearer(w, hessian, 1, theta, &found) ? fmax(gauge, 0.1 * theta) : 10 * theta;
+    }
+    return found;
+}
+
+static void seek(work *w, taut_area_hessian *hessian, int steps)
+{
+    const int full = w->space->problem->method == TAUT_FILM_FULL;
+    double found = look_at(w, 0);
+
+    for (int k = 0; k < steps && found > enough && step_nearer(w, hessian, 0, 0, &found); k++) {
+    }
+    if (!full || taut_film_has_density(w->space->problem) || !(found < residual_near)) {
+        return;
+    }
+    const double before = found;
+    memcpy(w->kept, w->net, 3 * w->count * sizeof(double));
+    (void)settle_gauge(w, hessian);
+    found = look_at(w, 0);
+    for (int k = 0; k < STEPS && found > enough && step_nearer(w, hessian, 0, 0, &found); k++) {
+    }
+    if (!(found <=
+          fmax(residual_far * before, enough_far))) { /* what the first steps found stands */
+        memcpy(w->net, w->kept, 3 * w->count * sizeof(double));
+    }
+}
+
+taut_status taut_film_seek(taut_area_functional *functional, const taut_film_space *space,
+                           double *net, int steps, taut_film_rest_point *at)
+{
+    work w = {.functional = functional, .space = space, .mask = &space->mask, .net = net};
+    taut_area_hessian *hessian = NULL;
+
+    *at = (taut_film_rest_point){.residual = INFINITY, .any = INFINITY, .negative = -1};
+    if (!taut_area_hessian_pays(functional, w.mask)) {
+        return TAUT_OK;
+    }
+    taut_arena *arena = taut_arena_new();
+    taut_status status = prepare(&w, arena, &hessian);
+    double *first = taut_arena_copy(arena, net, w.count, 3 * sizeof(double));
+    status = first == NULL ? TAUT_NO_MEMORY : status;
+    if (status == TAUT_OK) {
+        at->first = look_at(&w, 0);
+        seek(&w, hessian, steps);
+        for (size_t i = 0; i < w.count; i++) {
+            at->moved = fmax(at->moved, taut_distance(first + 3 * i, net + 3 * i));
+        }
+        judge(&w, hessian, NULL, at);
+    }
+    taut_area_hessian_free(hessian);
+    taut_arena_free(arena);
+    return status;
+}
+
+taut_status taut_film_inertia(taut_area_functional *functional, const taut_film_space *space,
+                              double *net, const unsigned char rigid[4], taut_film_rest_point *at)
+{
+    work w = {.functional = functional, .space = space, .mask = &space->mask, .net = net};
+    taut_area_hessian *hessian = NULL;
+
+    *at = (taut_film_rest_point){.negative = -1};
+    if (!taut_area_hessian_pays(functional, w.mask)) {
+        return TAUT_OK;
+    }
+    taut_arena *arena = taut_arena_new();
+    const taut_status status = prepare(&w, arena, &hessian);
+    if (status == TAUT_OK) {
+        judge(&w, hessian, rigid, at);
     }
     taut_area_hessian_free(hessian);
     taut_arena_free(arena);

@@ -23,4 +23,22 @@ taut_status taut_film_polish(taut_area_functional *functional, const taut_film_s
 taut_status taut_film_respond(taut_area_functional *functional, const taut_film_space *space,
                               double *net, double response[4][4]);
 
+/* A film at rest near a net, be it a minimum or not. */
+typedef struct taut_film_rest_point {
+    double first, residual,
+        any;      /* as taut_film_polish has them, along the moves before, and after */
+    double moved; /* the farthest that a point went */
+    int negative; /* eigenvalues below 0 over those moves; -1: not known */
+    double
+        eigenvalue; /* where some are: about the lowest, scaled, over the tension; of a film alone */
+    int waves;      /* of a ring, where some are: how often it goes up and down around; else -1 */
+} taut_film_rest_point;
+
+/* Goes to it by Newton's steps of any signs, at most so many, each to a smaller residual; over all coordinates too unless
+ * the method is `normal`. taut_film_inertia only looks. TAUT_NO_MEMORY. */
+taut_status taut_film_seek(taut_area_functional *functional, const taut_film_space *space,
+                           double *net, int steps, taut_film_rest_point *at);
+taut_status taut_film_inertia(taut_area_functional *functional, const taut_film_space *space,
+                              double *net, const unsigned char rigid[4], taut_film_rest_point *at);
+
 #endif /* TAUT_CONSTRUCT_FILM_POLISH_H */

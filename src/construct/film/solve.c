@@ -15,13 +15,15 @@
 #include "core/vec3.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
-enum { ITERATIONS_DEFAULT = 200, PATIENCE = 40 };
+enum { ITERATIONS_DEFAULT = 200, PATIENCE = 40, SEEKS = 40, SEEKS_NEAR = 8 };
 
 static const double tolerance_default = 1e-10;
 static const double gain_enough =
     3e-10; /* of all coordinates: points that slide along themselves creep */
+static const double moved_near = 0.1;   /* 0.05 of the size: a start that lies at a film */
 static const double area_none = 1e-12;  /* of the size squared */
 static const double theta_least = 1e-6; /* of the metric operator in every step */
 static const double work_most = 2e11;   /* flops of all films on the way: minutes */
@@ -37,8 +39,65 @@ static int has_forces(const taut_film_space *space)
     return forces > 0 && others == 0;
 }
 
+static taut_status refuse_unstable(const taut_film_work *w, const taut_film_rest_point *at,
+                                   taut_error *error)
+{
+    const int unit = w->space->scaling.outer + w->space->scaling.inner;
+    const double value = taut_film_tension(w->space->problem) * ldexp(at->eigenvalue, -2 * unit);
+    char waves[64] = "";
+
+    if (at->waves >= 0) {
+        snprintf(waves, sizeof waves, ", of a move with %d waves around", at->waves);
+    }
+    return taut_fail(error, TAUT_NO_SOLUTION, "unstable",
+                     w->space->has_inside ? "/start" : "/edges", value, 0,
+                     "the film is at rest there and no minimum: the lowest eigenvalue of its "
+                     "second variation is about %.6g%s; begin elsewhere, or \"accept\" what is "
+                     "\"stationary\"",
+                     value, waves);
+}
+
+/* A start that lies at a film: *done where that is what is asked for. One that is no minimum is refused unless it may be. */
+static taut_status try_start(taut_film_work *w, int *done, taut_error *error)
+{
+    const size_t bytes = 3 * w->space->count * sizeof(double);
+    const int any = w->space->problem->accepts_stationary;
+    taut_error inner = {.status = TAUT_OK};
+    taut_film_rest_point at;
+
+    inner.status = taut_film_rest_any(w, any ? SEEKS : SEEKS_NEAR, &at, &inner);
+    if (inner.status != TAUT_OK && inner.status != TAUT_NOT_CONVERGED) {
+        return taut_film_pass_on(&inner, error);
+    }
+    *done = inner.status == TAUT_OK && any;
+    w->negative = at.negative;
+    if (inner.status == TAUT_OK && !any && at.moved <= moved_near && at.negative > 0) {
+        return refuse_unstable(w, &at, error);
+    }
+    if (!*done) {
+        memcpy(w->net, w->space->start, bytes);
+    }
+    return TAUT_OK;
+}
+
+/* No film is a minimum that gives way. */
+static taut_status check_stable(taut_film_work *w, taut_error *error)
+{
+    taut_film_rest_point at;
+
+    if (taut_film_judge(w, &at) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    w->negative = at.negative;
+    return at.negative > 0 && !w->space->problem->accepts_stationary
+               ? refuse_unstable(w, &at, error)
+               : TAUT_OK;
+}
+
 static taut_status find_net(taut_film_work *w, taut_arena *arena, taut_error *error)
 {
+    int done = 0;
+
     taut_film_start_laws(w);
     taut_status status = taut_film_take_rule(w, 0, 1);
 
@@ -53,6 +112,12 @@ static taut_status find_net(taut_film_work *w, taut_arena *arena, taut_error *er
     if (!(area > area_none)) {
         return taut_fail(error, TAUT_NO_SOLUTION, "no-area", "/corners", area, area_none,
                          "the edges span no area: give corners that are not on one line");
+    }
+    if (w->space->has_inside || w->space->problem->accepts_stationary) {
+        status = try_start(w, &done, error);
+    }
+    if (status != TAUT_OK || done) {
+        return status;
     }
     taut_error inner = {.status = TAUT_OK};
     inner.status = taut_film_rest(w, 1, &inner);
@@ -146,6 +211,30 @@ static taut_status update(taut_film_work *w, taut_arena *arena, taut_film_soluti
     return status;
 }
 
+/* Of the film by its tension or its threads, and of cables by their laws. Their lengths and forces have been found. */
+static double find_energy(taut_film_work *w, const taut_film_solution *solution)
+{
+    const taut_film_problem *problem = w->space->problem;
+    const int cables = w->functional->cable_count;
+    double energy = 0;
+
+    w->functional->cable_count = 0;
+    energy = taut_film_tension(problem) *
+             taut_scaling_undo_square(&w->space->scaling,
+                                      taut_area_functional_value(w->functional, w->net).area);
+    w->functional->cable_count = cables;
+    for (int e = 0; e < 4; e++) {
+        const taut_film_edge *edge = &problem->edges[e];
+        const double longer = solution->lengths[e] - edge->unstressed;
+        if (edge->kind == TAUT_FILM_CABLE && edge->law == TAUT_FILM_FORCE) {
+            energy += edge->force * solution->lengths[e];
+        } else if (edge->kind == TAUT_FILM_CABLE && edge->law == TAUT_FILM_ELASTIC && longer > 0) {
+            energy += edge->stiffness * longer * longer / (2 * edge->unstressed);
+        }
+    }
+    return energy;
+}
+
 static taut_status fill_solution(taut_film_work *w, taut_arena *arena, taut_film_solution *solution,
                                  taut_error *error)
 {
@@ -164,6 +253,8 @@ static taut_status fill_solution(taut_film_work *w, taut_arena *arena, taut_film
     solution->iterations = w->iterations;
     solution->residual = w->region.residual;
     solution->method = w->method;
+    solution->negative = w->negative;
+    solution->energy = find_energy(w, solution);
     w->functional->cable_count = 0;
     w->functional->density = NULL;
     solution->area = taut_scaling_undo_square(
@@ -207,6 +298,9 @@ taut_status taut_film_solve(const taut_film_space *space, const taut_monitor *mo
     }
     if (status == TAUT_OK && problem->updates > 0) {
         status = update(&w, arena, solution, error);
+    }
+    if (status == TAUT_OK) {
+        status = check_stable(&w, error);
     }
     if (status == TAUT_OK) {
         status = fill_solution(&w, arena, solution, error);

@@ -11,9 +11,11 @@ typedef struct taut_film_solution {
     double forces[4];
     double *
         changes; /* [problem->updates], in the arena: how far each update moved a point, over the size; or NULL */
-    double area;  /* of the film, in the user's unit; as far as doubles reach */
-    double rival; /* of a ring: the area of two films that each span one of its edges; else 0 */
+    double area;   /* of the film, in the user's unit; as far as doubles reach */
+    double rival;  /* of a ring: the area of two films that each span one of its edges; else 0 */
+    double energy; /* of film and cables, in the user's unit */
     int iterations;
+    int negative;       /* eigenvalues of the second variation below 0; -1: not looked at */
     double residual;    /* largest derivative along a move that the energy sees over the largest */
     const char *method; /* of the steps: "factors" or "conjugate-gradients" */
 } taut_film_solution;

@@ -10,6 +10,7 @@
 #include "construct/film/space.h"
 
 #include "construct/film/arc.h"
+#include "construct/film/begin.h"
 #include "construct/film/freedom.h"
 #include "construct/film/greville.h"
 #include "construct/film/held.h"
@@ -36,6 +37,19 @@ static void evaluate_end(const taut_curve *curve, int end, double x[3])
     (void)taut_curve_eval(curve, end == 0 ? taut_basis_lo(t) : taut_basis_hi(t), 0, x);
 }
 
+/* Where the problem's start has corner c, if it moves and the start does; else NULL. */
+static const double *started_at(const taut_film_space *space, int c)
+{
+    const taut_film_problem *problem = space->problem;
+    const size_t at =
+        (size_t)(c % 2 * (space->nu - 1)) * (size_t)space->nv + (size_t)(c / 2 * (space->nv - 1));
+
+    return problem->start != NULL && problem->corner_kinds[c] != TAUT_FILM_HELD &&
+                   isfinite(taut_norm(problem->start + 3 * at))
+               ? problem->start + 3 * at
+               : NULL;
+}
+
 /* The two edges that end at corner c, and which end that is. */
 static void edges_at(int c, int edge[2], int end[2])
 {
@@ -45,11 +59,17 @@ static void edges_at(int c, int edge[2], int end[2])
     end[1] = c % 2;
 }
 
-static taut_status take_corner(const taut_film_problem *problem, int c, double corner[3],
+static taut_status take_corner(const taut_film_space *space, int c, double corner[3],
                                taut_error *error)
 {
+    const taut_film_problem *problem = space->problem;
+    const double *start = started_at(space, c);
     int edge[2], end[2];
 
+    if (start != NULL) {
+        memcpy(corner, start, 3 * sizeof(double));
+        return TAUT_OK;
+    }
     if (problem->has_corner[c]) {
         memcpy(corner, problem->corners[c], 3 * sizeof(double));
         return TAUT_OK;
@@ -133,7 +153,8 @@ static void find_starts(taut_film_space *space)
     unsigned char is_known[4];
 
     for (int c = 0; c < 4; c++) {
-        is_known[c] = problem->has_corner[c] || problem->corner_kinds[c] == TAUT_FILM_HELD;
+        is_known[c] = problem->has_corner[c] || problem->corner_kinds[c] == TAUT_FILM_HELD ||
+                      started_at(space, c) != NULL;
     }
     for (int round = 0; round < 2; round++) {
         for (int c = 0; c < 4; c++) {
@@ -173,7 +194,7 @@ static taut_status find_corners(taut_film_space *space, taut_error *error)
 {
     taut_status status = TAUT_OK;
     for (int c = 0; status == TAUT_OK && c < 4; c++) {
-        status = take_corner(space->problem, c, space->corners[c], error);
+        status = take_corner(space, c, space->corners[c], error);
     }
     if (status != TAUT_OK) {
         return status;
@@ -488,6 +509,9 @@ taut_status taut_film_space_new(const taut_film_problem *problem, taut_arena *ar
     status = problem->ring == TAUT_FILM_OPEN ? lay_open(space, arena, error)
                                              : lay_ring(space, arena, error);
     if (status == TAUT_OK) {
+        status = taut_film_begin(space, arena, error);
+    }
+    if (status == TAUT_OK) {
         status = taut_film_freedom(space, arena, error);
     }
     if (status != TAUT_OK) {
@@ -497,5 +521,6 @@ taut_status taut_film_space_new(const taut_film_problem *problem, taut_arena *ar
         taut_scaling_of(space->count, space->points, space->leader == NULL ? space->known : laid);
     taut_scaling_apply(&space->scaling, space->count, space->points, NULL, space->start);
     taut_film_space_fill(space, space->start);
+    taut_film_begin_inside(space);
     return find_cables(space, error);
 }

@@ -33,6 +33,8 @@ typedef struct taut_film_space {
     taut_mask mask;          /* of known */
     double *greville[2];     /* [nu], [nv]: abscissae over [0, 1] */
     taut_scaling scaling;    /* of the points held */
+    double *given;           /* [nu][nv][3]: the start of the problem (begin.h), or NULL */
+    int has_inside;          /* does it have points inside? */
     double *start;           /* [nu][nv][3], scaled: chords for cables, a Coons net inside */
     double ratios[4];        /* force over tension of each cable, in the scaled unit; 0: no cable.
                            * Where it is not given, that of the arc of a circle over its chord */

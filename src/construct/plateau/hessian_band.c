@@ -17,6 +17,7 @@
  */
 typedef struct border {
     int count;
+    int cable[TAUT_SMALL_MAX];                            /* which each is */
     double *pull[TAUT_SMALL_MAX], *image[TAUT_SMALL_MAX]; /* [unknowns][3]: of G, of B^-1 G */
     double small[TAUT_SMALL_MAX][TAUT_SMALL_MAX];         /* the factors of I + G^T B^-1 G */
     int is_signed;                                        /* are both factors those of any signs? */
@@ -408,9 +409,10 @@ static void add_cable_node(taut_area_hessian *hessian, const taut_area_cable *ca
 }
 
 /* sqrt(k) dL of a cable that gives way. */
-static void add_border(taut_area_hessian *hessian, const taut_area_cable *cable)
+static void add_border(taut_area_hessian *hessian, const taut_area_cable *cable, int which)
 {
-    double *pull = hessian->border.pull[hessian->border.count++];
+    double *pull = hessian->border.pull[hessian->border.count];
+    hessian->border.cable[hessian->border.count++] = which;
 
     memset(pull, 0, 3 * hessian->mask->unknowns * sizeof(double));
     for (int k = 0; k < cable->count; k++) {
@@ -449,7 +451,7 @@ void taut_area_hessian_assemble(taut_area_hessian *hessian, const taut_area_func
     hessian->border.count = 0;
     for (int k = 0; k < functional->cable_count; k++) {
         if (functional->cables[k].stiffness > 0 && functional->cables[k].tension > 0) {
-            add_border(hessian, functional->cables + k);
+            add_border(hessian, functional->cables + k, k);
         }
         for (int node = 0; node < functional->cables[k].nodes; node++) {
             add_cable_node(hessian, functional->cables + k, node);
@@ -649,6 +651,31 @@ taut_status taut_area_hessian_factor(taut_area_hessian *hessian, double theta)
         return factor_signed(hessian, theta);
     }
     return status == TAUT_OK ? factor_border(hessian, 0) : status;
+}
+
+taut_status taut_area_hessian_factor_any(taut_area_hessian *hessian, double theta,
+                                         const unsigned char *rigid, int *negative)
+{
+    border *b = &hessian->border;
+    const size_t size = 3 * (size_t)hessian->unknowns;
+
+    combine_matrices(hessian, theta);
+    restrict_moves(hessian);
+    b->is_signed = 1;
+    if (taut_band_factor_signed(&hessian->factor, negative) != TAUT_OK) {
+        return TAUT_NO_SOLUTION;
+    }
+    for (int k = 0; k < b->count; k++) {
+        memcpy(b->image[k], b->pull[k], size * sizeof(double));
+        taut_band_solve(&hessian->factor, 1, b->image[k]);
+        for (int m = 0; m <= k; m++) {
+            const double own = k == m && (rigid == NULL || !rigid[b->cable[k]]);
+            b->small[k][m] = own + dot(size, b->pull[m], b->image[k]);
+        }
+    }
+    const int more = taut_small_factor_signed(b->count, b->small);
+    *negative -= more;
+    return more >= 0 ? TAUT_OK : TAUT_NO_SOLUTION;
 }
 
 /* right = (B + G G^T)^-1 right, B^-1 right given. */

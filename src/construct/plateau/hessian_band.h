@@ -46,6 +46,11 @@ void taut_area_hessian_hold(taut_area_hessian *hessian, const taut_conditions *c
  * positive definite: there are no factors then. */
 taut_status taut_area_hessian_factor(taut_area_hessian *hessian, double theta);
 
+/* The same for B of any signs; *negative of its eigenvalues are below 0, what cables store counted in; of cables with rigid[k]
+ * (NULL: none) where their length does not change. TAUT_NO_SOLUTION: B is not safely regular. */
+taut_status taut_area_hessian_factor_any(taut_area_hessian *hessian, double theta,
+                                         const unsigned char *rigid, int *negative);
+
 /* Solves B x = x in place with the factors of last, net double[nu][nv][3]; known points become
  * 0. */
 void taut_area_hessian_solve(taut_area_hessian *hessian, double *net);

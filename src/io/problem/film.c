@@ -4,6 +4,7 @@
  *     "edges":   { "u0": "fixed" | { "fixed": CURVE | SHAPE } | { "cable": LAW, "plane": PLANE }
  *                        | { "slide": PLANE } | { "mirror": PLANE } | { "pole": null }, ... }
  *     "seams":   [["u0", "u1"]]                   a film that goes around
+ *     "points":  [[P | null, ..], ..]             in place of corners; "start": a model
  *     SHAPE      { "arc": [P, Q, R] } | { "line": [P, R] } | { "circle": { "center", "normal", "radius", "start" } }
  *     LINE       { "point": P, "direction": D }    PLANE  { "point": P, "normal": N }
  *     LAW        { "force": T } | { "length": L } | { "sag": f } | { "unstressed": L0, "stiffness": EA }
@@ -18,6 +19,7 @@
 #include "geometry/keep.h"
 #include "io/model/basis.h"
 #include "io/problem/document_ops.h"
+#include "io/problem/film_net.h"
 #include "io/problem/member.h"
 #include "io/problem/net_document.h"
 
@@ -26,13 +28,13 @@
 enum { DEGREE = 4, COUNT = 12 };
 
 static const char *const members[] = {
-    "name",   "u",         "v",      "corners",        "edges",       "points",    "tension",
-    "accept", "tolerance", "method", "max_iterations", "equilibrium", "least",     "patches",
-    "curves", "boundary",  "degree", "count",          "seams",       "cables",    "cells",
-    "images", "start",     "refine", "force_density",  "prestress",   "reference", "updates",
-    NULL};
-static const char *const not_yet[] = {"points", "patches", "curves", "boundary", "degree", "count",
-                                      "cables", "cells",   "images", "start",    "refine", NULL};
+    "name",          "u",         "v",         "corners",  "edges",          "points",
+    "tension",       "accept",    "tolerance", "method",   "max_iterations", "equilibrium",
+    "least",         "patches",   "curves",    "boundary", "degree",         "count",
+    "seams",         "cables",    "cells",     "images",   "start",          "refine",
+    "force_density", "prestress", "reference", "updates",  "through",        NULL};
+static const char *const not_yet[] = {"patches", "curves", "boundary", "degree", "count",
+                                      "cables",  "cells",  "images",   NULL};
 static const char *const corner_members[] = {"u0v0", "u1v0", "u0v1", "u1v1", NULL};
 static const char *const edge_members[] = {"u0", "u1", "v0", "v1", NULL};
 static const char *const kind_members[] = {"fixed",  "cable", "plane", "slide",
@@ -42,6 +44,7 @@ static const char *const circle_members[] = {"center", "normal", "radius", "star
 static const char *const plane_members[] = {"point", "normal", NULL};
 static const char *const line_members[] = {"point", "direction", NULL};
 static const char *const near_members[] = {"near", "line", "plane", NULL};
+static const char *const seam_members[] = {"edges", "cable", "plane", NULL};
 static const char *const law_members[] = {"force",      "length",    "sag",
                                           "unstressed", "stiffness", NULL};
 
@@ -357,16 +360,7 @@ static void read_fixed(taut_reader *edge, taut_arena *arena, const taut_curve **
     }
 }
 
-/* A held point is well written, and no film hangs on it. */
-static taut_status refuse_support(const taut_json *at, taut_error *error)
-{
-    (void)taut_json_fail(at, error, "point-support", taut_none, taut_none,
-                         "a point holds no film: use a ring, or cables that end there");
-    if (error != NULL) {
-        error->status = TAUT_NO_SOLUTION;
-    }
-    return TAUT_NO_SOLUTION;
-}
+static const char no_support[] = "a point holds no film: use a ring, or cables that end there";
 
 /* { "pole": null }; a pole that is held holds nothing. */
 static void read_pole(taut_reader *in)
@@ -375,7 +369,7 @@ static void read_pole(taut_reader *in)
 
     if (in->status == TAUT_OK && taut_json_kind_at(&at) != TAUT_JSON_NULL) {
         in->status = taut_json_kind_at(&at) == TAUT_JSON_ARRAY
-                         ? refuse_support(&at, in->error)
+                         ? taut_film_document_none(&at, "point-support", no_support, in->error)
                          : taut_json_refuse(&at, in->error, "type", "null");
     }
 }
@@ -465,22 +459,59 @@ static void read_edges(taut_reader *document, taut_arena *arena, taut_film_probl
     document->status = edges.status;
 }
 
-/* The edge that an item of a seam names, 0 to 3; -1: a minus sign, or none. */
+/* The edge that an item of a seam names, 0 to 3; 4 to 7: with a minus sign; -1: none. */
 static int edge_named(const char *text)
 {
+    const int is_reversed = text != NULL && text[0] == '-';
     for (int e = 0; text != NULL && e < 4; e++) {
-        if (strcmp(text, edge_members[e]) == 0) {
-            return e;
+        if (strcmp(text + is_reversed, edge_members[e]) == 0) {
+            return e + 4 * is_reversed;
         }
     }
     return -1;
 }
 
-/* [["u0", "u1"]] or [["v0", "v1"]]. */
+/* ["u0", "u1"] or ["v0", "v1"], both run one way: *ring. */
+static taut_status read_pair_of_edges(const taut_json *seam, taut_film_ring *ring,
+                                      taut_error *error)
+{
+    if (taut_json_kind_at(seam) != TAUT_JSON_ARRAY || taut_json_count_at(seam) < 2) {
+        return taut_json_refuse(seam, error, "type", "two names of edges");
+    }
+    if (taut_json_count_at(seam) > 2) {
+        return refuse_yet(seam, "a seam of more than two edges", error);
+    }
+    const taut_json first = taut_json_item(seam, 0), second = taut_json_item(seam, 1);
+    const int a = edge_named(taut_json_text_at(&first)), b = edge_named(taut_json_text_at(&second));
+    if (a < 0 || b < 0 || (a ^ 1) != b) {
+        return taut_json_fail(seam, error, "seam-mismatch", taut_none, taut_none,
+                              "found a seam of edges that are not opposite ones, run alike: "
+                              "expected [\"u0\", \"u1\"] or [\"v0\", \"v1\"]");
+    }
+    *ring = a % 4 < 2 ? TAUT_FILM_RING_U : TAUT_FILM_RING_V;
+    return TAUT_OK;
+}
+
+/* A pair, or { "edges": pair }; a cable along it comes with patches. */
+static taut_status read_seam(const taut_json *seam, taut_film_ring *ring, taut_error *error)
+{
+    if (taut_json_kind_at(seam) != TAUT_JSON_OBJECT) {
+        return read_pair_of_edges(seam, ring, error);
+    }
+    const taut_status status = taut_json_object(seam, seam_members, error);
+    const taut_json cable = taut_json_member(seam, "cable"),
+                    edges = taut_json_member(seam, "edges");
+    if (status == TAUT_OK && cable.value != NULL) {
+        return refuse_yet(&cable, "a cable along a seam", error);
+    }
+    return status == TAUT_OK ? read_pair_of_edges(&edges, ring, error) : status;
+}
+
+/* [["u0", "u1"]] or [["v0", "v1"]]; both make a torus, which nothing holds. */
 static void read_seams(taut_reader *document, taut_film_problem *data)
 {
     const taut_json at = taut_json_member(document->object, "seams");
-    const taut_json seam = taut_json_item(&at, 0);
+    taut_film_ring rings[2] = {TAUT_FILM_OPEN, TAUT_FILM_OPEN};
 
     if (document->status != TAUT_OK || at.value == NULL) {
         return;
@@ -489,44 +520,37 @@ static void read_seams(taut_reader *document, taut_film_problem *data)
         document->status = taut_json_refuse(&at, document->error, "type", "a list of seams");
         return;
     }
-    if (taut_json_count_at(&at) > 1 || taut_json_kind_at(&seam) == TAUT_JSON_OBJECT ||
-        taut_json_count_at(&seam) > 2) {
-        document->status = refuse_yet(&at, "more than one seam of two edges", document->error);
+    if (taut_json_count_at(&at) > 2) {
+        document->status = refuse_yet(&at, "more than two seams", document->error);
         return;
     }
-    if (taut_json_kind_at(&seam) != TAUT_JSON_ARRAY || taut_json_count_at(&seam) != 2) {
-        document->status = taut_json_refuse(&seam, document->error, "type", "two names of edges");
+    for (size_t k = 0; k < taut_json_count_at(&at) && document->status == TAUT_OK; k++) {
+        const taut_json seam = taut_json_item(&at, k);
+        document->status = read_seam(&seam, &rings[k], document->error);
+    }
+    data->ring = rings[0];
+    if (document->status != TAUT_OK || rings[1] == TAUT_FILM_OPEN) {
         return;
     }
-    const taut_json first = taut_json_item(&seam, 0), second = taut_json_item(&seam, 1);
-    const int a = edge_named(taut_json_text_at(&first)), b = edge_named(taut_json_text_at(&second));
-    if (a < 0 || b < 0 || (a ^ 1) != b) {
-        document->status =
-            taut_json_fail(&seam, document->error, "seam-mismatch", taut_none, taut_none,
-                           "found a seam of edges that are not opposite ones, run alike: expected "
-                           "[\"u0\", \"u1\"] or [\"v0\", \"v1\"]");
-        return;
-    }
-    data->ring = a < 2 ? TAUT_FILM_RING_U : TAUT_FILM_RING_V;
+    document->status =
+        rings[0] == rings[1]
+            ? taut_json_fail(&at, document->error, "edge-conflict", 2, 1,
+                             "found an edge in two seams, expected one")
+            : taut_film_document_none(&at, "floating",
+                                      "a film that goes around both ways has no edge that holds "
+                                      "it: leave out one of the seams",
+                                      document->error);
 }
 
 static void read_words(taut_reader *document, taut_film_problem *data)
 {
     static const char *const methods[] = {"full", "normal", NULL};
     static const char *const accepts[] = {"minimum", "stationary", NULL};
-    const taut_json method = taut_json_member(document->object, "method");
-    const taut_json accept = taut_json_member(document->object, "accept");
     int least = 1, word = 0;
 
     taut_reader_optional_word(document, "method", methods, &word);
-    if (document->status == TAUT_OK && word != 0) {
-        document->status = refuse_yet(&method, "the method \"normal\"", document->error);
-    }
-    word = 0;
-    taut_reader_optional_word(document, "accept", accepts, &word);
-    if (document->status == TAUT_OK && word != 0) {
-        document->status = refuse_yet(&accept, "\"stationary\"", document->error);
-    }
+    data->method = word == 1 ? TAUT_FILM_NORMAL : TAUT_FILM_FULL;
+    taut_reader_optional_word(document, "accept", accepts, &data->accepts_stationary);
     if (taut_reader_has(document, "least")) {
         taut_reader_flag(document, "least", &least);
     }
@@ -553,17 +577,68 @@ static void read_threads(taut_reader *document, taut_problem *problem, taut_film
     taut_reader_optional_integer(document, "updates", 0, TAUT_FILM_UPDATES_MAX, &data->updates);
 }
 
+/* A corner that nothing is said of is one that its edges draw, but at an end of one that is held. */
+static void free_corners(const taut_reader *document, taut_film_problem *data)
+{
+    const taut_json corners = taut_json_member(document->object, "corners");
+
+    for (int c = 0; c < 4 && data->ring == TAUT_FILM_OPEN; c++) {
+        const int is_held = data->edges[c % 2].kind == TAUT_FILM_FIXED ||
+                            data->edges[2 + c / 2].kind == TAUT_FILM_FIXED;
+        if (!is_held && taut_json_member(&corners, corner_members[c]).value == NULL) {
+            data->corner_kinds[c] = TAUT_FILM_FREE;
+        }
+    }
+}
+
+/* What may stand in the place of corners, and where the net begins. */
+static void read_nets(taut_reader *document, taut_arena *arena, taut_film_problem *data)
+{
+    const taut_json edges = taut_json_member(document->object, "edges");
+    const taut_json through = taut_json_member(document->object, "through");
+    unsigned char named[4];
+
+    for (int e = 0; e < 4; e++) {
+        named[e] = taut_json_member(&edges, edge_members[e]).value != NULL;
+    }
+    if (document->status == TAUT_OK && through.value != NULL) {
+        document->status =
+            taut_film_document_none(&through, "point-support", no_support, document->error);
+    }
+    if (taut_reader_has(document, "points")) {
+        taut_film_document_points(document, arena, named, data);
+    } else if (document->status == TAUT_OK) {
+        free_corners(document, data);
+    }
+    taut_film_document_start(document, arena, data);
+}
+
+/* Names of patches stand before those of their edges, "NAME.u0", "-NAME.u0". */
+static void check_name(taut_reader *document, const char *name)
+{
+    const taut_json at = taut_json_member(document->object, "name");
+
+    if (document->status == TAUT_OK && name != NULL &&
+        (name[0] == '-' || strchr(name, '.') != NULL)) {
+        document->status = taut_json_refuse(&at, document->error, "name",
+                                            "a name without \".\" that does not begin with \"-\"");
+    }
+}
+
 static void film_read(taut_reader *document, taut_problem *problem, void *into)
 {
     taut_film_problem *const data = into;
 
     refuse_members(document, not_yet);
     taut_member_name(document, problem->arena, &data->name);
+    check_name(document, data->name);
     read_basis(document, "u", problem->arena, &data->u);
     read_basis(document, "v", problem->arena, &data->v);
     read_corners(document, data);
     read_edges(document, problem->arena, data);
     read_seams(document, data);
+    read_nets(document, problem->arena, data);
+    taut_reader_optional_integer(document, "refine", 0, TAUT_FILM_REFINE_MAX, &data->refine);
     taut_reader_optional(document, "tension", read_positive, &data->tension);
     read_threads(document, problem, data);
     taut_reader_optional(document, "tolerance", read_tolerance, &data->tolerance);

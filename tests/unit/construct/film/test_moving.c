@@ -145,6 +145,7 @@ static void test_refused(void)
         s.problem.corner_kinds[e] = TAUT_FILM_FREE;
     }
     refuse(&s.problem, TAUT_NO_SOLUTION, "floating", "/edges");
+    s.problem.corner_kinds[3] = TAUT_FILM_HELD;
     s.problem.edges[2].plane = (taut_film_guide){{1, 0, 0}, {1, 0, 0}}; /* beside that of u0 */
     refuse(&s.problem, TAUT_BAD_INPUT, "corner-conflict", "/corners/u0v0");
     sail_free(&s);
