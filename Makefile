@@ -2,7 +2,7 @@
 # No logic here: what is built is in CMakeLists.txt, what is installed in tools/deps.sh.
 TAUT = build/release/bin/taut
 
-.PHONY: demo test build deps gallery bench bench-dirichlet bench-documents bench-elementary bench-evaluate bench-plateau format check mutants reproduction reference install deb wasm studio \
+.PHONY: demo test build deps gallery bench bench-dirichlet bench-documents bench-elementary bench-evaluate bench-plateau format check mutants reproduction reference site install deb wasm studio \
   python bench-python windows clean help
 
 demo: build
@@ -37,6 +37,10 @@ studio: build
 	@cmake --build --preset release --target studio
 	@mkdir -p out
 	$(TAUT) studio -o out/studio.html
+
+site: build
+	@tools/deps.sh site
+	@tools/site.py --taut $(TAUT)
 
 gallery: build
 	@tools/gallery.sh $(TAUT)

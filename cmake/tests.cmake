@@ -144,6 +144,12 @@ add_test(NAME viewer/page COMMAND sh ${CMAKE_SOURCE_DIR}/tests/viewer/test_page.
 set_tests_properties(viewer/page PROPERTIES TIMEOUT 400 SKIP_RETURN_CODE 77
   ENVIRONMENT "TAUT=${CMAKE_BINARY_DIR}/bin/taut;SOURCE=${CMAKE_SOURCE_DIR};${sanitizer_options}")
 
+# The site made of docs/, where mkdocs and a browser are.
+if(NOT TAUT_SANITIZE) # nothing of the program's
+  add_test(NAME site/pages COMMAND sh ${CMAKE_SOURCE_DIR}/tests/site/test_site.sh)
+  set_tests_properties(site/pages PROPERTIES TIMEOUT 400 SKIP_RETURN_CODE 77 ENVIRONMENT "SOURCE=${CMAKE_SOURCE_DIR}")
+endif()
+
 # The page of `taut studio`, where the toolchain for WebAssembly is.
 if(NOT TAUT_SANITIZE) # one page, the same bytes
   add_test(NAME studio/page COMMAND sh ${CMAKE_SOURCE_DIR}/tests/studio/test_studio.sh)

@@ -1,5 +1,5 @@
 #!/bin/sh
-# deps.sh GROUP... -- installs what is missing, and says what and why. Groups: build test browser check files bench wasm windows nightly.
+# deps.sh GROUP... -- installs what is missing, and says what and why. Groups: build test browser site check files bench wasm windows nightly.
 #
 # A need is met when its command runs, its pkg-config file is found or its header compiles, however it came to the
 # machine; only unmet needs become packages. With nothing missing no network is touched.
@@ -36,6 +36,7 @@ test  py:mypy                        mypy                   checks its types
 test  py:wheel                       python3-wheel          packs it
 test  py:setuptools                  python3-setuptools     packs it
 test  py:pip                         python3-pip            packs and installs it
+site  cmd:mkdocs                     mkdocs                 makes a site of docs/
 browser cmd:node                     nodejs                 drives the browser that looks at the pages of `taut view`
 browser cmd:chromium                 chromium               that browser
 check cmd:clang                      clang                  a second compiler, the sanitizers, the fuzzer
@@ -124,8 +125,8 @@ done
 # shellcheck disable=SC2086
 find_python $modules
 for group in "$@"; do
-    case $group in build | test | browser | check | files | bench | wasm | windows | nightly) ;; *)
-        echo "deps.sh: no group \"$group\"; there are build, test, browser, check, files, bench, wasm, windows and nightly" >&2
+    case $group in build | test | browser | site | check | files | bench | wasm | windows | nightly) ;; *)
+        echo "deps.sh: no group \"$group\"; there are build, test, browser, site, check, files, bench, wasm, windows and nightly" >&2
         exit 2
         ;;
     esac
