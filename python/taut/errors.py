@@ -15,6 +15,7 @@ import math
 from typing import TYPE_CHECKING, Any
 
 from . import _library as c
+from ._reasons import REMEDIES
 
 if TYPE_CHECKING:
     from .model import Model
@@ -33,6 +34,11 @@ class Error(Exception):
                  expected: float | str | None = None) -> None:
         super().__init__(message)
         self.message, self.where, self.reason, self.found, self.expected = message, where, reason, found, expected
+
+    @property
+    def remedy(self) -> str:
+        """What to change, as `taut help REASON` says it; "" where the word is none of the library's."""
+        return REMEDIES.get(self.reason, "")
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (self.message, self.where, self.reason, self.found, self.expected), self.__dict__
