@@ -3,7 +3,8 @@
 # weight, by a derivative that the degree does not have, by a surface so large that a gap beside it seems small, by a film
 # whose measured area is worth nothing, by coordinates so far away that rounding is all there is, by one frame of several that
 # rounding hides, beside a cable so strong that the film's own derivatives are nothing, along a cable so faint that its force is
-# 0, by waves that vanish wherever a pipe is looked at, by a bump on a straight edge, by a hook too small for doubles.
+# 0, by waves that vanish wherever a pipe is looked at, by a bump on a straight edge, by a hook too small for doubles,
+# by bends so small that all their products vanish, which once were halved for ever.
 . "$(dirname "$0")/cli.sh"
 # model: claim that must not hold
 while read -r name claim; do
@@ -27,5 +28,6 @@ film-faint-cable stationary
 pipe-elliptic-waves tube
 asymptotic-bumped osculating
 pipe-hook embedded
+pipe-vanishing embedded
 LIST
 finish

@@ -84,6 +84,9 @@ static void visit(bound *b, const double (*points)[3], double lo, double hi, int
     double halves[2][TAUT_PIPE_PIECE_DEGREE + 1][3];
 
     record(b, 0.5 * (lo + hi));
+    if (!(longest * longest > DBL_MIN)) {
+        return; /* products vanish, so no speed is above 0, however short the piece: parts.c says that nothing is known of it */
+    }
     if ((speed > 0 && cross <= b->best * (1 + resolution) * speed * speed * speed + rounding) ||
         depth == DEPTH_MAX) {
         return;
