@@ -2,7 +2,7 @@
 # No logic here: what is built is in CMakeLists.txt, what is installed in tools/deps.sh.
 TAUT = build/release/bin/taut
 
-.PHONY: demo test build deps gallery bench bench-dirichlet bench-documents bench-elementary bench-evaluate bench-plateau format check mutants reproduction reference site install deb wasm studio \
+.PHONY: demo test build deps gallery bench bench-dirichlet bench-documents bench-elementary bench-evaluate bench-plateau format check mutants reproduction reference site release install deb wasm studio \
   python bench-python windows clean help
 
 demo: build
@@ -41,6 +41,10 @@ studio: build
 site: build
 	@tools/deps.sh site
 	@tools/site.py --taut $(TAUT)
+
+release:
+	@tools/deps.sh build test check wasm windows site
+	@tools/release.sh
 
 gallery: build
 	@tools/gallery.sh $(TAUT)

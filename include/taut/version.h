@@ -10,11 +10,11 @@ extern "C" {
 
 /* The version of these headers. */
 #define TAUT_VERSION_MAJOR 0
-#define TAUT_VERSION_MINOR 1
+#define TAUT_VERSION_MINOR 2
 #define TAUT_VERSION_PATCH 0
-#define TAUT_VERSION "0.1.0"
+#define TAUT_VERSION "0.2.0"
 
-/* The version of the library that is linked, such as "0.1.0". */
+/* The version of the library that is linked, such as "0.2.0". */
 TAUT_API const char *taut_version(void);
 
 /* The instruction set that the inner loops use on this processor: "baseline", "avx2" or "avx512";

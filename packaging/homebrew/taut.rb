@@ -1,7 +1,7 @@
 # Untested: see packaging/README.md. Installs a clone: `brew install --HEAD`.
 class Taut < Formula
   desc "Surfaces drawn tight across their boundaries, each with a certificate"
-  version "0.1.0"
+  version "0.2.0"
   license "MIT"
   head "file://#{File.expand_path("../..", __dir__)}", using: :git
 

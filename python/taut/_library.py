@@ -12,7 +12,7 @@ import sys
 from ctypes import POINTER, Structure, c_char, c_char_p, c_double, c_int, c_size_t, c_void_p
 from typing import Any
 
-VERSION = "0.1.0"
+VERSION = "0.2.0"
 PROGRESS = ctypes.CFUNCTYPE(c_int, c_void_p, c_double, c_char_p)
 
 OK, NOT_CONVERGED, CHECK_FAILED, BAD_ARGUMENT, BAD_INPUT, NO_SOLUTION, IO, NO_MEMORY, INTERNAL, INTERRUPTED = range(10)
