@@ -39,6 +39,7 @@ test  py:pip                         python3-pip            packs and installs i
 site  cmd:mkdocs                     mkdocs                 makes a site of docs/
 browser cmd:node                     nodejs                 drives the browser that looks at the pages of `taut view`
 browser cmd:chromium                 chromium               that browser
+check cmd:ccache                     ccache                 compiles once what several trees have in common
 check cmd:clang                      clang                  a second compiler, the sanitizers, the fuzzer
 check cmd:clang-format               clang-format           the formatting
 check clang:fsanitize=fuzzer,address libclang-rt-14-dev     what sanitizers and fuzzer link with
