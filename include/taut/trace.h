@@ -115,6 +115,7 @@ typedef struct taut_trace_problem {
     double max_length;             /* 0: 20 times the size of the surface */
     const taut_trace_laths *laths; /* NULL: curves alone */
     const taut_trace_sheet *sheet; /* NULL: one as large as the pieces need */
+    int panels;                    /* principal nets, nonzero: the quads between nodes are judged */
 } taut_trace_problem;
 
 /* Reasons: word, meaning, remedy. */

@@ -45,6 +45,7 @@ typedef struct cli_options {
     const char *material;
     const char *cut;
     const char *play;
+    int judge_panels;      /* trace --panels */
     const char *cut_sheet; /* trace --sheet */
     int cells;
     int both;

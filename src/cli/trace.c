@@ -268,7 +268,7 @@ static int write_document(const cli_options *options, text *t)
     int code = put_seeds(options, t);
     code = code == 0 ? put_laths(options, t) : code;
     code = code == 0 ? put_sheet(options, t) : code;
-    put(t, " }");
+    put(t, options->judge_panels ? ", \"panels\": true }" : " }");
     return code == 0 && t->failed ? cli_no_memory() : code;
 }
 
@@ -371,6 +371,8 @@ static const cli_option options_of_trace[] = {
      "laths are cut as long as the mean of their width (default), or as their axis"},
     {"--play", CLI_TEXT, offsetof(cli_options, play), 0, 0, 0, "P",
      "of the slots (default 0.2 mm, at most the thickness)"},
+    {"--panels", CLI_FLAG, offsetof(cli_options, judge_panels), 0, 0, 0, NULL,
+     "principal nets: how plane the quads between nodes are"},
     {"--sheet", CLI_TEXT, offsetof(cli_options, cut_sheet), 0, 0, 0, "WxH",
      "the sheets that the laths are cut from (default: one as large as they need)"},
     CLI_SURFACE,

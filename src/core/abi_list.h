@@ -447,7 +447,8 @@
     X(taut_trace_problem, seeds, "const taut_trace_seed *") \
     X(taut_trace_problem, max_length, "double") \
     X(taut_trace_problem, laths, "const taut_trace_laths *") \
-    X(taut_trace_problem, sheet, "const taut_trace_sheet *")
+    X(taut_trace_problem, sheet, "const taut_trace_sheet *") \
+    X(taut_trace_problem, panels, "int")
 
 #define TAUT_ABI_MEMBERS_taut_trace_seed(X) \
     X(taut_trace_seed, kind, "taut_trace_seed_kind") \

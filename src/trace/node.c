@@ -82,7 +82,7 @@ static void describe(const search *w, const taut_station at[2], taut_node *node)
 
     *node = (taut_node){.laths = {w->index[0], w->index[1]},
                         .occurrence = 1,
-                        .s = {at[0].s, at[1].s},
+                        .s = {fmax(at[0].s, 0), fmax(at[1].s, 0)}, /* Newton's may be -1e-16 */
                         .at = {at[0].at[0], at[0].at[1]}};
     for (int d = 0; d < 2; d++) {
         node->at[d] = fmin(fmax(node->at[d], w->carrier->lo[d]), w->carrier->hi[d]);

@@ -32,7 +32,7 @@ assert rows[1:] == [['a "b", c\nd', "1e-300", "", ""], ["", "", "", ""], ["", ""
 END
 
 # laths of a net, with what is cut for them and without
-"$TAUT" example trace-bonnet > net.json
+"$TAUT" example trace-enneper > net.json
 sed 's/"seeds"/"laths": { "strip": "standing", "width": 0.02, "thickness": 0.001, "material": "timber-c24" }, "seeds"/' net.json > laths.json
 for name in net laths; do
     run 0 make $name.json --quiet -o $name-made.json -o $name.csv

@@ -12,11 +12,11 @@ cat > odd.json <<'JSON'
   { "t": { "type": "c-bezier", "alpha": 1.2 }, "points": [[3,0,0],[3,1,0],[3,2,0.3],[3,3,0]] } ],
   "details": { "trace": "net <1>", "laths": [ { "name": "chain", "family": "a/b" }, 7, { "family": 3 } ] } }
 JSON
-for name in trace-bonnet film-sail pipe-run bonnet-enneper; do
+for name in trace-enneper film-sail pipe-run bonnet-enneper; do
     "$TAUT" example $name > $name-problem.json
 done
 run 0 convert odd.json -o odd.dxf
-for name in trace-bonnet film-sail pipe-run; do
+for name in trace-enneper film-sail pipe-run; do
     run 0 make $name-problem.json --quiet -o $name.json -o $name.dxf
 done
 run 0 panels bonnet-enneper-problem.json --kind circular --divide 4,3 --quiet -o panels.json -o panels.dxf
@@ -27,16 +27,16 @@ cmp -s first.dxf odd.dxf || complain "the same model gives another drawing"
 contains odd.dxf '^odd \\U\+00E4__"<>$'
 
 if python_with ezdxf; then
-    for name in odd trace-bonnet film-sail pipe-run panels; do
+    for name in odd trace-enneper film-sail pipe-run panels; do
         "$PYTHON" "$SOURCE/tests/cli/read_dxf.py" $name.json $name.dxf > $name.txt 2>&1 || complain "$name.dxf: $(cat $name.txt)"
     done
     contains odd.txt '^UNIT 2 AC1015$'
     contains odd.txt '^LINE curves 1$'
     contains odd.txt '^POLYLINE net _1_ a_b 1$'
     contains odd.txt '^SPLINE curves 3$'
-    contains trace-bonnet.txt '^UNIT 4 AC1015$'
-    contains trace-bonnet.txt '^SPLINE asymptotic \+ [0-9]+$'
-    contains trace-bonnet.txt '^SPLINE asymptotic - [0-9]+$'
+    contains trace-enneper.txt '^UNIT 4 AC1015$'
+    contains trace-enneper.txt '^SPLINE asymptotic \+ [0-9]+$'
+    contains trace-enneper.txt '^SPLINE asymptotic - [0-9]+$'
     contains film-sail.txt '^SPLINE cables 4$'
     contains pipe-run.txt '^LINE axes 6$'
     contains panels.txt '^LWPOLYLINE panels 72$'
@@ -47,11 +47,11 @@ fi
 
 # FreeCAD's own reader: as many objects, as long together as the curves of the model
 if command -v freecadcmd > /dev/null; then
-    "$TAUT" measure trace-bonnet.json --json > measured.json
+    "$TAUT" measure trace-enneper.json --json > measured.json
     cat > look.py <<PY
 import FreeCAD, importDXF, json
 FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/Draft").SetBool("dxfShowDialog", False)
-importDXF.open("$PWD/trace-bonnet.dxf")
+importDXF.open("$PWD/trace-enneper.dxf")
 objects = [o for o in FreeCAD.ActiveDocument.Objects if hasattr(o, "Shape")]
 length = sum(o.Shape.Length for o in objects)
 curves = json.load(open("$PWD/measured.json"))["curves"]

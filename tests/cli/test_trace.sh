@@ -3,10 +3,10 @@
 
 "$TAUT" example trace-bonnet > net.json
 run 0 make net.json -o made.json -o made.svg -o made.step --report report.json
-for claim in on-surface asymptotic length ends nodes complete identity surface; do
+for claim in on-surface asymptotic length ends nodes right-angled complete pattern identity surface; do
     contains err.txt "$claim +holds"
 done
-contains made.json '"node": "A3B2"'
+contains made.json '"node": "A1B1"'
 contains made.json '"ended": \["edge v0", "edge v1"\]'
 run 0 certify made.json net.json
 run 0 certify made.json
@@ -126,11 +126,9 @@ echo '{ "taut": 1, "trace": "asymptotic", "of": "document.json" }' > nested.json
 refused 3 'kind /of' make nested.json -o none.json --quiet
 echo '{ "taut": 1, "trace": "asymptotic", "of": "self.json" }' > self.json
 refused 3 'kind /of' make self.json -o none.json --quiet
-for member in '"panels": true'; do
-    name=$(echo "$member" | sed 's/^"\([a-z]*\)".*/\1/')
-    echo "{ \"taut\": 1, \"trace\": \"asymptotic\", \"of\": \"roof.json\", $member }" > later.json
-    refused 3 "trace-not-yet /$name" make later.json -o none.json --quiet
-done
+refused 2 'net' trace roof.json --net asymptotic --panels -o none.json
+run 0 trace words.json --net principal --cells 3 --panels --quiet -o panels.json
+contains panels.json '"panel_count": [1-9]'
 echo '{ "taut": 1, "trace": "asymptotic", "of": "roof.json", "unit": "ft" }' > foot.json
 refused 3 'conflict /unit' make foot.json -o none.json --quiet
 absent none.json

@@ -13,6 +13,7 @@
  *   ends          distance of the ends from the nearest place where a curve of this net may end,
  *                 over the size: border, the other end, K = 0, R = 0, or the length asked for
  *   nodes         largest distance of the two curves of a node of details at their lengths
+ *   right-angled  |H| / R at the nodes of details, where the surface is minimal
  *   complete      nodes missing or too many, by how the ends separate each other on the border
  *                 (certify/trace/complete.h); left out where that does not say
  *   pattern       pieces to cut that lie over each other or over the border of their sheet
@@ -42,6 +43,8 @@ static const double tolerance_default = 1e-6, net_limit = 1e-6, length_limit = 1
                     ends_limit = 1e-9, crease_limit = 1e-9;
 /* So near to an end without a border, over the size, the net may be anything. */
 static const double near_end = 1e-3;
+/* |H| / R of a surface that is seen to be minimal. */
+static const double minimal = 1e-9;
 
 /* All that the claims are judged from. The surface is at size 1: lengths times 2^-unit. */
 typedef struct request {
@@ -51,6 +54,7 @@ typedef struct request {
     int unit;
     double size;     /* of it */
     double roundest; /* the largest R of a grid */
+    int is_minimal;  /* H vanishes on that grid, to rounding */
     double tolerance;
     const taut_crew *crew;
 } request;
@@ -450,6 +454,39 @@ static taut_status add_nodes(const request *r, taut_certificate *certificate)
     return add(certificate, "nodes", TAUT_CHECK, &w, r->tolerance);
 }
 
+/* ---- right angles ---- */
+
+/* Is the surface minimal: by the problem it was made by, or seen on a grid? */
+static int makes_right_angles(const request *r)
+{
+    return (r->problem != NULL && r->problem->of != NULL &&
+            strcmp(taut_problem_construction(r->problem->of), "bonnet") == 0) ||
+           r->is_minimal;
+}
+
+/* |H| / R at the nodes of an asymptotic net of a minimal surface: the cosine of the angle there. */
+static taut_status add_right_angled(const request *r, taut_certificate *certificate)
+{
+    const taut_record *nodes = taut_record_get(taut_model_details(r->lines.model), "nodes");
+    worst w = {0, ""};
+
+    if (r->lines.net != TAUT_TRACE_ASYMPTOTIC || !makes_right_angles(r)) {
+        return TAUT_OK;
+    }
+    for (size_t k = 0; k < taut_record_count(nodes); k++) {
+        const taut_record *node = taut_record_at(nodes, k), *at = taut_record_get(node, "at");
+        const double u = taut_record_number(taut_record_at(at, 0));
+        const double v = taut_record_number(taut_record_at(at, 1));
+        taut_forms forms;
+        const int is_told =
+            taut_surface_forms_points(r->surface, 1, &u, &v, 1, &forms) == TAUT_OK && forms.regular;
+        take(&w, is_told ? fabs(forms.mean) / radius_of(&forms) : INFINITY,
+             taut_record_text(taut_record_get(node, "node")),
+             taut_record_number(taut_record_at(taut_record_get(node, "s"), 0)));
+    }
+    return add(certificate, "right-angled", TAUT_CHECK, &w, net_limit);
+}
+
 /* ---- surface ---- */
 
 /* How many numbers of two surfaces differ; 1 where their bases do. */
@@ -564,6 +601,7 @@ static void look_around(request *r)
 {
     enum { GRID = 17 };
     const taut_basis *bu = taut_surface_u(r->surface), *bv = taut_surface_v(r->surface);
+    r->is_minimal = 1;
     for (int i = 0; i < GRID; i++) {
         for (int j = 0; j < GRID; j++) {
             const double u =
@@ -574,6 +612,7 @@ static void look_around(request *r)
             if (taut_surface_forms_points(r->surface, 1, &u, &v, 1, &forms) == TAUT_OK &&
                 forms.regular) {
                 r->roundest = fmax(r->roundest, radius_of(&forms));
+                r->is_minimal &= fabs(forms.mean) <= minimal * radius_of(&forms);
             }
         }
     }
@@ -620,6 +659,9 @@ static taut_status prove(const request *r, taut_arena *arena, taut_certificate *
     }
     if (status == TAUT_OK) {
         status = add_nodes(r, certificate);
+    }
+    if (status == TAUT_OK) {
+        status = add_right_angled(r, certificate);
     }
     if (status == TAUT_OK) {
         status = taut_net_complete_add(&r->lines, arena, certificate);

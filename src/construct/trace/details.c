@@ -3,6 +3,8 @@
 #include "core/constants.h"
 #include "core/vec3.h"
 #include "trace/bending.h"
+#include "trace/panel.h"
+#include "trace/singular.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -251,6 +253,46 @@ static double hyperbolic_share(const taut_carrier *carrier)
     return (double)count / (GRID * GRID);
 }
 
+/* The largest sum of a curve's estimated errors: how far it may be from the one through its seed. */
+static double drift_of(const taut_net *net)
+{
+    double most = 0;
+    for (int k = 0; k < net->count; k++) {
+        most = fmax(most, net->laths[k].drift);
+    }
+    return ldexp(most, net->carrier->scale);
+}
+
+static void describe_singular(const taut_net *net, taut_record *details)
+{
+    const taut_trace_net kind = net->problem->net;
+    const int has_some = kind == TAUT_TRACE_ASYMPTOTIC || kind == TAUT_TRACE_PRINCIPAL;
+    taut_record *list = taut_record_add_list(details, "singular_points");
+    taut_singular found[TAUT_SINGULAR_MAX];
+    const int count =
+        has_some ? taut_singular_find(net->carrier, kind == TAUT_TRACE_ASYMPTOTIC, found) : 0;
+
+    for (int k = 0; k < count; k++) {
+        taut_record *at = taut_record_add_object(list, NULL);
+        taut_record_add_numbers(at, "at", 2, found[k].at);
+        taut_record_add_number(at, "index", found[k].index);
+    }
+}
+
+static taut_status describe_panels(const taut_net *net, taut_record *details)
+{
+    taut_panels panels;
+    if (!net->problem->panels) {
+        return TAUT_OK;
+    }
+    const taut_status status = taut_panels_of(net, &panels);
+    if (status == TAUT_OK) {
+        taut_record_add_number(details, "panel_count", panels.count);
+        taut_record_add_number(details, "max_planarity", panels.planarity);
+    }
+    return status;
+}
+
 static void describe_left_out(const taut_net *net, taut_record *details)
 {
     static const char *const faults[] = {"along", "elliptic", "flat", "singular"};
@@ -319,7 +361,7 @@ static void warn_of_longer(const taut_net *net, taut_record *warnings)
     }
 }
 
-void taut_trace_describe(const taut_net *net, const taut_strip *strips, taut_record *details)
+taut_status taut_trace_describe(const taut_net *net, const taut_strip *strips, taut_record *details)
 {
     taut_record_add_text(details, "trace", nets[net->problem->net]);
     taut_record *laths = taut_record_add_list(details, "laths");
@@ -331,6 +373,9 @@ void taut_trace_describe(const taut_net *net, const taut_strip *strips, taut_rec
         describe_node(net, &net->nodes.list[k], nodes);
     }
     taut_record_add_number(details, "hyperbolic_share", hyperbolic_share(net->carrier));
+    taut_record_add_number(details, "drift", drift_of(net));
+    describe_singular(net, details);
+    const taut_status status = describe_panels(net, details);
     describe_left_out(net, details);
     describe_kinks(net, details);
     taut_record *warnings = taut_record_add_list(details, "warnings");
@@ -343,6 +388,7 @@ void taut_trace_describe(const taut_net *net, const taut_strip *strips, taut_rec
                  net->left_count == 1 ? " was" : "s were");
         taut_record_add_text(warnings, NULL, text);
     }
+    return status;
 }
 
 void taut_trace_describe_part(const taut_lath *lath, const taut_lath_part *part,

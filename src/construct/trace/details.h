@@ -6,8 +6,10 @@
 #include "trace/curve.h"
 #include "trace/strip.h"
 
-/* Members trace, laths, nodes, kinks, left_out, hyperbolic_share, warnings; strips: one a lath, or NULL. */
-void taut_trace_describe(const taut_net *net, const taut_strip *strips, taut_record *details);
+/* Members trace, laths, nodes, hyperbolic_share, drift, singular_points, panel_count and max_planarity, left_out, kinks,
+ * warnings; strips: one a lath, or NULL. TAUT_NO_MEMORY. */
+taut_status taut_trace_describe(const taut_net *net, const taut_strip *strips,
+                                taut_record *details);
 /* A stretch of a lath in the window, as an item of `domain`. */
 void taut_trace_describe_part(const taut_lath *lath, const taut_lath_part *part,
                               taut_record *domain);

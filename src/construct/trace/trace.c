@@ -96,6 +96,10 @@ static taut_status check_problem(const taut_trace_problem *problem, taut_error *
         return taut_fail(error, TAUT_BAD_INPUT, "net", "/seeds", taut_none, taut_none,
                          "geodesics need seeds with a place and a direction");
     }
+    if (problem->panels && problem->net != TAUT_TRACE_PRINCIPAL) {
+        return taut_fail(error, TAUT_BAD_INPUT, "net", "/panels", taut_none, taut_none,
+                         "found panels, which only principal nets have");
+    }
     if (problem->sheet != NULL) {
         const taut_status status = check_sheet(problem, error);
         if (status != TAUT_OK) {
@@ -219,7 +223,9 @@ static taut_status fill(const request *r, const taut_model *of, const taut_net *
     if (status == TAUT_OK && r->problem->laths != NULL) {
         status = taut_strips_new(net, play_of(r), &strips, error);
     }
-    taut_trace_describe(net, strips, details);
+    if (taut_trace_describe(net, strips, details) != TAUT_OK && status == TAUT_OK) {
+        status = taut_fail_memory(error);
+    }
     if (status == TAUT_OK) {
         status = add_pieces(r, net, strips, details, error);
     }

@@ -2,7 +2,6 @@
  * (docs/format.md).
  *
  * It has "trace" where other problems have "construct". What it is traced on may not be a net itself.
- * Members that nets will have are known by name and refused as not built yet.
  */
 #include "taut/trace.h"
 
@@ -24,7 +23,6 @@ enum { PATH_ROOM = 4096 };
 
 static const char *const members[] = {"trace",      "of",     "surface", "families", "seeds",
                                       "max_length", "panels", "laths",   "sheet",    NULL};
-static const char *const not_yet[] = {"panels", NULL};
 static const char *const sheet_members[] = {"size", "gap", NULL};
 static const char *const nets[] = {"asymptotic", "principal", "geodesic", "isoparametric", NULL};
 static const char *const families[4][3] = {
@@ -576,19 +574,6 @@ static void take_laths(taut_reader *document, taut_arena *arena, taut_trace_prob
     data->laths = laths;
 }
 
-static void refuse_members(taut_reader *in)
-{
-    for (int k = 0; in->status == TAUT_OK && not_yet[k] != NULL; k++) {
-        const taut_json at = taut_json_member(in->object, not_yet[k]);
-        if (at.value != NULL) {
-            in->status = taut_json_fail(&at, in->error, "trace-not-yet", taut_none, taut_none,
-                                        "found \"%s\", which nets cannot have in this version: "
-                                        "leave it out",
-                                        not_yet[k]);
-        }
-    }
-}
-
 static void trace_read(taut_reader *document, taut_problem *problem, void *into)
 {
     taut_trace_problem *const data = into;
@@ -596,7 +581,6 @@ static void trace_read(taut_reader *document, taut_problem *problem, void *into)
     const char *name = NULL;
     int net = 0;
 
-    refuse_members(document);
     const int was_fine = document->status == TAUT_OK;
     taut_reader_word(document, "trace", nets, &net);
     take_reason(document, was_fine, "net");
@@ -610,6 +594,7 @@ static void trace_read(taut_reader *document, taut_problem *problem, void *into)
     read_families(document, data);
     read_seeds(document, problem->arena, data);
     taut_reader_optional(document, "max_length", read_cell, &data->max_length);
+    taut_reader_flag(document, "panels", &data->panels);
     take_laths(document, problem->arena, data);
     take_sheet(document, problem->arena, data);
 }

@@ -131,6 +131,22 @@ static void test_pieces(void)
     net_free(&made);
 }
 
+/* Curves of a minimal surface cross at right angles, those of x y do not. */
+static void test_right_angled(void)
+{
+    const char *seeds = "\"seeds\": [{ \"at\": [0.3, 0.2] }]";
+    made_net made = net_make("asymptotic", BONNET("1.1"), seeds);
+    made_net other = net_make("asymptotic", SURFACE, seeds);
+    CHECK(claim_of(made.proof, "right-angled")->holds == TAUT_TRUE, "minimal");
+    CHECK(judge(&made, changed(other.model, -1, 0, 0, NULL), "right-angled") == TAUT_FALSE, "x y");
+    for (int k = 0; k < taut_certificate_claim_count(other.proof); k++) {
+        CHECK(strcmp(taut_certificate_claim(other.proof, k)->claim, "right-angled") != 0,
+              "claimed");
+    }
+    net_free(&made);
+    net_free(&other);
+}
+
 /* A net of another surface, or of the other family, is not this one. */
 static void test_other(void)
 {
@@ -156,6 +172,7 @@ int main(void)
     test_moved();
     test_told();
     test_pieces();
+    test_right_angled();
     test_other();
     return check_failures != 0;
 }

@@ -309,6 +309,66 @@ static void test_cells(void)
     }
 }
 
+/* z = Re (x + iy - 0.2 - 0.1i)^3: a monkey saddle. */
+#define MONKEY                                                                                     \
+    "{ \"taut\": 1, \"surfaces\": [{ \"u\": { \"type\": \"bezier\", \"degree\": 3, \"rang"         \
+    "e\": [-1, 1] }, \"v\": { \"type\": \"bezier\", \"degree\": 3, \"range\": [-1, 1] }, "         \
+    "\"points\": [[[-1.0, -1.0, 2.628], [-1.0, -0.33333333333333337, -2.652], [-1.0, 0.33"         \
+    "333333333333326, -3.132], [-1.0, 1.0, 1.188]], [[-0.33333333333333337, -1.0, 3.088],"         \
+    " [-0.33333333333333337, -0.33333333333333337, 0.741333333333333], [-0.33333333333333"         \
+    "337, 0.33333333333333326, 0.528], [-0.33333333333333337, 1.0, 2.448]], [[0.333333333"         \
+    "33333326, -1.0, -1.252], [0.33333333333333326, -0.33333333333333337, -0.665333333333"         \
+    "333], [0.33333333333333326, 0.33333333333333326, -0.612], [0.33333333333333326, 1.0,"         \
+    " -1.092]], [[1.0, -1.0, -2.392], [1.0, -0.33333333333333337, 1.128], [1.0, 0.3333333"         \
+    "3333333326, 1.448], [1.0, 1.0, -1.432]]] }] }"
+
+static void test_singular(void)
+{
+    static const char *const nets[2] = {"asymptotic", "principal"};
+    for (int k = 0; k < 2; k++) {
+        made_net made = net_make(nets[k], MONKEY, "\"seeds\": [{ \"at\": [0.7, -0.1] }]");
+        const taut_record *list =
+            taut_record_get(taut_model_details(made.model), "singular_points");
+        const taut_record *one = taut_record_at(list, 0), *at = taut_record_get(one, "at");
+        CHECK(taut_record_count(list) == 1, "%zu points", taut_record_count(list));
+        CHECK_NEAR(taut_record_number(taut_record_at(at, 0)), 0.2, 1e-9, "u");
+        CHECK_NEAR(taut_record_number(taut_record_at(at, 1)), 0.1, 1e-9, "v");
+        CHECK(taut_record_number(taut_record_get(one, "index")) == -0.5, "index");
+        net_free(&made);
+    }
+    made_net made = net_make("principal", BONNET("1.1"), "\"seeds\": [{ \"cells\": 2 }]");
+    CHECK(net_count(&made, "singular_points") == 0, "none");
+    net_free(&made);
+}
+
+/* On z = 1.1 x y principal curves are asinh 1.1x -+ asinh 1.1y constant: quads at equal steps of them are exactly
+ * plane, at others as far as their corners tell. */
+static void test_panels(void)
+{
+    const struct {
+        int count;
+        double steps[5], planarity;
+        int panels;
+    } rows[] = {{5, {-0.6, -0.3, 0, 0.3, 0.6}, 0, 16},
+                {4, {-0.6, -0.2, 0.15, 0.6}, 8.817291104644271e-06, 9}};
+    for (size_t k = 0; k < 2; k++) {
+        char seeds[400] = "\"panels\": true, \"seeds\": [";
+        for (int i = 0; i < rows[k].count; i++) {
+            const size_t length = strlen(seeds);
+            snprintf(seeds + length, sizeof seeds - length, "%s{ \"at\": [%.17g, 0] }",
+                     i > 0 ? ", " : "", sinh(rows[k].steps[i]) / 1.1);
+        }
+        strcat(seeds, "]");
+        made_net made = net_make("principal", BILINEAR, seeds);
+        const taut_record *details = taut_model_details(made.model);
+        CHECK(taut_record_number(taut_record_get(details, "panel_count")) == rows[k].panels,
+              "row %zu", k);
+        CHECK_NEAR(taut_record_number(taut_record_get(details, "max_planarity")), rows[k].planarity,
+                   1e-12, "row %zu", k);
+        net_free(&made);
+    }
+}
+
 /* Of principal curves of `bonnet`, which are parameter lines, 4 cells along v are 5 lines of constant u, the edges among
  * them, whole. */
 static void test_edges(void)
@@ -351,7 +411,7 @@ static void test_refusals(void)
         {"principal", BILINEAR, "\"seeds\": [{ \"lath\": \"A9\", \"count\": 2 }]", "name",
          TAUT_BAD_INPUT},
         {"asymptotic", BILINEAR, "\"surface\": \"other\"", "no-such-object", TAUT_BAD_INPUT},
-        {"asymptotic", BILINEAR, "\"panels\": true", "trace-not-yet", TAUT_BAD_INPUT}};
+        {"asymptotic", BILINEAR, "\"panels\": true", "net", TAUT_BAD_INPUT}};
     for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
         made_net made = net_make(rows[k].net, rows[k].surface, rows[k].members);
         CHECK(made.status == rows[k].status, "row %zu: %d %s", k, made.status, made.error.message);
@@ -370,6 +430,8 @@ int main(void)
     test_seeds();
     test_cells();
     test_edges();
+    test_singular();
+    test_panels();
     test_refusals();
     return check_failures != 0;
 }

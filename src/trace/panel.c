@@ -1,0 +1,144 @@
+/* panel.c
+ *
+ *     of each step p, q from node to node on a curve of the first family: on both curves that cross there the next nodes
+ *     r, t to the left; a quad where those are on one curve, and next to each other
+ */
+#include "trace/panel.h"
+
+#include "core/vec3.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* The nodes of a lath along it. */
+typedef struct row {
+    int *nodes, count;
+} row;
+
+static double s_on(const taut_net *net, int node, int lath)
+{
+    const taut_node *n = &net->nodes.list[node];
+    return n->s[n->laths[0] == lath ? 0 : 1];
+}
+
+static taut_status make_rows(const taut_net *net, row *rows)
+{
+    for (int k = 0; k < net->nodes.count; k++) {
+        for (int side = 0; side < 2; side++) {
+            rows[net->nodes.list[k].laths[side]].count++;
+        }
+    }
+    for (int i = 0; i < net->count; i++) {
+        rows[i].nodes = taut_arena_take(net->arena, (size_t)rows[i].count + 1, sizeof(int));
+        rows[i].count = 0;
+        if (rows[i].nodes == NULL) {
+            return TAUT_NO_MEMORY;
+        }
+    }
+    for (int k = 0; k < 2 * net->nodes.count; k++) {
+        const int lath = net->nodes.list[k / 2].laths[k % 2];
+        row *r = &rows[lath];
+        int i = r->count++;
+        for (; i > 0 && s_on(net, r->nodes[i - 1], lath) > s_on(net, k / 2, lath); i--) {
+            r->nodes[i] = r->nodes[i - 1];
+        }
+        r->nodes[i] = k / 2;
+    }
+    return TAUT_OK;
+}
+
+static int place_in(const row *r, int node)
+{
+    int i = 0;
+    while (i < r->count && r->nodes[i] != node) {
+        i++;
+    }
+    return i;
+}
+
+static void tangent_at(const taut_net *net, int lath, int node, double tangent[3])
+{
+    const taut_lath *on = &net->laths[lath];
+    const double s = s_on(net, node, lath);
+    double space[TAUT_QUINTIC][3], x[3], bend[3];
+    int k = 0;
+    while (k + 1 < on->count && s > on->segments[k].to.s) {
+        k++;
+    }
+    const taut_segment *segment = &on->segments[k];
+    taut_segment_space(segment, space);
+    const double length = segment->to.s - segment->from.s;
+    taut_quintic_at(3, space[0], fmin(fmax((s - segment->from.s) / length, 0), 1), x, tangent,
+                    bend);
+}
+
+/* The next node on the curve that crosses `lath` at `node`, to the left of it; -1 where there is none. */
+static int next_left(const taut_net *net, const row *rows, int lath, int node)
+{
+    const taut_node *n = &net->nodes.list[node];
+    const int other = n->laths[n->laths[0] == lath ? 1 : 0];
+    const int place = place_in(&rows[other], node);
+    double along[3], across[3], left[3];
+
+    tangent_at(net, lath, node, along);
+    tangent_at(net, other, node, across);
+    taut_cross(n->normal, along, left);
+    const int next = taut_dot(left, across) > 0 ? place + 1 : place - 1;
+    return next >= 0 && next < rows[other].count ? rows[other].nodes[next] : -1;
+}
+
+/* The distance of the diagonals of a quad p, q, t, r over their mean length. */
+static double planarity_of(const taut_net *net, const int corners[4])
+{
+    const double *x[4];
+    double a[3], b[3], side[3], across[3];
+    for (int k = 0; k < 4; k++) {
+        x[k] = net->nodes.list[corners[k]].x;
+    }
+    taut_difference(x[2], x[0], a);
+    taut_difference(x[3], x[1], b);
+    taut_difference(x[1], x[0], side);
+    taut_cross(a, b, across);
+    const double area = taut_length(across), mean = (taut_length(a) + taut_length(b)) / 2;
+    return area > 0 ? fabs(taut_dot(side, across)) / (area * mean) : 0;
+}
+
+static void look_left(const taut_net *net, const row *rows, int lath, int k, taut_panels *panels)
+{
+    const int p = rows[lath].nodes[k], q = rows[lath].nodes[k + 1];
+    const int r = next_left(net, rows, lath, p), t = next_left(net, rows, lath, q);
+    double here[3], there[3];
+
+    if (r < 0 || t < 0 || net->nodes.list[r].laths[0] != net->nodes.list[t].laths[0] ||
+        net->nodes.list[p].laths[1] == net->nodes.list[q].laths[1]) {
+        return;
+    }
+    const int far = net->nodes.list[r].laths[0];
+    if (far == lath || abs(place_in(&rows[far], r) - place_in(&rows[far], t)) != 1) {
+        return;
+    }
+    tangent_at(net, lath, p, here);
+    tangent_at(net, far, r, there);
+    if (taut_dot(here, there) < 0 && far < lath) {
+        return; /* it lies to the left of that one too */
+    }
+    const int corners[4] = {p, q, t, r};
+    panels->count++;
+    panels->planarity = fmax(panels->planarity, planarity_of(net, corners));
+}
+
+taut_status taut_panels_of(const taut_net *net, taut_panels *panels)
+{
+    row *rows = taut_arena_take(net->arena, (size_t)net->count + 1, sizeof *rows);
+
+    *panels = (taut_panels){0};
+    if (rows == NULL || make_rows(net, rows) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    for (int i = 0; i < net->count; i++) {
+        for (int k = 0; net->laths[i].family == 0 && k + 1 < rows[i].count; k++) {
+            look_left(net, rows, i, k, panels);
+        }
+    }
+    return TAUT_OK;
+}
