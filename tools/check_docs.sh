@@ -82,7 +82,7 @@ for name in $(names src/io/format_list.h; names src/draw/format_list.h); do
     grep -q "^| .*\`\.$name\`" docs/format.md || complain "docs/format.md has no row for the format $name"
 done
 for name in $(sed -n 's/^ *X(\([a-z]*\)).*/\1/p' src/cli/command_list.h 2> /dev/null); do
-    grep -q "^| \`taut $name[ \`]" README.md || complain "README.md has no row for taut $name"
+    grep -q "^| \`taut $name[ \`]" docs/commands.md || complain "docs/commands.md has no row for taut $name"
 done
 
 if [ -e include/taut/taut.h ]; then

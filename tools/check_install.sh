@@ -27,6 +27,7 @@ export PKG_CONFIG_PATH
 
 # The first block of C in the README is a whole program.
 awk '/^```c$/ { on = 1; next } /^```/ { if (on) exit } on' README.md > "$work/example.c"
+awk '/^```json$/ { on = 1; next } /^```/ { if (on) exit } on' README.md > "$work/tent.json"
 grep -q 'int main' "$work/example.c" || { echo "check_install: no program in README.md"; exit 1; }
 cd "$work"
 # shellcheck disable=SC2046
