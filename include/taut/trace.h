@@ -71,7 +71,9 @@ typedef struct taut_trace_seed {
 /* How a lath sits on its curve. */
 typedef enum taut_trace_strip {
     TAUT_TRACE_STANDING = 0, /* along the normal */
-    TAUT_TRACE_PLANK         /* along the surface */
+    TAUT_TRACE_PLANK,        /* along the surface */
+    TAUT_TRACE_DEVELOPABLE, /* near the normal, and only bent: the envelope of the planes of tangent and normal */
+    TAUT_TRACE_ENVELOPE /* near the surface, and only bent: the envelope of its tangent planes */
 } taut_trace_strip;
 
 /* How long a lath is cut that is longer at its edges, as it twists. */
@@ -151,11 +153,12 @@ typedef struct taut_trace_problem {
       "give E, G and strength in N/mm^2, or a name that the message tells")                        \
     X("folds", "a strip bends so much in its own plane that it folds over itself",                 \
       "take a width below the one that the message tells")                                         \
+    X("developable", "a strip that is only bent does not exist along the curve, or not so wide",   \
+      "take the width that the message tells, or another strip")                                   \
     X("slots", "slots overlap, or laths turn into each other within their width",                  \
       "take thinner or less wide laths, or fewer")                                                 \
     X("sheet", "a piece is larger than the sheet, and cannot be split between crossings",          \
-      "take sheets of the size that the message tells")                                            \
-    X("trace-not-yet", "a member or a word of nets that this version cannot do", "leave it out")
+      "take sheets of the size that the message tells")
 
 /* Makes the model: the surface and a curve a lath, quintic B-splines over arc length, named A1, B1,
  * ...; details as docs/trace.md has them. TAUT_BAD_INPUT, TAUT_NO_SOLUTION and TAUT_NOT_CONVERGED with

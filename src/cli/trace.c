@@ -361,7 +361,7 @@ static const cli_option options_of_trace[] = {
     {"--max-length", CLI_TEXT, offsetof(cli_options, max_length), 0, 0, 0, "L",
      "of a curve, each way (default 20 sizes)"},
     {"--strip", CLI_TEXT, offsetof(cli_options, strip), 0, 0, 0, "S",
-     "laths on the curves: standing or plank"},
+     "laths on the curves: standing, plank, developable or envelope"},
     {"--width", CLI_TEXT, offsetof(cli_options, lath_width), 0, 0, 0, "W",
      "of the laths of --strip; without it PNG: how wide (default 1200)"},
     {"--thickness", CLI_TEXT, offsetof(cli_options, thickness), 0, 0, 0, "T", "of the laths"},

@@ -732,7 +732,9 @@
 
 #define TAUT_ABI_VALUES_taut_trace_strip(X) \
     X(TAUT_TRACE_STANDING, "standing") \
-    X(TAUT_TRACE_PLANK, "plank")
+    X(TAUT_TRACE_PLANK, "plank") \
+    X(TAUT_TRACE_DEVELOPABLE, "developable") \
+    X(TAUT_TRACE_ENVELOPE, "envelope")
 
 #define TAUT_ABI_VALUES_taut_verdict(X) \
     X(TAUT_FALSE, "false") \

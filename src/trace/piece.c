@@ -51,7 +51,7 @@ typedef struct builder {
 static taut_status make_band(const taut_net *net, const taut_strip *strips, double play,
                              double sagitta, int index, band *b)
 {
-    const int is_plank = net->problem->laths->strip == TAUT_TRACE_PLANK;
+    const int is_plank = taut_strip_lies(net->problem->laths->strip);
     const size_t most =
         2 * (size_t)net->nodes.count + 1; /* one that crosses itself is there twice */
     double *stops = taut_arena_take(net->arena, most, sizeof *stops);
@@ -107,8 +107,12 @@ static taut_axis_point axis_at(const band *b, double cut)
     }
     const taut_axis_point *p = &b->axis[k - 1], *q = &b->axis[k];
     const double t = q->cut > p->cut ? fmin(fmax((cut - p->cut) / (q->cut - p->cut), 0), 1) : 0;
-    return (taut_axis_point){p->s + t * (q->s - p->s), cut, p->x + t * (q->x - p->x),
-                             p->y + t * (q->y - p->y), p->theta + t * (q->theta - p->theta)};
+    return (taut_axis_point){p->s + t * (q->s - p->s),
+                             cut,
+                             p->x + t * (q->x - p->x),
+                             p->y + t * (q->y - p->y),
+                             p->theta + t * (q->theta - p->theta),
+                             p->skew + t * (q->skew - p->skew)};
 }
 
 /* ---- one piece ---- */
@@ -261,14 +265,16 @@ static taut_status cut_piece(const builder *to_build, const band *b, double from
         const int last = piece->outline_count - 1;
         double(*points)[2] = piece->outline;
         int i = 0;
-        beside(&ends[0], 0, side * half, points[side < 0 ? 0 : last]);
+        beside(&ends[0], ends[0].skew * side * half, side * half, points[side < 0 ? 0 : last]);
         for (int k = 0; !is_straight && k < b->axis_count; k++) {
             if (b->axis[k].cut > from && b->axis[k].cut < to) {
                 i++;
-                beside(&b->axis[k], 0, side * half, points[side < 0 ? i : last - i]);
+                beside(&b->axis[k], b->axis[k].skew * side * half, side * half,
+                       points[side < 0 ? i : last - i]);
             }
         }
-        beside(&ends[1], 0, side * half, points[side < 0 ? i + 1 : last - i - 1]);
+        beside(&ends[1], ends[1].skew * side * half, side * half,
+               points[side < 0 ? i + 1 : last - i - 1]);
     }
     for (int k = 0; k < b->crossing_count; k++) {
         const double at = b->crossings[k].at.cut;

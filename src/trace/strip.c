@@ -33,12 +33,23 @@ typedef struct cut {
     double width, thickness, play;
     int weak, flat;  /* which of a bending it bends by, which one its pattern has */
     int is_straight; /* the pattern: what it would have vanishes on this net */
+    int only_bends;  /* about its rulings */
 } cut;
+
+int taut_strip_lies(taut_trace_strip strip)
+{
+    return strip == TAUT_TRACE_PLANK || strip == TAUT_TRACE_ENVELOPE;
+}
+
+int taut_strip_only_bends(taut_trace_strip strip)
+{
+    return strip == TAUT_TRACE_DEVELOPABLE || strip == TAUT_TRACE_ENVELOPE;
+}
 
 static cut cut_of(const taut_net *net, double play)
 {
     const taut_trace_laths *laths = net->problem->laths;
-    const int scale = net->carrier->scale, is_plank = laths->strip == TAUT_TRACE_PLANK;
+    const int scale = net->carrier->scale, is_plank = taut_strip_lies(laths->strip);
     return (cut){.net = net,
                  .laths = laths,
                  .width = ldexp(laths->width, -scale),
@@ -47,7 +58,8 @@ static cut cut_of(const taut_net *net, double play)
                  .weak = is_plank ? TAUT_K_N : TAUT_K_G,
                  .flat = is_plank ? TAUT_K_G : TAUT_K_N,
                  .is_straight =
-                     net->problem->net == (is_plank ? TAUT_TRACE_GEODESIC : TAUT_TRACE_ASYMPTOTIC)};
+                     net->problem->net == (is_plank ? TAUT_TRACE_GEODESIC : TAUT_TRACE_ASYMPTOTIC),
+                 .only_bends = taut_strip_only_bends(laths->strip)};
 }
 
 static double flat_curvature(const cut *c, const taut_lath_bending *b)
@@ -104,7 +116,8 @@ static void add_between(const cut *c, const taut_lath_samples *at, double t, sum
         const double here = t * at->t[k], ds = at->weight[k] * length;
         const taut_lath_bending b =
             t == 1 ? at->at[k] : taut_lath_bending_at(at->carrier, at->kind, at->segment, here);
-        const double y = c->width * fabs(b.value[TAUT_TAU_G]) / 2, more = mean_stretch(y);
+        const double tau = c->only_bends ? 0 : fabs(b.value[TAUT_TAU_G]);
+        const double y = c->width * tau / 2, more = mean_stretch(y);
         const double cut_ds = (c->laths->cut == TAUT_TRACE_CUT_AXIS ? 1 : 1 + more) * ds;
         const double angle = theta + turn_between(c, at, 0, here);
         sum->edge += y * y / (1 + sqrt(1 + y * y)) * ds;
@@ -114,6 +127,148 @@ static void add_between(const cut *c, const taut_lath_samples *at, double t, sum
         sum->y += taut_sin(angle) * cut_ds;
     }
     sum->theta = theta + turn_between(c, at, 0, t);
+}
+
+/* ---- strips that only bend ---- */
+
+/* Of a place on a segment. */
+typedef struct ruled {
+    double skew; /* eta, or -zeta: what the ruling goes along the axis for each length across */
+    double
+        rate; /* at height h the strip is 1 + h rate as long as the axis, measured along its rulings */
+    double bend; /* on the axis, about the ruling */
+    double edge; /* length of the edge at +width/2 per length of the axis */
+} ruled;
+
+static double skew_at(const cut *c, const taut_lath_samples *at, double t)
+{
+    const taut_lath_bending b = taut_lath_bending_at(at->carrier, at->kind, at->segment, t);
+    const double ratio = b.value[TAUT_TAU_G] / b.value[c->weak];
+    return c->weak == TAUT_K_N ? -ratio : ratio;
+}
+
+/* skew' by differences of order 4, which may leave the segment: its cell's polynomial goes on. */
+static ruled ruled_at(const cut *c, const taut_lath_samples *at, double t)
+{
+    static const double d = 0.02;
+    const double length = at->segment->to.s - at->segment->from.s;
+    const taut_lath_bending b = taut_lath_bending_at(at->carrier, at->kind, at->segment, t);
+    const double skew = skew_at(c, at, t);
+    const double slope = (8 * (skew_at(c, at, t + d) - skew_at(c, at, t - d)) -
+                          (skew_at(c, at, t + 2 * d) - skew_at(c, at, t - 2 * d))) /
+                         (12 * d * length);
+    const double k = flat_curvature(c, &b), h = c->width / 2, round = 1 + skew * skew;
+    return (ruled){.skew = skew,
+                   .rate = slope - k * round,
+                   .bend = fabs(b.value[c->weak]) * round,
+                   .edge = taut_hypot(1 + h * (slope - k), h * skew * k)};
+}
+
+/* The largest |rate|, or the largest curvature over the width, from samples and by golden section. */
+static double ruled_size(const cut *c, const taut_lath_samples *at, double t, int of_bend)
+{
+    const ruled r = ruled_at(c, at, t);
+    return of_bend ? r.bend / (1 - c->width / 2 * fabs(r.rate)) : fabs(r.rate);
+}
+
+static void take_ruled(const cut *c, const taut_lath_samples *at, int of_bend, taut_lath_most *most)
+{
+    const double golden = 0.6180339887498949;
+    double value[NODES + 2];
+    for (int i = 0; i < NODES + 2; i++) {
+        value[i] = ruled_size(c, at, at->t[i], of_bend);
+    }
+    for (int i = 0; i < NODES + 2; i++) {
+        const int before = i > 0 ? i - 1 : i, after = i < NODES + 1 ? i + 1 : i;
+        double low = at->t[before], high = at->t[after], t = at->t[i], best = value[i];
+        if (value[i] < value[before] || value[i] < value[after] || !(best > 0.9 * most->value)) {
+            continue;
+        }
+        for (int round = 0; round < 40; round++) {
+            const double a = high - golden * (high - low), b = low + golden * (high - low);
+            const double at_a = ruled_size(c, at, a, of_bend), at_b = ruled_size(c, at, b, of_bend);
+            const double larger = at_a > at_b ? a : b;
+            t = fmax(at_a, at_b) > best ? larger : t;
+            best = fmax(best, fmax(at_a, at_b));
+            low = at_a > at_b ? low : a;
+            high = at_a > at_b ? b : high;
+        }
+        if (best > most->value) {
+            *most = (taut_lath_most){best, at->segment->from.s +
+                                               t * (at->segment->to.s - at->segment->from.s)};
+        }
+    }
+}
+
+/* Does the curvature that the strip bends by vanish on the segment? */
+static int is_inflected(const cut *c, const taut_lath_samples *at)
+{
+    const double first = at->at[0].value[c->weak];
+    int is = first == 0 || !(fabs(first) > 1e-9 / c->net->carrier->size);
+    for (int i = 1; i < NODES + 2; i++) {
+        is |= !(at->at[i].value[c->weak] * first > 0);
+    }
+    return is;
+}
+
+static taut_status refuse_developable(const cut *c, const taut_lath *lath, double at, double widest,
+                                      taut_error *error)
+{
+    const int scale = c->net->carrier->scale;
+    if (widest == 0) {
+        return taut_fail(
+            error, TAUT_NO_SOLUTION, "developable", "/laths/strip", c->laths->width, 0,
+            "%s has no curvature to bend by %.6g along it: a strip there is 0 wide, take "
+            "one that twists",
+            lath->name, ldexp(at, scale));
+    }
+    return taut_fail(error, TAUT_NO_SOLUTION, "developable", "/laths/width", c->laths->width,
+                     ldexp(widest, scale),
+                     "the rulings of %s meet within its width, %.6g along it: take less than %.6g",
+                     lath->name, ldexp(at, scale), ldexp(widest, scale));
+}
+
+/* What a strip that only bends has beside the sums. */
+static taut_status make_ruled(const cut *c, const taut_lath *lath, taut_strip *strip,
+                              taut_error *error)
+{
+    const taut_linefield_kind kind = {c->net->problem->net, lath->family};
+    const taut_trace_material *m = &c->laths->material;
+    taut_lath_most rate = {0}, bend = {0};
+    taut_lath_samples at;
+
+    strip->edge_length = 0;
+    for (int k = 0; k < lath->count; k++) {
+        const taut_segment *on = &lath->segments[k];
+        taut_lath_bending_sample(c->net->carrier, kind, on, &at);
+        if (is_inflected(c, &at)) {
+            return refuse_developable(c, lath, on->from.s, 0, error);
+        }
+        take_ruled(c, &at, 0, &rate);
+        for (int i = 1; i <= NODES; i++) {
+            strip->edge_length +=
+                at.weight[i] * (on->to.s - on->from.s) * ruled_at(c, &at, at.t[i]).edge;
+        }
+    }
+    if (!(c->width * rate.value < 2)) {
+        return refuse_developable(c, lath, rate.at, 2 / rate.value, error);
+    }
+    for (int k = 0; k < lath->count; k++) {
+        taut_lath_bending_sample(c->net->carrier, kind, &lath->segments[k], &at);
+        take_ruled(c, &at, 1, &bend);
+    }
+    strip->least_radius = bend.value > 0 ? 1 / bend.value : INFINITY;
+    strip->has_stress = c->thickness > 0 && m->e > 0;
+    if (strip->has_stress) {
+        const double stress = m->e * (c->thickness * bend.value) / 2;
+        strip->stress = (taut_strip_stress){.bending = stress,
+                                            .combined = stress,
+                                            .use = stress / m->strength,
+                                            .at = bend.at,
+                                            .thickest = 2 * m->strength / (m->e * bend.value),
+                                            .widest = INFINITY};
+    }
+    return TAUT_OK;
 }
 
 /* ---- the axis of the pattern ---- */
@@ -152,6 +307,10 @@ taut_status taut_strip_axis(const taut_net *net, double play, const taut_lath *l
     }
     *points = list;
     *count = 1; /* the origin */
+    if (c.only_bends && lath->count > 0) {
+        taut_lath_bending_sample(net->carrier, kind, &lath->segments[0], &at);
+        list[0].skew = skew_at(&c, &at, 0);
+    }
     for (int k = 0; k < lath->count; k++) {
         const taut_segment *on = &lath->segments[k];
         const double from = on->from.s, length = on->to.s - from;
@@ -165,8 +324,12 @@ taut_status taut_strip_axis(const taut_net *net, double play, const taut_lath *l
             sums there = sum;
             add_between(&c, &at, here, &there);
             if (is_kept) {
-                list[(*count)++] = (taut_axis_point){is_stop ? stops[stop] : s, there.cut, there.x,
-                                                     there.y, there.theta};
+                list[(*count)++] = (taut_axis_point){is_stop ? stops[stop] : s,
+                                                     there.cut,
+                                                     there.x,
+                                                     there.y,
+                                                     there.theta,
+                                                     c.only_bends ? skew_at(&c, &at, here) : 0};
             }
             stop += is_stop;
             part += !is_stop;
@@ -276,7 +439,7 @@ static taut_status make_strip(const cut *c, const taut_lath *lath, taut_strip *s
         taut_lath_take_most(&at, ribbon_size, c, 1, &most.ribbon);
         taut_lath_take_most(&at, combined_size, c, 1, &most.combined);
     }
-    if (most.flat.value * c->width >= 2) {
+    if (!c->only_bends && most.flat.value * c->width >= 2) {
         const int scale = c->net->carrier->scale;
         return taut_fail(
             error, TAUT_NO_SOLUTION, "folds", "/laths/width", c->laths->width,
@@ -292,6 +455,9 @@ static taut_status make_strip(const cut *c, const taut_lath *lath, taut_strip *s
     strip->end[0] = sum.x;
     strip->end[1] = sum.y;
     strip->end[2] = sum.theta;
+    if (c->only_bends) {
+        return make_ruled(c, lath, strip, error);
+    }
     strip->least_radius = most.ribbon.value > 0 ? 1 / most.ribbon.value : INFINITY;
     take_stress(c, lath, &most, strip);
     return TAUT_OK;
@@ -463,8 +629,7 @@ taut_status taut_strips_new(const taut_net *net, double play, taut_strip **strip
     for (int k = 0; status == TAUT_OK && k < net->count; k++) {
         status = make_strip(&c, &net->laths[k], &list[k], error);
     }
-    if (status == TAUT_OK && c.laths->strip == TAUT_TRACE_STANDING && c.width > 0 &&
-        c.thickness > 0) {
+    if (status == TAUT_OK && !taut_strip_lies(c.laths->strip) && c.width > 0 && c.thickness > 0) {
         status = make_slots(&c, list, error);
     }
     *strips = list;

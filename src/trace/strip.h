@@ -3,6 +3,11 @@
  *
  *     standing: x + h n, which bends by k_g and is cut along a curve of curvature k_n
  *     plank:    x + h S, which bends by k_n and is cut along a curve of curvature k_g
+ *
+ * and strips that only bend, about their rulings:
+ *
+ *     developable: x + h (n + eta T),  eta = tau_g/k_g    where 1 + h (eta' - k_n (1 + eta^2)) > 0
+ *     envelope:    x + h (S - zeta T), zeta = tau_g/k_n   where 1 - h (zeta' + k_g (1 + zeta^2)) > 0
  */
 #ifndef TAUT_TRACE_STRIP_H
 #define TAUT_TRACE_STRIP_H
@@ -37,6 +42,8 @@ typedef struct taut_axis_point {
     double s;           /* of the lath */
     double cut;         /* along the axis, as it is cut */
     double x, y, theta; /* from the origin along x */
+    double
+        skew; /* how far the strip's ruling goes along it for each length across: eta, -zeta, or 0 */
 } taut_axis_point;
 
 /* The axis of a lath's pattern, in the net's arena: its ends, the places `stops` (rising), and so many
@@ -46,9 +53,13 @@ taut_status taut_strip_axis(const taut_net *net, double play, const taut_lath *l
                             int *count);
 
 /* A strip a lath, in the net's arena; play: of the slots, in the document's unit. TAUT_NO_MEMORY;
- * TAUT_NO_SOLUTION, reasons "folds" and "slots". */
+ * TAUT_NO_SOLUTION, reasons "folds", "developable" and "slots". */
 taut_status taut_strips_new(const taut_net *net, double play, taut_strip **strips,
                             taut_error *error);
+
+/* Is it near the surface, not the normal? And does it only bend? */
+int taut_strip_lies(taut_trace_strip strip);
+int taut_strip_only_bends(taut_trace_strip strip);
 
 /* The largest cot(gamma/2) over the heights of the slot that the lath `side` (0, 1) of a node has, gamma
  * the acute angle there of what crosses; 0 where they fall together on the way. */

@@ -65,7 +65,7 @@ for wrong in 'width /laths/width: "strip": "standing", "width": 0' 'value /laths
     'value /laths/play: "strip": "standing", "play": -1' 'material /laths/material: "strip": "plank", "material": "butter"' \
     'material /laths/material/G: "strip": "plank", "material": { "E": 1, "G": 0, "strength": 1 }' \
     'missing /laths/material/strength: "strip": "plank", "material": { "E": 1, "G": 1 }' 'missing /laths/strip: "width": 1' \
-    'trace-not-yet /laths/strip: "strip": "developable"' 'trace-not-yet /laths/strip: "strip": "envelope"' 'name /laths/strip: "strip": "lying"' \
+    'name /laths/strip: "strip": "lying"' \
     'name /laths/cut: "strip": "plank", "cut": "long"'; do
     echo "{ \"taut\": 1, \"trace\": \"asymptotic\", \"of\": \"roof.json\", \"laths\": { ${wrong#*: } } }" > wrong.json
     refused 3 "${wrong%%:*}" make wrong.json -o none.json --quiet
@@ -93,6 +93,8 @@ if python_with ezdxf; then
 else
     missing ezdxf 'tools/deps.sh check'
 fi
+refused 4 'developable /laths/strip' trace metres.json --net asymptotic --cells 4 --strip envelope --width 0.06 -o none.json
+run 0 trace metres.json --net geodesic --seed 0.5,0.3 --direction 1,0.3 --both --strip envelope --width 0.06 --quiet -o envelope.json -o envelope.dxf
 refused 4 'sheet /sheet/size/0' trace metres.json --net asymptotic --cells 4 --strip standing --width 0.06 --thickness 0.0015 --sheet 0.2x1 -o none.json
 refused 4 'sheet /sheet/size/1' trace metres.json --net asymptotic --cells 4 --strip standing --width 0.06 --sheet 3x0.05 -o none.json
 refused 2 'value --sheet 3' trace metres.json --net asymptotic --strip standing --width 0.06 --sheet 3 -o none.json

@@ -199,7 +199,7 @@ static void describe_lath(const taut_net *net, int index, const taut_strip *stri
 static void add_twisted(const taut_net *net, const taut_node *node, taut_record *at)
 {
     const taut_trace_laths *laths = net->problem->laths;
-    if (laths == NULL || laths->strip != TAUT_TRACE_STANDING || !(laths->width > 0)) {
+    if (laths == NULL || taut_strip_lies(laths->strip) || !(laths->width > 0)) {
         return;
     }
     const double width = ldexp(laths->width, -net->carrier->scale);

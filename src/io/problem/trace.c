@@ -35,8 +35,7 @@ static const char *const seed_members[] = {"at",        "edge", "count", "by",  
 
 static const char *const lath_members[] = {"strip", "width", "thickness", "material",
                                            "cut",   "play",  NULL};
-static const char *const strips[] = {"standing", "plank", NULL};
-static const char *const strips_not_yet[] = {"developable", "envelope", NULL};
+static const char *const strips[] = {"standing", "plank", "developable", "envelope", NULL};
 static const char *const cuts[] = {"mean", "axis", NULL};
 static const char *const material_members[] = {"E", "G", "strength", NULL};
 /* EN 1993-1-1 and EN 338. */
@@ -484,18 +483,7 @@ static taut_status read_material(const taut_json *at, void *into, taut_error *er
 
 static void read_strip(taut_reader *in, taut_trace_laths *laths)
 {
-    const taut_json at = taut_json_member(in->object, "strip");
-    const char *word = at.value != NULL ? taut_json_text_at(&at) : NULL;
     int strip = 0;
-
-    for (int k = 0; in->status == TAUT_OK && word != NULL && strips_not_yet[k] != NULL; k++) {
-        if (strcmp(word, strips_not_yet[k]) == 0) {
-            in->status = taut_json_fail(&at, in->error, "trace-not-yet", taut_none, taut_none,
-                                        "found \"%s\", which this version cannot cut: "
-                                        "take \"standing\" or \"plank\"",
-                                        word);
-        }
-    }
     taut_reader_word(in, "strip", strips, &strip);
     laths->strip = (taut_trace_strip)strip;
 }

@@ -173,6 +173,75 @@ static void test_plank(void)
     net_free(&made);
 }
 
+/* The diagonal of the catenoid from (0.4, 0.4) to (1, 1): eta = tau_g/k_g, the widest strip 2/|eta'| = 2 sinh^2 v, the bending
+ * k_g (1 + eta^2) at v = 0.4; through v = 0 there is none. */
+static void test_developable(void)
+{
+    const char *piece = "{ \"taut\": 1, \"construct\": \"bonnet\", \"lambda\": 0, \"sign\": \"+\", "
+                        "\"alpha\": 0.6, \"beta\": 0.6, \"start\": [0.4, 0.4] }";
+    const char *seed = "\"seeds\": [{ \"at\": [0.7, 0.7], \"family\": \"+\" }]";
+    const double axis = 1.08109395664148, eta[2] = {3.44298369974903, 1.20337995742518};
+    const double widest = 0.337434946304845, bend = 3.19446704654978;
+    made_net made = with_laths("asymptotic", piece, seed,
+                               "\"strip\": \"developable\", \"width\": 0.12, \"thickness\": 0.001, "
+                               "\"material\": { \"E\": 1000, \"G\": 500, \"strength\": 3 }");
+
+    CHECK(taut_certificate_holds(made.proof) == TAUT_TRUE, "%s", made.error.message);
+    CHECK_NEAR(net_number(&made, "A1", "cut_length"), axis, 1e-11, "isometric");
+    CHECK(net_number(&made, "A1", "mean_stretch") == 0, "stretched");
+    CHECK_NEAR(net_number(&made, "A1", "edge_length"), axis + 0.06 * (eta[0] - eta[1]), 1e-9,
+               "edge");
+    const double most = bend / (1 - 0.12 / widest);
+    CHECK_NEAR(net_number(&made, "A1", "least_radius"), 1 / most, 1e-8, "radius");
+    CHECK_NEAR(stress(&made, "A1", "bending"), 1000 * 0.001 * most / 2, 1e-7, "bending");
+    CHECK(stress(&made, "A1", "torsion") == 0 && stress(&made, "A1", "helix") == 0, "twisted");
+    const taut_record *outline = taut_record_get(
+        taut_record_at(taut_record_get(taut_model_details(made.model), "pieces"), 0), "outline");
+    CHECK(taut_record_count(outline) == 4, "a straight band");
+    const double slant = taut_record_number(taut_record_at(taut_record_at(outline, 3), 0)) -
+                         taut_record_number(taut_record_at(taut_record_at(outline, 0), 0));
+    CHECK_NEAR(fabs(slant), 0.12 * eta[0], 1e-9, "cut on a ruling");
+    net_free(&made);
+
+    made = with_laths("asymptotic", piece, seed, "\"strip\": \"developable\", \"width\": 0.4");
+    CHECK(made.status == TAUT_NO_SOLUTION && strcmp(made.error.reason, "developable") == 0, "%s",
+          made.error.message);
+    CHECK_NEAR(made.error.limit, widest, 1e-9, "the widest");
+    net_free(&made);
+    made = with_laths("asymptotic", CATENOID, "\"seeds\": [{ \"at\": [0, 0] }]",
+                      "\"strip\": \"developable\", \"width\": 0.01");
+    CHECK(made.status == TAUT_NO_SOLUTION && strcmp(made.error.reason, "developable") == 0, "%s",
+          made.error.message);
+    net_free(&made);
+}
+
+/* Parallels of the catenoid: the tangent planes envelop a cone, of the flat radius 1/k_g; it bends by k_n = 1/cosh^2 v on the axis and
+ * by 1/(1 - h k_g) of that at h. Asymptotic curves have no envelope. */
+static void test_envelope(void)
+{
+    const char *seed = "\"seeds\": [{ \"at\": [0.1, 0.6], \"family\": \"v\" }]";
+    const double k = sinh(0.6) / (cosh(0.6) * cosh(0.6)), k_n = 1 / (cosh(0.6) * cosh(0.6));
+    made_net made =
+        with_laths("isoparametric", CATENOID, seed, "\"strip\": \"envelope\", \"width\": 0.2");
+
+    CHECK(made.status == TAUT_OK, "%s", made.error.message);
+    CHECK_NEAR(net_number(&made, "B1", "least_radius"), (1 - 0.1 * k) / k_n, 1e-10, "radius");
+    CHECK_NEAR(fabs(net_end(&made, "B1", "pattern_end", 2)), 2 * tanh(0.6), 1e-13, "theta");
+    const double edge = net_number(&made, "B1", "edge_length") / net_number(&made, "B1", "length");
+    CHECK_NEAR(fabs(edge - 1), 0.1 * k, 1e-10, "edge");
+    net_free(&made);
+    made = with_laths("isoparametric", CATENOID, seed, "\"strip\": \"envelope\", \"width\": 4.5");
+    CHECK(made.status == TAUT_NO_SOLUTION && strcmp(made.error.reason, "developable") == 0, "%s",
+          made.error.message);
+    CHECK_NEAR(made.error.limit, 2 / k, 1e-9, "the widest");
+    net_free(&made);
+    made = with_laths("asymptotic", CATENOID, "\"seeds\": [{ \"at\": [0.3, 0.5] }]",
+                      "\"strip\": \"envelope\", \"width\": 0.01");
+    CHECK(made.status == TAUT_NO_SOLUTION && strcmp(made.error.reason, "developable") == 0, "%s",
+          made.error.message);
+    net_free(&made);
+}
+
 /* The normal of z = 1.1 xy. */
 static void normal_of(double x, double y, double n[3])
 {
@@ -282,6 +351,8 @@ int main(void)
     test_mean();
     test_arc();
     test_plank();
+    test_developable();
+    test_envelope();
     test_slots();
     test_refusals();
     test_options();
