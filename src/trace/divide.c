@@ -8,6 +8,9 @@
 
 enum { NODES = 8, PIECES = 16 /* a span that is crossed */, ROUNDS = 40 };
 
+/* Of t in [0, 1]: a step that is rounding. */
+static const double settled = 4e-16;
+
 /* The measure per t at a place of the line. */
 static double rate_at(const taut_ruler *r, double t)
 {
@@ -113,11 +116,11 @@ static double solve(const taut_ruler *r, double low, double high, double target)
             low = t;
         }
         double next = t - value / rate;
+        if (value == 0 || fabs(next - t) <= settled) { /* before the bracket may throw it off */
+            return fmin(fmax(next, low), high);
+        }
         if (!(next > low) || !(next < high)) {
             next = (low + high) / 2;
-        }
-        if (value == 0 || fabs(next - t) <= 1e-16) {
-            return next;
         }
         t = next;
     }

@@ -14,6 +14,8 @@
  *                 over the size: border, the other end, K = 0, R = 0, or the length asked for
  *   nodes         largest distance of the two curves of a node of details at their lengths
  *   right-angled  |H| / R at the nodes of details, where the surface is minimal
+ *   spacing       with the problem: how unequal the parts are that curves cut edges and lines in
+ *                 (certify/trace/spacing.h)
  *   complete      nodes missing or too many, by how the ends separate each other on the border
  *                 (certify/trace/complete.h); left out where that does not say
  *   pattern       pieces to cut that lie over each other or over the border of their sheet
@@ -27,6 +29,7 @@
 #include "certify/trace/complete.h"
 #include "certify/trace/lines.h"
 #include "certify/trace/pieces.h"
+#include "certify/trace/spacing.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 #include "geometry/keep.h"
@@ -40,7 +43,7 @@
 
 enum { PLACES = 8, NODES = 16 };
 static const double tolerance_default = 1e-6, net_limit = 1e-6, length_limit = 1e-9,
-                    ends_limit = 1e-9, crease_limit = 1e-9;
+                    ends_limit = 1e-9, crease_limit = 1e-9, spacing_limit = 1e-9;
 /* So near to an end without a border, over the size, the net may be anything. */
 static const double near_end = 1e-3;
 /* |H| / R of a surface that is seen to be minimal. */
@@ -487,6 +490,21 @@ static taut_status add_right_angled(const request *r, taut_certificate *certific
     return add(certificate, "right-angled", TAUT_CHECK, &w, net_limit);
 }
 
+/* ---- spacing ---- */
+
+static taut_status add_spacing(const request *r, taut_arena *arena, taut_certificate *certificate)
+{
+    worst w = {0, ""};
+    int seed = 0;
+    const taut_status status =
+        taut_net_spacing(&r->lines, r->surface, r->problem, arena, &w.residual, &seed);
+    if (status != TAUT_OK || w.residual < 0) {
+        return status;
+    }
+    snprintf(w.where, sizeof w.where, "/seeds/%d", seed);
+    return add(certificate, "spacing", TAUT_CHECK, &w, spacing_limit);
+}
+
 /* ---- surface ---- */
 
 /* How many numbers of two surfaces differ; 1 where their bases do. */
@@ -662,6 +680,9 @@ static taut_status prove(const request *r, taut_arena *arena, taut_certificate *
     }
     if (status == TAUT_OK) {
         status = add_right_angled(r, certificate);
+    }
+    if (status == TAUT_OK) {
+        status = add_spacing(r, arena, certificate);
     }
     if (status == TAUT_OK) {
         status = taut_net_complete_add(&r->lines, arena, certificate);

@@ -131,6 +131,22 @@ static void test_pieces(void)
     net_free(&made);
 }
 
+/* Parts of an edge that are equal in one measure are not in another one. */
+static void test_spacing(void)
+{
+    const char *parts = "\"seeds\": [{ \"edge\": \"v0\", \"count\": 3, \"by\": \"%s\" }]";
+    char length[120], conformal[120];
+    snprintf(length, sizeof length, parts, "length");
+    snprintf(conformal, sizeof conformal, parts, "conformal");
+    made_net made = net_make("principal", SURFACE, length);
+    made_net other = net_make("principal", SURFACE, conformal);
+    CHECK(claim_of(made.proof, "spacing")->holds == TAUT_TRUE, "length");
+    CHECK(claim_of(other.proof, "spacing")->holds == TAUT_TRUE, "conformal");
+    CHECK(judge(&made, changed(other.model, -1, 0, 0, NULL), "spacing") == TAUT_FALSE, "other");
+    net_free(&made);
+    net_free(&other);
+}
+
 /* Curves of a minimal surface cross at right angles, those of x y do not. */
 static void test_right_angled(void)
 {
@@ -173,6 +189,7 @@ int main(void)
     test_told();
     test_pieces();
     test_right_angled();
+    test_spacing();
     test_other();
     return check_failures != 0;
 }

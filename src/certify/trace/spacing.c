@@ -1,0 +1,271 @@
+/* spacing.c
+ *
+ *     the measure along the seed's line by Gauss's rule between the surface's breaks
+ *     of each place that cuts it in equal parts: the nearest crossing of a curve of the family, by the curves' places in the window
+ */
+#include "certify/trace/spacing.h"
+
+#include "core/vec3.h"
+#include "numeric/quadrature.h"
+#include "taut/measure.h"
+
+#include <math.h>
+
+enum { PIECES = 16 /* between two breaks */, NODES = 8, HALVINGS = 60 };
+/* Over the window's sides: a place lies on the line. Of |k_n| and such, over R: the line runs along the family. */
+static const double on_line = 1e-12, along = 1e-5;
+
+typedef struct line {
+    const taut_surface *surface;
+    taut_trace_net net;
+    taut_trace_by by;
+    double from[2], way[2];
+    double *t, *sum; /* [count + 1] */
+    int count;
+} line;
+
+static void place_on(const line *l, double t, double at[2])
+{
+    const taut_basis *basis[2] = {taut_surface_u(l->surface), taut_surface_v(l->surface)};
+    for (int d = 0; d < 2; d++) {
+        at[d] = fmin(fmax(l->from[d] + t * l->way[d], taut_basis_lo(basis[d])),
+                     taut_basis_hi(basis[d]));
+    }
+}
+
+static double rate_at(const line *l, double t)
+{
+    double at[2];
+    taut_forms f;
+
+    if (l->by == TAUT_TRACE_PARAMETER) {
+        return 1;
+    }
+    place_on(l, t, at);
+    if (taut_surface_forms_points(l->surface, 1, &at[0], &at[1], 1, &f) != TAUT_OK) {
+        return 0;
+    }
+    const double u = l->way[0], v = l->way[1];
+    const double speed = sqrt(f.e * u * u + 2 * f.f * u * v + f.g * v * v);
+    if (l->by == TAUT_TRACE_LENGTH || l->net == TAUT_TRACE_ISOPARAMETRIC) {
+        return speed;
+    }
+    const double measure = l->net == TAUT_TRACE_ASYMPTOTIC
+                               ? sqrt(fmax(-f.gaussian, 0))
+                               : sqrt(fmax(f.mean * f.mean - f.gaussian, 0));
+    return sqrt(measure) * speed;
+}
+
+static double measure_between(const line *l, double a, double b)
+{
+    double nodes[NODES], weights[NODES], sum = 0;
+    taut_gauss_rule(NODES, nodes, weights);
+    for (int k = 0; k < NODES; k++) {
+        sum += weights[k] * rate_at(l, (a + b) / 2 + (b - a) / 2 * nodes[k]);
+    }
+    return sum * (b - a) / 2;
+}
+
+static void add_break(double t, double *breaks, int *count)
+{
+    int k = *count;
+    if (!(t > 0) || !(t < 1)) {
+        return;
+    }
+    for (; k > 0 && breaks[k - 1] > t; k--) {
+        breaks[k] = breaks[k - 1];
+    }
+    breaks[k] = t;
+    (*count)++;
+}
+
+static taut_status measure_line(taut_arena *arena, line *l)
+{
+    const taut_basis *basis[2] = {taut_surface_u(l->surface), taut_surface_v(l->surface)};
+    const size_t most =
+        (size_t)taut_basis_span_count(basis[0]) + (size_t)taut_basis_span_count(basis[1]) + 2;
+    double *breaks = taut_arena_take(arena, most, sizeof *breaks);
+    int count = 0;
+
+    l->t = taut_arena_take(arena, PIECES * most + 1, sizeof *l->t);
+    l->sum = taut_arena_take(arena, PIECES * most + 1, sizeof *l->sum);
+    if (taut_arena_status(arena) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    for (int d = 0; d < 2; d++) {
+        for (int k = 1; l->way[d] != 0 && k < taut_basis_span_count(basis[d]); k++) {
+            add_break((taut_basis_breaks(basis[d])[k] - l->from[d]) / l->way[d], breaks, &count);
+        }
+    }
+    for (int i = 0; i <= count; i++) {
+        const double a = i > 0 ? breaks[i - 1] : 0, b = i < count ? breaks[i] : 1;
+        for (int k = 1; k <= PIECES; k++) {
+            const double before = l->t[l->count], next = k < PIECES ? a + (b - a) * k / PIECES : b;
+            l->sum[l->count + 1] = l->sum[l->count] + measure_between(l, before, next);
+            l->t[++l->count] = next;
+        }
+    }
+    return TAUT_OK;
+}
+
+static double measure_to(const line *l, double t)
+{
+    int k = 0;
+    while (k + 1 < l->count && l->t[k + 1] < t) {
+        k++;
+    }
+    return l->sum[k] + measure_between(l, l->t[k], t);
+}
+
+/* t where the measure is `target`. */
+static double reach(const line *l, double target)
+{
+    double low = 0, high = 1;
+    for (int k = 0; k < HALVINGS; k++) {
+        const double middle = (low + high) / 2;
+        *(measure_to(l, middle) < target ? &low : &high) = middle;
+    }
+    return high;
+}
+
+/* Is there a curve of the family at t of the line, and does it cross it? */
+static int is_wanted(const line *l, int family, double t)
+{
+    double at[2];
+    taut_forms f;
+
+    place_on(l, t, at);
+    if (taut_surface_forms_points(l->surface, 1, &at[0], &at[1], 1, &f) != TAUT_OK || !f.regular) {
+        return 0;
+    }
+    const double square = f.mean * f.mean - f.gaussian, a = l->way[0], b = l->way[1];
+    if (l->net == TAUT_TRACE_ISOPARAMETRIC) {
+        return fabs(family == 0 ? a : b) > along * (fabs(a) + fabs(b));
+    }
+    if (!(square > 0) || (l->net == TAUT_TRACE_ASYMPTOTIC && !(-f.gaussian > 1e-9 * square))) {
+        return 0;
+    }
+    const double speed = f.e * a * a + 2 * f.f * a * b + f.g * b * b;
+    const double normal = (f.l * a * a + 2 * f.m * a * b + f.n * b * b) / speed;
+    const double twist =
+        ((f.m * a + f.n * b) * (f.e * a + f.f * b) - (f.l * a + f.m * b) * (f.f * a + f.g * b)) /
+        (f.w * speed);
+    const int is_family = l->net == TAUT_TRACE_ASYMPTOTIC ? (family == 0) == (twist > 0)
+                                                          : (family == 0) == (normal > f.mean);
+    const double off = l->net == TAUT_TRACE_ASYMPTOTIC ? normal : twist;
+    return !is_family || fabs(off) > along * sqrt(square);
+}
+
+/* How far a place of the window is to the left of the line, and its t. */
+static double beside(const line *l, const double at[2], double *t)
+{
+    const double x = at[0] - l->from[0], y = at[1] - l->from[1];
+    const double square = l->way[0] * l->way[0] + l->way[1] * l->way[1];
+    *t = (x * l->way[0] + y * l->way[1]) / square;
+    return (l->way[0] * y - l->way[1] * x) / square;
+}
+
+/* The nearest of the crossings of a curve to a measure. */
+static double nearest_crossing(const line *l, const taut_net_line *curve, double target)
+{
+    const taut_basis *basis = taut_curve_t(curve->space);
+    const double *breaks = taut_basis_breaks(basis);
+    double best = INFINITY, at[2], t = 0, before = 0;
+
+    for (int k = 0; k <= taut_basis_span_count(basis); k++) {
+        if (!taut_net_line_window(curve, breaks[k], at)) {
+            return INFINITY;
+        }
+        const double here = beside(l, at, &t);
+        int crosses = fabs(here) <= on_line;
+        if (!crosses && k > 0 && fabs(before) > on_line && (here > 0) != (before > 0)) {
+            double low = breaks[k - 1], high = breaks[k];
+            for (int round = 0; round < HALVINGS; round++) {
+                const double middle = (low + high) / 2;
+                taut_net_line_window(curve, middle, at);
+                *((beside(l, at, &t) > 0) == (before > 0) ? &low : &high) = middle;
+            }
+            crosses = 1;
+        }
+        if (crosses && t >= -on_line && t <= 1 + on_line) {
+            best = fmin(best, fabs(measure_to(l, fmin(fmax(t, 0), 1)) - target));
+        }
+        before = here;
+    }
+    return best;
+}
+
+static double judge(const line *l, const taut_net_lines *lines, int family,
+                    const taut_trace_seed *seed)
+{
+    const double whole = l->sum[l->count], part = whole / (seed->count + 1);
+    double worst = 0;
+
+    for (int k = seed->ends ? 0 : 1; k <= seed->count + (seed->ends ? 1 : 0); k++) {
+        double best = INFINITY;
+        if (!(part > 0) || !is_wanted(l, family, reach(l, k * part))) {
+            continue;
+        }
+        for (int i = 0; i < lines->count; i++) {
+            if (lines->lines[i].family == family) {
+                best = fmin(best, nearest_crossing(l, &lines->lines[i], k * part));
+            }
+        }
+        worst = fmax(worst, best / part);
+    }
+    return worst;
+}
+
+static line line_of(const taut_surface *surface, const taut_trace_problem *problem,
+                    const taut_trace_seed *seed)
+{
+    const taut_basis *bu = taut_surface_u(surface), *bv = taut_surface_v(surface);
+    const double lo[2] = {taut_basis_lo(bu), taut_basis_lo(bv)};
+    const double hi[2] = {taut_basis_hi(bu), taut_basis_hi(bv)};
+    line l = {.surface = surface, .net = problem->net, .by = seed->by};
+
+    for (int d = 0; d < 2; d++) {
+        double from = seed->at[d], to = seed->to[d];
+        if (seed->kind == TAUT_TRACE_EDGE) {
+            const int held = seed->edge == TAUT_EDGE_U0 || seed->edge == TAUT_EDGE_U1 ? 0 : 1;
+            const int high = seed->edge == TAUT_EDGE_U1 || seed->edge == TAUT_EDGE_V1;
+            from = d == held && high ? hi[d] : lo[d];
+            to = d == held && !high ? lo[d] : hi[d];
+        }
+        l.from[d] = from;
+        l.way[d] = to - from;
+    }
+    return l;
+}
+
+taut_status taut_net_spacing(const taut_net_lines *lines, const taut_surface *surface,
+                             const taut_trace_problem *problem, taut_arena *arena, double *residual,
+                             int *where)
+{
+    *residual = -1;
+    for (int i = 0; i < lines->count; i++) {
+        if (lines->lines[i].count != 1) {
+            return TAUT_OK; /* across a seam, where two edges are one line */
+        }
+    }
+    for (int k = 0; problem != NULL && k < problem->seed_count; k++) {
+        const taut_trace_seed *seed = &problem->seeds[k];
+        int families = seed->family != 0 ? seed->family : 3;
+        families &= problem->families != 0 ? problem->families : 3;
+        if (seed->kind != TAUT_TRACE_EDGE && seed->kind != TAUT_TRACE_LINE) {
+            continue;
+        }
+        line l = line_of(surface, problem, seed);
+        if (measure_line(arena, &l) != TAUT_OK) {
+            return TAUT_NO_MEMORY;
+        }
+        for (int family = 0; family < 2; family++) {
+            const double here = families & (1 << family) ? judge(&l, lines, family, seed) : -1;
+            if (here > *residual) {
+                *residual = here;
+                *where = k;
+            }
+        }
+    }
+    return TAUT_OK;
+}
