@@ -3,7 +3,7 @@
 TAUT = build/release/bin/taut
 
 .PHONY: demo test build deps gallery bench bench-dirichlet bench-documents bench-elementary bench-evaluate bench-plateau format check mutants reproduction reference site release install deb wasm studio \
-  python bench-python windows clean help
+  python bench-python plugins windows clean help
 
 demo: build
 	@mkdir -p out
@@ -69,6 +69,10 @@ python: build
 
 bench-python: build
 	@tools/python.sh bench
+
+plugins: build
+	@tools/deps.sh test
+	@tools/plugins.sh zip
 
 windows:
 	@tools/deps.sh windows

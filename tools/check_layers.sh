@@ -141,6 +141,18 @@ for file in tests/support/oracle/*.[ch]; do
         bad=1
     fi
 done
+# Plug-ins stand on the package alone, and on their hosts.
+hosts='FreeCAD|FreeCADGui|Part|PySide2|bpy|bmesh|gpu|gpu_extras|mathutils|paraview|vtkmodules|Rhino|Grasshopper|scriptcontext|System|compas|numpy|taut'
+plain='__future__|collections|contextlib|json|math|os|pathlib|sys|tempfile|traceback'
+plugins=$(find plugins -name '*.py' 2>/dev/null || true)
+if [ -n "$plugins" ]; then
+    # shellcheck disable=SC2086
+    if grep -nE '^[ \t]*(import|from) +[A-Za-z_]' $plugins /dev/null | grep -vE ":[ \t]*(import|from) +($hosts|$plain)([. ,]|\$)" ||
+        grep -nE 'taut\._|from taut import .*\b_|import +ctypes' $plugins /dev/null; then
+        echo "check_layers: plug-ins use what the package taut offers, their host, numpy and little else" >&2
+        bad=1
+    fi
+fi
 python3 "$tools/check_circles.py" . || bad=1
 python3 "$tools/check_types.py" . || bad=1
 exit $bad

@@ -1,5 +1,5 @@
 #!/bin/sh
-# deps.sh GROUP... -- installs what is missing, and says what and why. Groups: build test browser site check files bench wasm windows nightly.
+# deps.sh GROUP... -- installs what is missing, and says what and why. Groups: build test browser site check files bench wasm windows nightly hosts.
 #
 # A need is met when its command runs, its pkg-config file is found or its header compiles, however it came to the
 # machine; only unmet needs become packages. With nothing missing no network is touched.
@@ -76,6 +76,11 @@ nightly cmd:musl-gcc                 musl-tools             compiles for another
 nightly cmd:aarch64-linux-gnu-gcc    gcc-aarch64-linux-gnu  compiles for another processor
 nightly file:/usr/aarch64-linux-gnu/lib/libc.a libc6-dev-arm64-cross its C library
 nightly cmd:qemu-aarch64             qemu-user              is that processor
+hosts cmd:freecadcmd                 freecad                runs the tests of plugins/freecad
+hosts cmd:blender                    blender                those of plugins/blender
+hosts cmd:pvpython                   python3-paraview       those of plugins/paraview
+hosts cmd:xvfb-run                   xvfb                   the windows of these
+hosts cmd:xauth                      xauth                  likewise
 bench header:suitesparse/cholmod.h   libsuitesparse-dev     CHOLMOD, a peer of the Dirichlet solver
 bench header:sisl.h                  libsisl-dev            SISL, a peer in evaluation
 bench header:opencascade/STEPControl_Writer.hxx libocct-data-exchange-dev OpenCASCADE, a peer in evaluation
@@ -126,8 +131,8 @@ done
 # shellcheck disable=SC2086
 find_python $modules
 for group in "$@"; do
-    case $group in build | test | browser | site | check | files | bench | wasm | windows | nightly) ;; *)
-        echo "deps.sh: no group \"$group\"; there are build, test, browser, site, check, files, bench, wasm, windows and nightly" >&2
+    case $group in build | test | browser | site | check | files | bench | wasm | windows | nightly | hosts) ;; *)
+        echo "deps.sh: no group \"$group\"; there are build, test, browser, site, check, files, bench, wasm, windows, nightly and hosts" >&2
         exit 2
         ;;
     esac

@@ -1,6 +1,6 @@
 #!/bin/sh
-# python.sh test|wheel|bench [ARGUMENT...] -- the Python package: its tests (pytest, types by mypy) against the library of
-# build/release, its wheel (build/python/*.whl; what is tested is then installed from it), its figures. By $PYTHON, or the first python3
+# python.sh test|pack|wheel|bench [ARGUMENT...] -- the Python package: its tests (pytest, types by mypy) against the library of
+# build/release, its wheel (build/python/*.whl; `pack` packs alone, what `wheel` tests is then installed from it), its figures. By $PYTHON, or the first python3
 # that has all they need.
 set -eu
 cd "$(dirname "$0")/.."
@@ -42,6 +42,7 @@ test)
         echo "left out: types are not checked (Debian: mypy)"
     fi
     ;;
+pack) make_wheel ;;
 wheel)
     shift
     make_wheel

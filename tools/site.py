@@ -140,10 +140,10 @@ def navigation(pages):
         rows.append((title, [name for name in names if name in pages]))
         listed.update(names)
     rows.append(("More", sorted(name for name in pages if name not in listed and "/" not in name)))
-    for folder in ("papers", "decisions", "reference", "bench", "tutorial", "gallery"):
+    for folder in ("papers", "plugins", "decisions", "reference", "bench", "tutorial", "gallery"):
         rest = sorted(name for name in pages if name.startswith(folder + "/") and name not in listed)
         if rest:
-            rows[-1][1].extend(rest if folder == "papers" else [])
+            rows[-1][1].extend(rest if folder in ("papers", "plugins") else [])
     return rows
 
 

@@ -71,8 +71,12 @@ catches layers src/core/x.c 'belongs to one system' '#include <unistd.h>\n'
 catches layers src/cli/x.c 'belongs to one system' '#include <windows.h>\n'
 catches layers src/core/x.c 'which system this is' '#ifdef _WIN32\n#endif\n'
 catches layers include/taut/x.h 'which system this is' '#if defined(__linux__)\n#endif\n'
+catches layers plugins/host/x.py 'what the package taut offers' 'import subprocess\n'
+catches layers plugins/host/x.py 'what the package taut offers' 'from taut._library import library\n'
 fresh
 mkdir -p "$tree/src/platform"
+mkdir -p "$tree/plugins/host"
+printf 'import json\nimport taut\nfrom taut import hosts\nfrom . import features\n' > "$tree/plugins/host/x.py"
 printf '#if defined(__linux__)\n#include <unistd.h>\n#endif\n/* not __APPLE__ */\n' > "$tree/src/platform/x.c"
 printf '/* __APPLE__ */\n' > "$tree/src/core/x.c"
 passes layers
