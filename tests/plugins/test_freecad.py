@@ -44,10 +44,10 @@ def same(found, surface, size):
         assert np.abs(knots - expected).max() <= 1e-12 and found["degrees"][direction] == basis.degree
 
 
-def problem(construct, edges, tmp_path):
+def problem(construct, edges, tmp_path, unit="mm"):
     import taut
-    taut.Model(curves=[taut.Curve(taut.bezier(3), points) for points in edges]).write(tmp_path / "edges.json")
-    return {"construct": construct, "boundary": "edges.json"}
+    taut.Model(curves=[taut.Curve(taut.bezier(3), points) for points in edges], unit=unit).write(tmp_path / "edges.json")
+    return {"construct": construct, "boundary": "edges.json", "unit": unit}
 
 
 @pytest.mark.parametrize("name, construct", [("Dirichlet", "dirichlet"), ("Least area", "plateau"), ("Harmonic", "harmonic")])
