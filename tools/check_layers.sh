@@ -143,7 +143,7 @@ for file in tests/support/oracle/*.[ch]; do
 done
 # Plug-ins stand on the package alone, and on their hosts.
 hosts='FreeCAD|FreeCADGui|Part|PySide2|bpy|bpy_extras|bmesh|gpu|gpu_extras|mathutils|paraview|vtkmodules|Rhino|Grasshopper|scriptcontext|System|compas|numpy|taut'
-plain='__future__|collections|contextlib|json|math|os|pathlib|sys|tempfile|traceback'
+plain='__future__|collections|contextlib|inspect|json|math|os|pathlib|sys|tempfile|traceback'
 plugins=$(find plugins -name '*.py' 2>/dev/null || true)
 if [ -n "$plugins" ]; then
     # shellcheck disable=SC2086

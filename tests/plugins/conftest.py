@@ -32,7 +32,7 @@ def run_in(tmp_path):
         for needed in (host.split("-")[0], COMMANDS[host][0]):
             if shutil.which(needed) is None:
                 pytest.skip(f"there is no {needed} here: tools/deps.sh hosts")
-        environment = dict(os.environ, PYTHONPATH=f"{ROOT / 'python'}:{ROOT / 'plugins' / plugin}:{HERE}", TAUT_TEST=json.dumps({**given, "folder": str(tmp_path)}),
+        environment = dict(os.environ, PYTHONPATH=f"{ROOT / 'python'}:{ROOT / 'plugins' / plugin}:{ROOT / 'plugins' / plugin / 'compat'}:{HERE}", TAUT_TEST=json.dumps({**given, "folder": str(tmp_path)}),
                            HOME=str(tmp_path), LIBGL_ALWAYS_SOFTWARE="1", QTWEBENGINE_DISABLE_SANDBOX="1", PYTHONDONTWRITEBYTECODE="1")
         done = subprocess.run([word.format(script=HERE / script) for word in COMMANDS[host]], env=environment, capture_output=True,
                               text=True, timeout=300, stdin=subprocess.DEVNULL, cwd=tmp_path)
