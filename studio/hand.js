@@ -1,10 +1,11 @@
 // hand.js -- points and edges under the pointer: taken, moved in the plane of the picture, along an axis or the normal, put on a grid.
 // @ts-check
+import { withImages } from "./mirror.js";
 
 /** @typedef {import("./places.js").Place} Place */
 /** @typedef {import("./places.js").Edge} Edge */
 /** @typedef {import("./pointer.js").Edit} Edit */
-/** @typedef {{ start: number[], base: Place[], edits: Edit[], moved: boolean }} Drag */
+/** @typedef {{ start: number[], base: Place[], all: Place[], edits: Edit[], moved: boolean }} Drag */
 
 const REACH = 12, FINGER_REACH = 24, EDGE_REACH = 7, STILL = 3; // pixels
 const FINE = 0.1;
@@ -33,7 +34,7 @@ export function distanceTo(/** @type {number[]} */ p, /** @type {number[]} */ a,
 export class Hand {
   /**
    * @param {import("./scene.js").Scene} scene
-   * @param {{ preview(edits: Edit[]): void, commit(edits: Edit[]): void, cancel(): void, chosen(): void, mode(): { axis: string, step: number } }} owner
+   * @param {{ preview(edits: Edit[]): void, commit(edits: Edit[]): void, cancel(): void, chosen(): void, mode(): { axis: string, step: number, mirror: string } }} owner
    */
   constructor(scene, owner) {
     this.scene = scene;
@@ -66,7 +67,7 @@ export class Hand {
   }
 
   refresh() {
-    const marks = this.places.map(({ pointer }, k) => this.taken.has(pointer) ? 2 : k === this.over ? 1 : 0);
+    const marks = this.places.map(({ pointer, isFree }, k) => this.taken.has(pointer) ? 2 : k === this.over ? 1 : isFree ? -1 : 0);
     this.scene.showHandles(this.places, marks, this.overEdge);
   }
 
@@ -118,7 +119,7 @@ export class Hand {
     if (!areTaken) this.choose(event.shiftKey ? [...this.taken, ...pointers] : pointers);
     this.scene.canvas.focus();
     this.scene.canvas.setPointerCapture(event.pointerId);
-    this.drag = { start, base: this.chosen(), edits: [], moved: false };
+    this.drag = { start, base: this.chosen(), all: this.places, edits: [], moved: false };
   }
 
   move(/** @type {PointerEvent} */ event) {
@@ -140,10 +141,10 @@ export class Hand {
     const dx = pixel[0] - drag.start[0], dy = drag.start[1] - pixel[1];
     if (!drag.moved && Math.hypot(dx, dy) < STILL) return;
     drag.moved = true;
-    const { pixel: size, right, up } = this.scene.axes(), { axis, step } = this.owner.mode();
+    const { pixel: size, right, up } = this.scene.axes(), { axis, step, mirror } = this.owner.mode();
     const scale = size * (isFine ? FINE : 1);
     const way = alongAxis(right.map((/** @type {number} */ x, /** @type {number} */ c) => scale * (x * dx + up[c] * dy)), this.axisOf(axis, drag.base[0].at));
-    drag.edits = editsOf(drag.base, way, scale, step);
+    drag.edits = withImages(editsOf(drag.base, way, scale, step), drag.all, mirror);
     this.owner.preview(drag.edits);
   }
 

@@ -56,7 +56,8 @@ function showChosen(/** @type {import("./places.js").Place[]} */ places) {
 
 function showLegend() {
   at("legend").hidden = scene.colour === "none";
-  at("legend-low").textContent = `${scene.colour} ${readable(-scene.limit, 3)}`;
+  at("legend-low").textContent = scene.colour === "change" ? "moved 0" : `${scene.colour} ${readable(-scene.limit, 3)}`;
+  at("legend").classList.toggle("one-sided", scene.colour === "change");
   at("legend-high").textContent = readable(scene.limit, 3);
 }
 
@@ -105,6 +106,17 @@ function showColour(/** @type {string} */ colour) {
   showLegend();
 }
 
+function showLines(/** @type {string} */ kind) {
+  input("lines").value = kind;
+  scene.setLines(kind);
+}
+
+function showSection() {
+  const axis = Number(input("section").value);
+  input("section-at").hidden = axis < 0;
+  scene.setSection(axis, Number(input("section-at").value));
+}
+
 const turns = [["ArrowLeft", -10, 0], ["ArrowRight", 10, 0], ["ArrowUp", 0, 10], ["ArrowDown", 0, -10]];
 const views = [["from the front", "1", -90, 0], ["from the right", "2", 0, 0], ["from above", "3", -90, 90], ["from a corner", "4", -55, 28]];
 
@@ -119,7 +131,8 @@ function actionsOf(/** @type {Hand} */ hand) {
     { menu: "File", name: "Share by address", key: "", act: share },
     { menu: "Edit", name: "Undo", key: "Ctrl+Z", act: () => studio.step("undo") },
     { menu: "Edit", name: "Redo", key: "Ctrl+Shift+Z", act: () => studio.step("redo") },
-    { menu: "Edit", name: "Choose all points", key: "Ctrl+A", act: () => hand.choose(hand.places.map(({ pointer }) => pointer)) },
+    { menu: "Edit", name: "Choose all points", key: "Ctrl+A", act: () => hand.choose(hand.places.filter(({ isFree }) => !isFree).map(({ pointer }) => pointer)) },
+    { menu: "Edit", name: "Hold or free the chosen points", key: "P", act: () => hand.chosen().length > 0 && studio.hold(hand.chosen()).catch(() => {}) },
     { menu: "Edit", name: "Choose none, or give up a drag", key: "Escape", act: () => hand.cancel() || hand.choose([]) },
     { menu: "View", name: "All of it", key: "F", act: () => scene.frame(hand.places.map((place) => place.at)) },
     ...views.map(([name, key, azimuth, elevation]) => ({ menu: "View", name: `Look ${name}`, key: String(key), act: () => scene.lookFrom(Number(azimuth), Number(elevation)) })),
@@ -129,6 +142,9 @@ function actionsOf(/** @type {Hand} */ hand) {
     { menu: "View", name: "Net", key: "N", act: () => input("net").click() },
     { menu: "View", name: "Colour by H", key: "H", act: () => showColour(scene.colour === "H" ? "none" : "H") },
     { menu: "View", name: "Colour by K", key: "K", act: () => showColour(scene.colour === "K" ? "none" : "K") },
+    { menu: "View", name: "Colour by what moved", key: "M", act: () => showColour(scene.colour === "change" ? "none" : "change") },
+    { menu: "View", name: "Reflection lines", key: "R", act: () => showLines(input("lines").value === "reflection" ? "none" : "reflection") },
+    { menu: "View", name: "Height lines", key: "Z", act: () => showLines(input("lines").value === "height" ? "none" : "height") },
     { menu: "View", name: "Light or dark", key: "D", act: toggleDark },
     { menu: "Help", name: "Keys", key: "?", act: () => /** @type {HTMLDialogElement} */ (at("keys")).showModal() },
   ];
@@ -157,7 +173,9 @@ function wireSources(/** @type {Record<string, any>} */ examples) {
 }
 
 function wireTools() {
-  input("net").addEventListener("change", () => scene.setNet(input("net").checked));
+  input("net").addEventListener("change", () => { scene.setNet(input("net").checked); studio.handOn(studio.document); });
+  input("lines").addEventListener("change", () => showLines(input("lines").value));
+  for (const name of ["section", "section-at"]) input(name).addEventListener("input", showSection);
   input("colour").addEventListener("change", () => showColour(input("colour").value));
   const dark = matchMedia("(prefers-color-scheme: dark)");
   const follow = () => {
@@ -188,7 +206,7 @@ async function start() {
     commit: (edits) => studio.commit(edits),
     cancel: () => studio.cancel(),
     chosen: () => showChosen(hand.chosen()),
-    mode: () => ({ axis: input("axis").value, step: Number(input("step").value) || 0 }),
+    mode: () => ({ axis: input("axis").value, step: Number(input("step").value) || 0, mirror: input("mirror").value }),
   });
   studio.hand = hand;
   const actions = new Actions(actionsOf(hand));

@@ -2,7 +2,7 @@
 // @ts-check
 import { below } from "./pointer.js";
 
-/** @typedef {{ pointer: string, at: number[] }} Place */
+/** @typedef {{ pointer: string, at: number[], isFree?: boolean }} Place  isFree: null in the document, where the surface has put it */
 /** @typedef {{ name: string, members: number[] }} Edge  places by their number, in order */
 
 // Triples that are no places: vectors, and numbers that happen to be three.
@@ -27,6 +27,25 @@ export function placesOf(/** @type {any} */ document) {
     }
   };
   visit(document, "");
+  return places;
+}
+
+// Of these any pattern of points may be known.
+const ANY_MASK = new Set(["dirichlet", "plateau"]);
+
+/** The points of the net that the document leaves free, where the surface has them now: moved, they are held. */
+export function freePlacesOf(/** @type {any} */ document, /** @type {{ nu: number, nv: number, points: ArrayLike<number> } | undefined} */ net) {
+  const rows = document?.points;
+  if (!ANY_MASK.has(document?.construct) || net === undefined || !Array.isArray(rows) || rows.length !== net.nu) return [];
+  /** @type {Place[]} */
+  const places = [];
+  rows.forEach((row, i) => {
+    if (!Array.isArray(row) || row.length !== net.nv) return;
+    row.forEach((point, j) => {
+      const k = 3 * (i * net.nv + j);
+      if (point === null) places.push({ pointer: below(below("/points", i), j), at: [net.points[k], net.points[k + 1], net.points[k + 2]], isFree: true });
+    });
+  });
   return places;
 }
 

@@ -30,6 +30,9 @@ export class Scene {
     this.box = { centre: [0, 0, 0], half: 1 };
     this.colour = "none";
     this.limit = 0;
+    this.hasNet = true;
+    /** @type {Drawn[]} */
+    this.before = []; // as it was before the change
     /** @type {Drawn[]} */
     this.drawn = [];
     /** @type {Float32Array[]} */
@@ -138,24 +141,38 @@ export class Scene {
     this.drawn = drawn;
     this.clear(this.net);
     this.clear(this.surfaces);
-    this.limit = limitOf(drawn, this.colour);
+    const fields = drawn.map((surface, s) => this.fieldOf(surface, s));
+    this.limit = limitOf(fields);
     look.coloured.value = this.colour === "none" ? 0 : 1;
-    for (const surface of drawn) {
+    for (const [s, surface] of drawn.entries()) {
       const positions = this.inCube(surface.positions);
-      this.surfaces.add(new THREE.Mesh(this.meshOf(surface, positions), surfaceMaterial()));
+      this.surfaces.add(new THREE.Mesh(this.meshOf(surface, positions, fields[s]), surfaceMaterial()));
       this.net.add(this.lines(bordersOf(surface.lines), positions, this.materials.edge));
       const { nu, nv, points } = surface.net;
       if (nu * nv <= NET_MOST) this.net.add(this.lines(linesOf(nu, nv), this.inCube(points), this.materials.net));
     }
-    this.net.children.forEach((/** @type {any} */ child, /** @type {number} */ k) => { child.visible = k % 2 === 0 || this.hasNet !== false; });
+    this.net.children.forEach((/** @type {any} */ child, /** @type {number} */ k) => { child.visible = k % 2 === 0 || this.hasNet; });
     this.draw();
   }
 
-  meshOf(/** @type {Drawn} */ surface, /** @type {Float32Array} */ positions) {
+  /** What is drawn now is what changes are measured from; `isNothing`: from nothing. */
+  remember(/** @type {boolean} */ isNothing) {
+    this.before = isNothing ? [] : this.drawn;
+  }
+
+  /** The values that a surface is coloured by. */
+  fieldOf(/** @type {Drawn} */ surface, /** @type {number} */ s) {
+    if (this.colour === "K") return surface.gaussian;
+    if (this.colour !== "change") return surface.mean;
+    const before = this.before[s]?.positions;
+    return surface.mean.map((_, k) => before?.length !== surface.positions.length ? 0 :
+      Math.hypot(...[0, 1, 2].map((c) => surface.positions[3 * k + c] - before[3 * k + c])));
+  }
+
+  meshOf(/** @type {Drawn} */ surface, /** @type {Float32Array} */ positions, /** @type {Float32Array} */ field) {
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute("position", new THREE.BufferAttribute(positions, 3));
     geometry.setAttribute("normal", new THREE.BufferAttribute(surface.normals, 3));
-    const field = this.colour === "K" ? surface.gaussian : surface.mean;
     const share = this.limit > 0 ? 1 / this.limit : 0;
     geometry.setAttribute("value", new THREE.BufferAttribute(field.map((x) => Number.isFinite(x) ? x * share : 9), 1));
     geometry.setIndex(new THREE.BufferAttribute(cellsOf(surface.lines), 1));
@@ -241,11 +258,24 @@ export class Scene {
     this.colour = colour;
     this.show(this.drawn);
   }
+
+  /** Lines on the surface: "none", "reflection" of a room of bars, or "height". */
+  setLines(/** @type {string} */ kind) {
+    look.stripes.value = ["none", "reflection", "height"].indexOf(kind);
+    this.draw();
+  }
+
+  /** Cut away is what lies beyond a share of the picture along an axis, 0 (x), 1 or 2; -1: nothing. */
+  setSection(/** @type {number} */ axis, /** @type {number} */ share) {
+    look.cut.value = new THREE.Vector3(...[0, 1, 2].map((c) => c === axis ? 1 : 0));
+    look.cutAt.value = 2 * share - 1;
+    this.draw();
+  }
 }
 
 /** The end of the scale: what 98 of 100 values stay within. */
-function limitOf(/** @type {Drawn[]} */ drawn, /** @type {string} */ colour) {
-  const all = drawn.flatMap(({ mean, gaussian }) => [...(colour === "K" ? gaussian : mean)].filter(Number.isFinite).map(Math.abs));
+function limitOf(/** @type {Float32Array[]} */ fields) {
+  const all = fields.flatMap((field) => [...field].filter(Number.isFinite).map(Math.abs));
   all.sort((a, b) => a - b);
   return all.length > 0 ? all[Math.floor(0.98 * (all.length - 1))] : 0;
 }

@@ -1,7 +1,7 @@
 // studio.js -- the document that is edited, and what follows it: picture, fields and proof.
 // @ts-check
 import { History } from "./history.js";
-import { edgesOf, placesOf } from "./places.js";
+import { edgesOf, freePlacesOf, placesOf } from "./places.js";
 import { withEdits, withValue } from "./pointer.js";
 
 const PROOF_FOLLOWS_MS = 60; // a proof as quick as this is made while dragging, too
@@ -62,6 +62,18 @@ export class Studio {
     }
   }
 
+  /** What a hand can take: the points of the document, and those that it leaves free, where they are seen. */
+  handOn(/** @type {any} */ document) {
+    const places = placesOf(document), net = this.scene.hasNet ? this.scene.drawn[0]?.net : undefined;
+    this.hand?.put([...places, ...freePlacesOf(document, net)], edgesOf(document, places));
+  }
+
+  /** Points that are free are held where they are; points that are held are freed. */
+  hold(/** @type {import("./places.js").Place[]} */ chosen) {
+    const edits = chosen.map(({ pointer, at, isFree }) => ({ pointer, value: isFree ? at : null }));
+    return this.change((document) => withEdits(document, edits));
+  }
+
   show(/** @type {{ surfaces: any[], curves: Float32Array[] }} */ drawn) {
     this.scene.show(drawn.surfaces);
     this.scene.showCurves(drawn.curves);
@@ -69,8 +81,7 @@ export class Studio {
 
   /** What shows the document follows it, and the proof is begun. */
   settle() {
-    const places = placesOf(this.document);
-    this.hand?.put(places, edgesOf(this.document, places));
+    this.handOn(this.document);
     this.views.document(this.document);
     this.views.chosen(this.hand?.chosen() ?? []);
     this.prove(this.text());
@@ -89,6 +100,7 @@ export class Studio {
   change(/** @type {(document: any) => any} */ next, isOther = false) {
     return this.inOrder(async () => {
       const document = next(this.document);
+      if (this.moving === undefined) this.scene.remember(isOther);
       await this.draw(document);
       this.moving = undefined;
       this.history.push(document);
@@ -135,15 +147,16 @@ export class Studio {
 
   async preview(/** @type {Edit[]} */ edits) {
     const document = withEdits(this.document, edits), text = JSON.stringify(document);
-    const places = placesOf(document);
+    if (this.moving === undefined) this.scene.remember(false);
     this.moving = text;
-    this.hand?.put(places, edgesOf(document, places));
+    this.handOn(document);
     try {
       const drawn = await this.engine.draft(text, true);
       if (drawn === null || this.moving !== text) return;
       this.scene.setStale(false);
       this.views.fault(null);
       this.show(drawn);
+      this.handOn(document);
       if (this.engine.stats.final_ms > 0 && this.engine.stats.final_ms < PROOF_FOLLOWS_MS) this.prove(text);
     } catch (/** @type {any} */ error) {
       this.scene.setStale(true);
@@ -158,8 +171,7 @@ export class Studio {
   /** Back to the document; `mayForget`: an error is forgotten, too. */
   cancel(mayForget = true) {
     this.moving = undefined;
-    const places = placesOf(this.document);
-    this.hand?.put(places, edgesOf(this.document, places));
+    this.handOn(this.document);
     if (mayForget) this.inOrder(() => this.draw(this.document)).catch(() => {});
   }
 }

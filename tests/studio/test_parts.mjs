@@ -10,10 +10,11 @@ import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { Channel } from "../../studio/channel.js";
 import { alongAxis, distanceTo, editsOf, tidy } from "../../studio/hand.js";
+import { middleOf, withImages } from "../../studio/mirror.js";
 import { History } from "../../studio/history.js";
 import { readable } from "../../studio/number.js";
 import { kindOf, membersOf, resolve, schemaOf } from "../../studio/panel.js";
-import { edgesOf, placesOf } from "../../studio/places.js";
+import { edgesOf, freePlacesOf, placesOf } from "../../studio/places.js";
 import { below, valueAt, withEdits, withValue } from "../../studio/pointer.js";
 import { placeOnBar, wordOf } from "../../studio/proof.js";
 import { documentOf, fragmentOf } from "../../studio/share.js";
@@ -59,6 +60,24 @@ test("places are points that stand in the document, edges are made of them", () 
   const points = [[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], null]];
   assert.deepEqual(edgesOf({ points }, placesOf({ points })).map(({ name }) => name), ["u0", "v0"]);
   assert.equal(placesOf({ points }).length, 3);
+});
+
+test("points that a document leaves free stand where the surface has them", () => {
+  const points = [[[0, 0, 0], null], [[1, 0, 0], [1, 1, 0]]], net = { nu: 2, nv: 2, points: [0, 0, 0, 0.25, 0.5, 0.75, 1, 0, 0, 1, 1, 0] };
+  assert.deepEqual(freePlacesOf({ construct: "dirichlet", points }, net), [{ pointer: "/points/0/1", at: [0.25, 0.5, 0.75], isFree: true }]);
+  assert.deepEqual(freePlacesOf({ construct: "harmonic", points }, net), []);
+  assert.deepEqual(freePlacesOf({ construct: "dirichlet", points }, { ...net, nu: 3 }), []);
+  assert.deepEqual(freePlacesOf({ construct: "dirichlet", points }, undefined), []);
+});
+
+test("images do what points do, mirrored", () => {
+  const places = [[0, 0, 0], [2, 0, 0], [1, 1, 0], [0, 2, 1], [2, 2, 1]].map((at, k) => ({ pointer: `/p/${k}`, at }));
+  assert.deepEqual(middleOf(places).middle, [1, 1, 0.5]);
+  assert.deepEqual(withImages([{ pointer: "/p/0", value: [0.25, 0, 3] }], places, ""), [{ pointer: "/p/0", value: [0.25, 0, 3] }]);
+  assert.deepEqual(withImages([{ pointer: "/p/0", value: [0.25, 0, 3] }], places, "x"),
+    [{ pointer: "/p/0", value: [0.25, 0, 3] }, { pointer: "/p/1", value: [1.75, 0, 3] }]);
+  /* of p0 and p1 only, as no point is the image of p0 across y: the heights differ */
+  assert.deepEqual(withImages([{ pointer: "/p/2", value: [1.5, 1, 2] }], places, "xy"), [{ pointer: "/p/2", value: [1, 1, 2] }]);
 });
 
 test("a hand moves along its axis, on its grid, to no more digits than it sees", () => {

@@ -135,8 +135,44 @@ async function testHand(browser) {
     check(await page.evaluate('document.querySelectorAll("#chosen input").length') === 3, 'its numbers can be typed');
     await page.send('Input.dispatchKeyEvent', { type: 'keyDown', key: 'z', modifiers: 2, windowsVirtualKeyCode: 90 });
     await page.until(`JSON.stringify(taut.problem()) === ${JSON.stringify(JSON.stringify(before))}`);
+    await testFree(page, seen, before);
+    await testMirror(page, seen, before);
     quiet(page, 'hands');
     await page.close();
+}
+
+/* A point that the document leaves free is held by a key where it is, and freed by the same. */
+async function testFree(page, seen, before) {
+    const i = before.points.findIndex((row) => row.includes(null)), j = before.points[i].indexOf(null);
+    const at = (await page.evaluate('taut.model()')).surfaces[0].points[i][j], [x, y] = seen(at);
+    await page.mouse('mouseMoved', x, y, { button: 'none' });
+    await page.mouse('mousePressed', x, y, { buttons: 1 });
+    await page.mouse('mouseReleased', x, y);
+    await page.key('p');
+    await page.until(`taut.problem().points[${i}][${j}] !== null`);
+    const held = (await page.evaluate('taut.problem()')).points[i][j];
+    check(same(held, at), `a free point at ${at} is held at ${held}`);
+    await page.key('p');
+    await page.until(`taut.problem().points[${i}][${j}] === null`);
+    check(same(await page.evaluate('taut.problem()'), before), 'and free again, the problem is as it was');
+}
+
+/* With a mirror across x the image of a corner does what the corner does. */
+async function testMirror(page, seen, before) {
+    const last = before.points.length - 1, corner = before.points[0][0], image = before.points[last][0], [x, y] = seen(corner);
+    if (corner[0] + image[0] !== before.points[0].at(-1)[0] + before.points[last].at(-1)[0] || corner[1] !== image[1] || corner[2] !== image[2]) {
+        check(false, 'the example is symmetric across x');
+        return;
+    }
+    await page.evaluate('document.getElementById("mirror").value = "x"');
+    await page.mouse('mousePressed', x, y, { buttons: 1 });
+    await page.mouse('mouseMoved', x - 30, y + 20, { buttons: 1 });
+    await page.mouse('mouseReleased', x - 30, y + 20);
+    await page.until(`taut.problem().points[0][0][0] !== ${corner[0]}`);
+    const { points } = await page.evaluate('taut.problem()');
+    check(Math.abs(points[0][0][0] + points[last][0][0] - corner[0] - image[0]) < 1e-12 && points[0][0][1] === points[last][0][1],
+        `a corner at ${points[0][0]} has its image at ${points[last][0]}`);
+    await page.evaluate('(document.getElementById("mirror").value = "", taut.undo())');
 }
 
 /* Random gestures: drags anywhere, keys, wheels; the page never complains, and its model is the program's at the end. */
