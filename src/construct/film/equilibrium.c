@@ -265,13 +265,14 @@ static taut_status polish_moves(taut_film_work *w, double residual[3], taut_erro
         double found[3];
         if (w->space->problem->method == TAUT_FILM_NORMAL) {
             taut_film_rest_point at;
+            w->is_definite = 0;
             status = taut_film_seek(w->functional, w->space, w->net, SEEKS, &at);
             residual[0] = at.first;
             residual[1] = at.residual;
             residual[2] = at.any;
             return status == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
         }
-        if (taut_film_polish(w->functional, w->space, w->net, found) != TAUT_OK) {
+        if (taut_film_polish(w->functional, w->space, w->net, found, &w->is_definite) != TAUT_OK) {
             return taut_fail_memory(error);
         }
         residual[0] = k == 0 ? found[0] : residual[0];

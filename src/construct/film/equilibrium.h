@@ -27,8 +27,9 @@ typedef struct taut_film_work {
     int rule;
     double *net;
     taut_trust_region region;
-    int iterations; /* of all films on the way */
-    int negative;   /* eigenvalues below 0 of the film; -1: not known */
+    int iterations;  /* of all films on the way */
+    int is_definite; /* did the last step along the moves find no eigenvalue below 0? */
+    int negative;    /* eigenvalues below 0 of the film; -1: not known */
     const char *method;
 } taut_film_work;
 

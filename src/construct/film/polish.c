@@ -249,7 +249,7 @@ static double look(work *w)
     return all > 0 ? along / all : 0;
 }
 
-static taut_status polish(work *w, taut_area_hessian *hessian, double residual[3])
+static taut_status polish(work *w, taut_area_hessian *hessian, double residual[3], int *is_definite)
 {
     double found = look(w);
 
@@ -257,7 +257,9 @@ static taut_status polish(work *w, taut_area_hessian *hessian, double residual[3
     for (int k = 0; k < STEPS && found > enough; k++) {
         taut_area_hessian_assemble(hessian, w->functional);
         taut_area_hessian_stiffen(hessian, w->directions, stiffness);
-        if (taut_area_hessian_factor(hessian, 0) != TAUT_OK) {
+        const taut_status status = taut_area_hessian_factor(hessian, 0);
+        *is_definite = status == TAUT_OK && taut_area_hessian_is_definite(hessian);
+        if (status != TAUT_OK) {
             break;
         }
         taut_area_hessian_solve(hessian, w->step);
@@ -365,7 +367,7 @@ taut_status taut_film_respond(taut_area_functional *functional, const taut_film_
 }
 
 taut_status taut_film_polish(taut_area_functional *functional, const taut_film_space *space,
-                             double *net, double residual[3])
+                             double *net, double residual[3], int *is_definite)
 {
     work w = {.functional = functional, .space = space, .mask = &space->mask, .net = net};
     taut_area_hessian *hessian = NULL;
@@ -377,7 +379,7 @@ taut_status taut_film_polish(taut_area_functional *functional, const taut_film_s
     taut_arena *arena = taut_arena_new();
     taut_status status = prepare(&w, arena, &hessian);
     if (status == TAUT_OK) {
-        status = polish(&w, hessian, residual);
+        status = polish(&w, hessian, residual, is_definite);
     }
     taut_area_hessian_free(hessian);
     taut_arena_free(arena);

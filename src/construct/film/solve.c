@@ -85,6 +85,10 @@ static taut_status check_stable(taut_film_work *w, taut_error *error)
 {
     taut_film_rest_point at;
 
+    if (w->is_definite) {
+        w->negative = 0;
+        return TAUT_OK;
+    }
     if (taut_film_judge(w, &at) != TAUT_OK) {
         return taut_fail_memory(error);
     }

@@ -653,6 +653,11 @@ taut_status taut_area_hessian_factor(taut_area_hessian *hessian, double theta)
     return status == TAUT_OK ? factor_border(hessian, 0) : status;
 }
 
+int taut_area_hessian_is_definite(const taut_area_hessian *hessian)
+{
+    return !hessian->border.is_signed;
+}
+
 taut_status taut_area_hessian_factor_any(taut_area_hessian *hessian, double theta,
                                          const unsigned char *rigid, int *negative)
 {

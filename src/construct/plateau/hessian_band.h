@@ -46,6 +46,9 @@ void taut_area_hessian_hold(taut_area_hessian *hessian, const taut_conditions *c
  * positive definite: there are no factors then. */
 taut_status taut_area_hessian_factor(taut_area_hessian *hessian, double theta);
 
+/* Had B no eigenvalue below 0 even without what cables store, at the last factors? */
+int taut_area_hessian_is_definite(const taut_area_hessian *hessian);
+
 /* The same for B of any signs; *negative of its eigenvalues are below 0, what cables store counted in; of cables with rigid[k]
  * (NULL: none) where their length does not change. TAUT_NO_SOLUTION: B is not safely regular. */
 taut_status taut_area_hessian_factor_any(taut_area_hessian *hessian, double theta,
