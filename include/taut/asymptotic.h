@@ -78,7 +78,7 @@ typedef struct taut_asymptotic_problem {
       "take another unit of length")                                                               \
     X("same-corner", "an edge begins and ends at the same corner point", "move a corner")          \
     X("not-closed", "two curves do not meet at their corner",                                      \
-      "reverse the curves that the message names, or mend their end points")                       \
+      "reverse the curves that the message names, or correct their end points")                    \
     X("end-weights", "the weights of two edges differ at the corner where they meet",              \
       "take the weights that the message names")                                                   \
     X("no-leg", "a control point lies on the corner beside it", "move it off the corner")          \

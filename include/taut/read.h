@@ -21,7 +21,7 @@ extern "C" {
 /* What can be wrong with a document: word, meaning, remedy. */
 #define TAUT_DOCUMENT_REASON_LIST(X)                                                               \
     X("syntax", "the text is not JSON in UTF-8, or ends before its document does",                 \
-      "mend it at the line and column")                                                            \
+      "correct it at the line and column")                                                         \
     X("depth", "lists and objects are nested too deep", "nest them less")                          \
     X("twice", "an object has a member twice", "leave one of them out")                            \
     X("version", "the member `taut` is no version of the format that is known", "write 1")         \

@@ -50,7 +50,7 @@ extern "C" {
     X("process", "OpenCASCADE cannot be started in a process of its own",                          \
       "let the process have more files and children")                                              \
     X("helper", "the program taut-cad is another version's, or none at all",                       \
-      "install taut anew, or mend what $TAUT_CAD names")
+      "install taut anew, or correct what $TAUT_CAD names")
 
 /* Colour of the surfaces in figures: none, H, K, or how far the parametrisation is from isothermal,
  * sqrt((E-G)^2 + 4 F^2) / (E+G) in [0, 1], 0 where it is; or of a film where its area is how far above

@@ -265,7 +265,7 @@ static void note_arrows(const taut_panes *panes, char *note, size_t size)
         first = panes->pane[i].arrow_most > 0 ? &panes->pane[i] : first;
     }
     if (first == NULL) {
-        append_note(note, size, "no reactions: there is no certificate that tells them");
+        append_note(note, size, "no reactions: there is no certificate that has them");
         return;
     }
     taut_label_number(first->arrow_most, number, sizeof number);

@@ -64,7 +64,7 @@ static taut_status check_size(const double *corners, const double center[3], con
         return taut_fail(error, TAUT_BAD_INPUT, "far-away", where, TAUT_UNIT_ROUNDOFF * far / *size,
                          most_rounding,
                          "coordinates of %.3g hold the corners, %.3g from their mean, to %.1e of "
-                         "that only, expected %.0e at the most: move the origin nearer",
+                         "that only, expected at most %.0e: move the origin nearer",
                          far, *size, TAUT_UNIT_ROUNDOFF * far / *size, most_rounding);
     }
     if (isfinite(center[0]) && isfinite(center[1]) && isfinite(center[2]) && *size > 0 &&

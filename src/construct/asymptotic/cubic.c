@@ -226,7 +226,7 @@ static taut_status fail_closing(cubic *c, taut_error *error)
     if (!nearest_legs(c)) {
         return taut_fail(error, TAUT_NO_SOLUTION, "closing", "/edges", gap, closing_cut,
                          "the torsions cannot close around the four corners: they miss it by a "
-                         "factor of %.9g, which no weights and no free length mend; change the "
+                         "factor of %.9g, which no weights and no free length repair; change the "
                          "legs",
                          taut_exp(gap));
     }

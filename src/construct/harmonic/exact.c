@@ -43,7 +43,7 @@ static taut_status fail_inconsistent(const taut_harmonic_task *task, double defe
     return taut_fail(error, TAUT_NO_SOLUTION, "inconsistent",
                      from_derivative ? "/cross_derivative" : "/points", defect, 0,
                      "inconsistent %s: the degree %d is even and the top difference is %.6g, not "
-                     "exactly 0; \"even\" can mend it",
+                     "exactly 0; \"even\" can repair it",
                      from_derivative ? "derivative" : "boundary", task->m, defect);
 }
 

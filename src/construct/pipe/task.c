@@ -118,7 +118,7 @@ static taut_status check_shape(const taut_pipe_problem *p, taut_error *error)
         }
         if (k != 1 && shape[k] <= low) {
             return taut_fail(error, TAUT_NO_SOLUTION, "tangent-lost", names[k], shape[k], low,
-                             "TANGENT_LOST: %s is %.17g; at -3 the axis stands still at the joint, "
+                             "TANGENT_LOST: %s is %.17g; at -3 the axis has no speed at the joint, "
                              "below it turns back: take more than -3",
                              names[k] + 7, shape[k]);
         }

@@ -600,7 +600,7 @@ static taut_status leave_saddle(state *s, int *at_rest, taut_error *error)
         return TAUT_OK;
     }
     return taut_fail(error, TAUT_NOT_CONVERGED, "saddle", NULL, curvature, -limits.curvature_slack,
-                     "the film stands on a saddle: its area has a direction of "
+                     "the film is at a saddle: its area has a direction of "
                      "negative curvature %.3g, but no step along it was found that "
                      "lowers the area; give another start",
                      curvature);
