@@ -72,6 +72,10 @@ for name in $(names src/problem/construct_list.h); do
         complain "$page shows no picture of $name"
     elif ! grep -q "\"construct\": *\"$name\"" "$page"; then
         complain "$page shows no document of $name"
+    else
+        for part in 'The problem' 'A worked document' 'What can go wrong'; do
+            grep -qx "## $part" "$page" || complain "$page has no section \"$part\""
+        done
     fi
     grep -lq "\"construct\": *\"$name\"" examples/*.json || complain "no example of $name"
 done
