@@ -135,7 +135,7 @@ LC_ALL=C awk -F '\t' -v work="$work" '
 `#include <taut/taut.h>` is all of `libtaut`; `cc program.c $(pkg-config --cflags --libs taut)` compiles with it. Each header
 is a page here, made of the header's own comments (`make reference`), and a manual page, such as taut_surface(3); taut(3) leads to
 all of them.
-Whole programs: [README](../../README.md#the-library), [examples/c](../../examples/c).
+Whole programs: [README](../../README.md#from-c), [examples/c](../../examples/c).
 
 ## What holds of every call
 
