@@ -15,7 +15,7 @@ basis:     core numeric
 geometry:  core platform numeric basis
 problem:   core
 measure:   core platform numeric basis geometry
-pattern:   core
+pattern:   core numeric
 trace:     core numeric basis geometry pattern
 construct: core platform numeric basis geometry problem trace
 certify:   core platform/parallel.h numeric/kernel/name.h numeric/quadrature.h numeric/sum.h basis geometry measure problem

@@ -1,0 +1,1182 @@
+/* flat.c -- flattening by Newton's method on the Lagrangian.
+ *
+ *     start    the axis t = 1/2 unrolled by its geodesic curvature, cross lines straight at their angle
+ *     alone    W least in the default law, then in the law asked for, no edge held
+ *     held     lengths of edges from their natural ones to those told, at once or in steps
+ *     a step   H dx + A' dl = -(g + A' l), A dx - e dl = -c:  the band of H is factored, S = A H^-1 A' + e is
+ *              dense; e at rounding, for rows that depend on each other (straight ends of a straight band)
+ *              shifted until the Hessian is positive on the constraints, by the inertia of H and S
+ *              halved while det J <= 0 at a Gauss point
+ *
+ * With J' = H J: dC = -(H' C + C H), and for two directions A, B
+ *     C_ab = (A B + B A)' C + C (A B + B A) + A' C B + B' C A,   d det J = tr H det J,
+ * so that a Gauss point has a 4 x 4 form in the entries of H, and a function N the row J^-T grad N.
+ */
+#include "pattern/flat/flat.h"
+
+#include "numeric/band.h"
+#include "numeric/quadrature.h"
+
+#include <math.h>
+#include <string.h>
+
+enum {
+    DEGREE = TAUT_FLAT_DEGREE,
+    LOCAL = DEGREE + 1,
+    GAUSS = TAUT_FLAT_GAUSS,
+    CELL = LOCAL * LOCAL, /* functions alive on a cell */
+    STEPS_MAX = 60,
+    SHIFTS_MAX = 24,
+    HALVINGS_MAX = 40,
+    LEAST_STEP = 64 /* of a continuation: 1 over this */
+};
+
+static const taut_flat_law default_law = {1, 1, 0, 0.5};
+/* A step below this, over the size, is the last but one: Newton's next is at rounding. */
+static const double small_step = 1e-7;
+/* Rows that depend on each other: e over the largest of S. */
+static const double dependent = 1e-13;
+
+/* ---- splines on uniform clamped knots ---- */
+
+static double knot_of(int spans, int k)
+{
+    const int i = k - DEGREE;
+    return i <= 0 ? 0 : i >= spans ? 1 : (double)i / spans;
+}
+
+/* The degree + 1 functions alive on a span, and their slopes, by the recursion of de Boor. */
+static void basis_at(int spans, int degree, int span, double x, double *value, double *slope)
+{
+    const int first = DEGREE + span; /* the knot at the span's left */
+    double lower[LOCAL] = {1};
+    double n[LOCAL] = {1};
+
+    for (int p = 1; p <= degree; p++) {
+        double saved = 0;
+        memcpy(lower, n, sizeof lower);
+        for (int r = 0; r < p; r++) {
+            const double right = knot_of(spans, first + r + 1),
+                         left = knot_of(spans, first + r + 1 - p);
+            const double part = lower[r] / (right - left);
+            n[r] = saved + (right - x) * part;
+            saved = (x - left) * part;
+        }
+        n[p] = saved;
+    }
+    memcpy(value, n, sizeof(double) * (size_t)(degree + 1));
+    if (slope == NULL) {
+        return;
+    }
+    for (int r = 0; r <= degree; r++) {
+        const double a =
+            r > 0 ? lower[r - 1] / (knot_of(spans, first + r) - knot_of(spans, first + r - degree))
+                  : 0;
+        const double b = r < degree ? lower[r] / (knot_of(spans, first + r + 1) -
+                                                  knot_of(spans, first + r + 1 - degree))
+                                    : 0;
+        slope[r] = degree * (a - b);
+    }
+}
+
+static int span_of(int spans, double x)
+{
+    const int k = (int)floor(x * spans);
+    return k < 0 ? 0 : k >= spans ? spans - 1 : k;
+}
+
+typedef struct line {
+    int spans, count;
+    double (*value)[GAUSS][LOCAL], (*slope)[GAUSS][LOCAL], (*test)[GAUSS][LOCAL];
+    double (*at)[GAUSS], weight[GAUSS];
+} line;
+
+static int line_fill(taut_arena *arena, int spans, line *l)
+{
+    double node[GAUSS];
+    const size_t n = (size_t)spans;
+
+    l->spans = spans;
+    l->count = spans + DEGREE;
+    l->value = taut_arena_take(arena, n, sizeof *l->value);
+    l->slope = taut_arena_take(arena, n, sizeof *l->slope);
+    l->test = taut_arena_take(arena, n, sizeof *l->test);
+    l->at = taut_arena_take(arena, n, sizeof *l->at);
+    if (taut_arena_status(arena) != TAUT_OK) {
+        return 0;
+    }
+    taut_gauss_rule(GAUSS, node, l->weight);
+    for (int q = 0; q < GAUSS; q++) {
+        l->weight[q] *= 0.5 / spans;
+    }
+    for (int k = 0; k < spans; k++) {
+        for (int q = 0; q < GAUSS; q++) {
+            l->at[k][q] = (k + 0.5 + 0.5 * node[q]) / spans;
+            basis_at(spans, DEGREE, k, l->at[k][q], l->value[k][q], l->slope[k][q]);
+            basis_at(spans, DEGREE - 1, k, l->at[k][q], l->test[k][q], NULL);
+        }
+    }
+    return 1;
+}
+
+/* ---- the work of one call ---- */
+
+typedef struct work {
+    taut_arena *arena;
+    const taut_flat_strip *strip;
+    const taut_flat_options *options;
+    line lines[2];
+    double *metric; /* [spans][spans][GAUSS][GAUSS][3] */
+    int n, width;   /* unknowns, half band */
+    int is_turning; /* rotation is left to the thread's row */
+    double *y, *step, *gradient, *slope;
+    char *pinned;
+    taut_band hessian;
+    int rows, edges[TAUT_FLAT_EDGES], room; /* of constraints; the first row of each edge, or -1 */
+    double *a, *c, *multiplier, *change, *solved, *schur;
+    double *length[TAUT_FLAT_EDGES]; /* |X_s| of held edges, at Gauss points */
+    double *target[TAUT_FLAT_EDGES]; /* and l */
+    double *natural[TAUT_FLAT_EDGES];
+    double size, energy, stretch[2]; /* stretch: 1/F0 */
+    taut_flat_law law;
+    double residual;
+    int is_stable, steps;
+} work;
+
+static int unknown(const work *w, int i, int j, int k)
+{
+    return (i * w->lines[1].count + j) * 2 + k;
+}
+
+static double *metric_of(const work *w, int a, int b, int q, int r)
+{
+    return w->metric +
+           ((((size_t)a * (size_t)w->lines[1].spans + (size_t)b) * GAUSS + (size_t)q) * GAUSS +
+            (size_t)r) *
+               3;
+}
+
+/* J of a cell at a Gauss point, and the functions' gradients. */
+static void jacobian(const work *w, const double *y, int a, int b, int q, int r, double j[2][2],
+                     double grad[CELL][2])
+{
+    const line *s = &w->lines[0], *t = &w->lines[1];
+    memset(j, 0, sizeof(double[2][2]));
+    for (int i = 0; i < LOCAL; i++) {
+        for (int k = 0; k < LOCAL; k++) {
+            double *g = grad[i * LOCAL + k];
+            const double *p = y + unknown(w, a + i, b + k, 0);
+            g[0] = s->slope[a][q][i] * t->value[b][r][k];
+            g[1] = s->value[a][q][i] * t->slope[b][r][k];
+            for (int d = 0; d < 2; d++) {
+                j[d][0] += p[d] * g[0];
+                j[d][1] += p[d] * g[1];
+            }
+        }
+    }
+}
+
+typedef struct form {
+    double w, first[4], second[4][4], inverse[2][2], det;
+} form;
+
+static double symmetric_dot(const taut_flat_law *d, const double e[3], const double f[3])
+{
+    /* e, f: (11, 22, 12); shear strains enter as 2 * 12 */
+    return d->d11 * e[0] * f[0] + d->d22 * e[1] * f[1] + d->d12 * (e[0] * f[1] + e[1] * f[0]) +
+           4 * d->d33 * e[2] * f[2];
+}
+
+/* C = J^-T G J^-1; 0 where det J <= 0. */
+static int stretch_form(const double j[2][2], const double g[3], double inverse[2][2], double *det,
+                        double c[3])
+{
+    *det = j[0][0] * j[1][1] - j[0][1] * j[1][0];
+    if (!(*det > 0)) {
+        return 0;
+    }
+    inverse[0][0] = j[1][1] / *det;
+    inverse[0][1] = -j[0][1] / *det;
+    inverse[1][0] = -j[1][0] / *det;
+    inverse[1][1] = j[0][0] / *det;
+    for (int k = 0; k < 3; k++) {
+        const int m = k == 1, n = k != 0;
+        c[k] = inverse[0][m] * (g[0] * inverse[0][n] + g[1] * inverse[1][n]) +
+               inverse[1][m] * (g[1] * inverse[0][n] + g[2] * inverse[1][n]);
+    }
+    return 1;
+}
+
+/* The density and its first and second derivatives by the entries of H, (11, 12, 21, 22). */
+static int density(const work *w, const double j[2][2], const double g[3], int order, form *f)
+{
+    double c[3]; /* 11, 22, 12 */
+    const double s0 = w->stretch[0], s1 = w->stretch[1];
+    const double scale[3] = {s0 * s0 / 2, s1 * s1 / 2, s0 * s1 / 2};
+    double e[3], de[4][3];
+
+    if (!stretch_form(j, g, f->inverse, &f->det, c)) {
+        return 0;
+    }
+    const double full[2][2] = {{c[0], c[2]}, {c[2], c[1]}};
+    const double weight = f->det / (s0 * s1);
+    e[0] = scale[0] * c[0] - 0.5;
+    e[1] = scale[1] * c[1] - 0.5;
+    e[2] = scale[2] * c[2];
+    const double phi = 0.5 * symmetric_dot(&w->law, e, e);
+    f->w = phi * weight;
+    if (order == 0) {
+        return 1;
+    }
+    for (int h = 0; h < 4; h++) { /* H = e_k e_l': (C H)_mn = C_mk [n = l] */
+        const int k = h / 2, l = h % 2;
+        de[h][0] = -scale[0] * (l == 0 ? 2 * full[0][k] : 0);
+        de[h][1] = -scale[1] * (l == 1 ? 2 * full[1][k] : 0);
+        de[h][2] = -scale[2] * full[1 - l][k];
+        f->first[h] = (symmetric_dot(&w->law, e, de[h]) + (k == l ? phi : 0)) * weight;
+    }
+    for (int h = 0; h < 4; h++) {
+        for (int o = 0; o <= h; o++) {
+            const int k = h / 2, l = h % 2, m = o / 2, n = o % 2;
+            double p[2][2] = {{0, 0}, {0, 0}}, d[2][2];
+            if (l == m) {
+                p[k][n] += 1; /* A B */
+            }
+            if (n == k) {
+                p[m][l] += 1; /* B A */
+            }
+            for (int x = 0; x < 2; x++) {
+                for (int z = 0; z < 2; z++) {
+                    d[x][z] = p[0][x] * full[0][z] + p[1][x] * full[1][z] + full[x][0] * p[0][z] +
+                              full[x][1] * p[1][z] + (x == l && z == n ? full[k][m] : 0) +
+                              (x == n && z == l ? full[m][k] : 0);
+                }
+            }
+            const double dd[3] = {scale[0] * d[0][0], scale[1] * d[1][1], scale[2] * d[0][1]};
+            const double trace_h = k == l, trace_o = m == n;
+            f->second[h][o] = f->second[o][h] =
+                (symmetric_dot(&w->law, de[h], de[o]) + symmetric_dot(&w->law, e, dd) +
+                 symmetric_dot(&w->law, e, de[h]) * trace_o +
+                 symmetric_dot(&w->law, e, de[o]) * trace_h +
+                 phi * (trace_h * trace_o - (l == m && n == k))) *
+                weight;
+        }
+    }
+    return 1;
+}
+
+/* W of a net; INFINITY where it folds at a Gauss point. */
+static double energy_of(const work *w, const double *y)
+{
+    double grad[CELL][2], j[2][2], sum = 0;
+    form f;
+    for (int a = 0; a < w->lines[0].spans; a++) {
+        for (int b = 0; b < w->lines[1].spans; b++) {
+            for (int q = 0; q < GAUSS; q++) {
+                for (int r = 0; r < GAUSS; r++) {
+                    jacobian(w, y, a, b, q, r, j, grad);
+                    if (!density(w, (const double(*)[2])j, metric_of(w, a, b, q, r), 0, &f)) {
+                        return INFINITY;
+                    }
+                    sum += f.w * w->lines[0].weight[q] * w->lines[1].weight[r];
+                }
+            }
+        }
+    }
+    return sum;
+}
+
+/* Adds a Gauss point to a cell's matrix, its lower triangle. */
+static void add_point(const form *f, double weight, const double grad[CELL][2],
+                      double cell[2 * CELL][2 * CELL], double first[2 * CELL])
+{
+    double row[CELL][2], half[2][CELL][4];
+    for (int a = 0; a < CELL; a++) {
+        for (int l = 0; l < 2; l++) {
+            row[a][l] = f->inverse[0][l] * grad[a][0] + f->inverse[1][l] * grad[a][1];
+        }
+        for (int k = 0; k < 2; k++) {
+            first[2 * a + k] +=
+                weight * (f->first[2 * k] * row[a][0] + f->first[2 * k + 1] * row[a][1]);
+            for (int o = 0; o < 4; o++) {
+                half[k][a][o] = weight * (f->second[2 * k][o] * row[a][0] +
+                                          f->second[2 * k + 1][o] * row[a][1]);
+            }
+        }
+    }
+    for (int a = 0; a < CELL; a++) {
+        for (int k = 0; k < 2; k++) {
+            const double *h = half[k][a];
+            double *to = cell[2 * a + k];
+            for (int b = 0; b <= a; b++) {
+                to[2 * b] += h[0] * row[b][0] + h[1] * row[b][1];
+                to[2 * b + 1] += h[2] * row[b][0] + h[3] * row[b][1];
+            }
+        }
+    }
+}
+
+static void add_cell(work *w, int a, int b, double cell[2 * CELL][2 * CELL],
+                     const double first[2 * CELL])
+{
+    for (int x = 0; x < 2 * CELL; x++) {
+        const int i = unknown(w, a + x / 2 / LOCAL, b + x / 2 % LOCAL, x % 2);
+        w->gradient[i] += first[x];
+        for (int z = 0; z <= x; z++) {
+            const int k = unknown(w, a + z / 2 / LOCAL, b + z / 2 % LOCAL, z % 2);
+            taut_band_row(&w->hessian, i)[i - k] += cell[x][z];
+        }
+    }
+}
+
+static void assemble(work *w)
+{
+    static const double zero = 0;
+    double cell[2 * CELL][2 * CELL], first[2 * CELL], grad[CELL][2], j[2][2];
+    form f;
+
+    memset(w->hessian.a, 0, sizeof zero * (size_t)w->n * ((size_t)w->width + 1));
+    memset(w->gradient, 0, sizeof zero * (size_t)w->n);
+    for (int a = 0; a < w->lines[0].spans; a++) {
+        for (int b = 0; b < w->lines[1].spans; b++) {
+            memset(cell, 0, sizeof cell);
+            memset(first, 0, sizeof first);
+            for (int q = 0; q < GAUSS; q++) {
+                for (int r = 0; r < GAUSS; r++) {
+                    jacobian(w, w->y, a, b, q, r, j, grad);
+                    if (density(w, (const double(*)[2])j, metric_of(w, a, b, q, r), 1, &f)) {
+                        add_point(&f, w->lines[0].weight[q] * w->lines[1].weight[r],
+                                  (const double(*)[2])grad, cell, first);
+                    }
+                }
+            }
+            add_cell(w, a, b, cell, first);
+        }
+    }
+}
+
+/* ---- constraints ---- */
+
+/* The unknown of coefficient k along an edge. */
+static int edge_unknown(const work *w, int edge, int k, int d)
+{
+    switch (edge) {
+    case TAUT_FLAT_RIGHT:
+        return unknown(w, k, 0, d);
+    case TAUT_FLAT_LEFT:
+        return unknown(w, k, w->lines[1].count - 1, d);
+    case TAUT_FLAT_START:
+        return unknown(w, 0, k, d);
+    default:
+        return unknown(w, w->lines[0].count - 1, k, d);
+    }
+}
+
+static int edge_way(int edge)
+{
+    return edge == TAUT_FLAT_START || edge == TAUT_FLAT_END;
+}
+
+/* y_s on an edge at a Gauss point. */
+static double edge_speed(const work *w, const double *y, int edge, int a, int q, double slope[2])
+{
+    const line *l = &w->lines[edge_way(edge)];
+    slope[0] = slope[1] = 0;
+    for (int i = 0; i < LOCAL; i++) {
+        for (int d = 0; d < 2; d++) {
+            slope[d] += l->slope[a][q][i] * y[edge_unknown(w, edge, a + i, d)];
+        }
+    }
+    return hypot(slope[0], slope[1]);
+}
+
+static double *row_of(work *w, int row)
+{
+    return w->a + (size_t)row * (size_t)w->n;
+}
+
+/* The rows of a held edge, and what their multipliers add to the Hessian. */
+static void add_edge(work *w, int edge)
+{
+    const line *l = &w->lines[edge_way(edge)];
+    for (int a = 0; a < l->spans; a++) {
+        for (int q = 0; q < GAUSS; q++) {
+            double way[2], pull = 0;
+            const double speed = edge_speed(w, w->y, edge, a, q, way), weight = l->weight[q];
+            for (int b = 0; b < DEGREE; b++) {
+                const int row = w->edges[edge] + a + b;
+                const double part = l->test[a][q][b] * weight;
+                pull += part * w->multiplier[row];
+                w->c[row] += part * (speed - w->target[edge][a * GAUSS + q]);
+                for (int i = 0; i < LOCAL; i++) {
+                    for (int d = 0; d < 2; d++) {
+                        row_of(w, row)[edge_unknown(w, edge, a + i, d)] +=
+                            part * way[d] / speed * l->slope[a][q][i];
+                    }
+                }
+            }
+            const double normal[2] = {-way[1] / speed, way[0] / speed};
+            for (int x = 0; x < 2 * LOCAL; x++) {
+                for (int z = 0; z <= x; z++) {
+                    const int i = edge_unknown(w, edge, a + x / 2, x % 2);
+                    const int k = edge_unknown(w, edge, a + z / 2, z % 2);
+                    taut_band_row(&w->hessian, i)[i - k] += pull / speed * normal[x % 2] *
+                                                            normal[z % 2] * l->slope[a][q][x / 2] *
+                                                            l->slope[a][q][z / 2];
+                }
+            }
+        }
+    }
+}
+
+/* Of the middle of an end: the functions of t at 1/2. */
+static int middle(const work *w, double value[LOCAL])
+{
+    const int span = span_of(w->lines[1].spans, 0.5);
+    basis_at(w->lines[1].spans, DEGREE, span, 0.5, value, NULL);
+    return span;
+}
+
+static void add_constraints(work *w)
+{
+    int row = 0;
+    memset(w->a, 0, sizeof(double) * (size_t)w->room * (size_t)w->n);
+    memset(w->c, 0, sizeof(double) * (size_t)w->room);
+    for (int e = 0; e < TAUT_FLAT_EDGES; e++) {
+        if (w->edges[e] >= 0) {
+            add_edge(w, e);
+            row = w->edges[e] + w->lines[edge_way(e)].spans + DEGREE - 1;
+        }
+    }
+    const int last = w->lines[0].count - 1;
+    if (!w->is_turning) {
+        for (int k = 1; k < w->lines[1].count; k++, row++) {
+            row_of(w, row)[unknown(w, last, k, 0)] = 1;
+            row_of(w, row)[unknown(w, last, 0, 0)] = -1;
+            w->c[row] = w->y[unknown(w, last, k, 0)] - w->y[unknown(w, last, 0, 0)];
+        }
+    } else {
+        double value[LOCAL];
+        const int span = middle(w, value);
+        const double turn[2] = {-sin(w->options->thread), cos(w->options->thread)};
+        for (int k = 0; k < LOCAL; k++) {
+            for (int d = 0; d < 2; d++) {
+                const int to = unknown(w, last, span + k, d), from = unknown(w, 0, span + k, d);
+                row_of(w, row)[to] += turn[d] * value[k];
+                row_of(w, row)[from] -= turn[d] * value[k];
+                w->c[row] += turn[d] * value[k] * (w->y[to] - w->y[from]);
+            }
+        }
+        row++;
+    }
+    w->rows = row;
+    for (int k = 0; k < w->rows; k++) {
+        for (int i = 0; i < w->n; i++) {
+            if (w->pinned[i]) {
+                row_of(w, k)[i] = 0;
+            }
+        }
+    }
+}
+
+/* ---- a step ---- */
+
+static double pin(work *w)
+{
+    double most = 0;
+    for (int i = 0; i < w->n; i++) {
+        most = fmax(most, taut_band_row(&w->hessian, i)[0]);
+    }
+    for (int i = 0; i < w->n; i++) {
+        double *row = taut_band_row(&w->hessian, i);
+        for (int d = 0; d <= w->width && d <= i; d++) {
+            if (w->pinned[i] || w->pinned[i - d]) {
+                row[d] = d == 0 ? most : 0;
+            }
+        }
+        if (w->pinned[i]) {
+            w->gradient[i] = 0;
+        }
+    }
+    return most;
+}
+
+/* S x = b for a symmetric S of n rows (leading dimension ld), which is destroyed; *positive: its pivots
+ * above 0. 0 where one is 0. */
+static int solve_symmetric(int n, int ld, double *s, double *b, int *positive)
+{
+    *positive = 0;
+    for (int k = 0; k < n; k++) {
+        const double pivot = s[k * ld + k];
+        if (!(fabs(pivot) > 0)) {
+            return 0;
+        }
+        *positive += pivot > 0;
+        for (int i = k + 1; i < n; i++) {
+            const double f = s[i * ld + k] / pivot;
+            for (int c = k + 1; c < n; c++) {
+                s[i * ld + c] -= f * s[k * ld + c];
+            }
+            b[i] -= f * b[k];
+        }
+    }
+    for (int k = n - 1; k >= 0; k--) {
+        for (int c = k + 1; c < n; c++) {
+            b[k] -= s[k * ld + c] * b[c];
+        }
+        b[k] /= s[k * ld + k];
+    }
+    return 1;
+}
+
+/* The Lagrangian's gradient into w->slope; its largest entry. */
+static double lagrangian(work *w)
+{
+    double most = 0;
+    for (int i = 0; i < w->n; i++) {
+        double sum = w->gradient[i];
+        for (int k = 0; k < w->rows; k++) {
+            sum += w->multiplier[k] * row_of(w, k)[i];
+        }
+        w->slope[i] = w->pinned[i] ? 0 : sum;
+        most = fmax(most, fabs(w->slope[i]));
+    }
+    return most;
+}
+
+/* The largest of S's diagonal that the held rows have. */
+static double most_of(const work *w)
+{
+    double most = 0;
+    for (int k = 0; k < w->rows; k++) {
+        most = fmax(most, w->schur[k * w->room + k]);
+    }
+    return most;
+}
+
+/* The factor of the Hessian with `shift` on its diagonal; where rotation is free a stiffness `hold` on
+ * one unknown, which the last row takes off again. 1: solved, step and multipliers are there, and the Hessian is positive
+ * on the constraints. */
+static int try_step(work *w, const double *matrix, double shift, double hold, int held)
+{
+    const size_t n = (size_t)w->n;
+    const int rows = w->rows + w->is_turning, columns = rows + 1;
+    int negative = 0, positive = 0;
+
+    memcpy(w->hessian.a, matrix, n * ((size_t)w->width + 1) * sizeof *matrix);
+    for (int i = 0; i < w->n; i++) {
+        taut_band_row(&w->hessian, i)[0] += shift;
+    }
+    if (w->is_turning) {
+        taut_band_row(&w->hessian, held)[0] += hold;
+        memset(row_of(w, w->rows), 0, n * sizeof(double));
+        row_of(w, w->rows)[held] = 1;
+        w->c[w->rows] = 0;
+    }
+    if (taut_band_factor_signed(&w->hessian, &negative) != TAUT_OK) {
+        return 0;
+    }
+    for (int i = 0; i < w->n; i++) {
+        for (int k = 0; k < rows; k++) {
+            w->solved[i * columns + k] = row_of(w, k)[i];
+        }
+        w->solved[i * columns + rows] = -w->slope[i];
+    }
+    taut_band_solve(&w->hessian, columns, w->solved);
+    memset(w->schur, 0, sizeof(double) * (size_t)w->room * (size_t)w->room);
+    for (int k = 0; k < rows; k++) {
+        const double *a = row_of(w, k);
+        double right = w->c[k];
+        for (int i = 0; i < w->n; i++) {
+            if (a[i] != 0) {
+                const double *x = w->solved + (size_t)i * (size_t)columns;
+                for (int m = 0; m < rows; m++) {
+                    w->schur[k * w->room + m] += a[i] * x[m];
+                }
+                right += a[i] * x[rows];
+            }
+        }
+        w->step[k] = right; /* the multipliers, for now */
+    }
+    const double slack = dependent * most_of(w);
+    for (int k = 0; k < w->rows; k++) {
+        w->schur[k * w->room + k] += slack;
+    }
+    if (w->is_turning) {
+        w->schur[w->rows * w->room + w->rows] -= 1 / hold;
+    }
+    if (!solve_symmetric(rows, w->room, w->schur, w->step, &positive) ||
+        negative + positive != w->rows) {
+        return 0;
+    }
+    memcpy(w->change, w->step, sizeof(double) * (size_t)rows);
+    for (int k = 0; k < w->rows; k++) {
+        w->multiplier[k] += w->change[k];
+    }
+    for (int i = 0; i < w->n; i++) {
+        const double *x = w->solved + (size_t)i * (size_t)columns;
+        double sum = x[rows];
+        for (int m = 0; m < rows; m++) {
+            sum -= x[m] * w->change[m];
+        }
+        w->step[i] = sum;
+    }
+    return 1;
+}
+
+/* One step; *length: over the size. 0 where there is none. */
+static int newton_step(work *w, double *matrix, double *trial, double *length)
+{
+    const int held = unknown(w, w->lines[0].count - 1, 0, 1);
+    double most = 0, part = 1, shift = 0;
+    int done = 0;
+
+    assemble(w);
+    add_constraints(w);
+    const double diagonal = pin(w);
+    w->residual = lagrangian(w) / (diagonal * w->size);
+    memcpy(matrix, w->hessian.a, sizeof *matrix * (size_t)w->n * ((size_t)w->width + 1));
+    for (int k = 0; !done && k < SHIFTS_MAX; k++) {
+        done = try_step(w, matrix, shift, diagonal, held);
+        w->is_stable = done && shift == 0;
+        shift = shift > 0 ? 4 * shift : 1e-8 * diagonal;
+    }
+    if (!done) {
+        return 0;
+    }
+    for (int i = 0; i < w->n; i++) {
+        most = fmax(most, fabs(w->step[i]));
+    }
+    const int is_free = w->rows == 1;
+    for (int k = 0; k < HALVINGS_MAX; k++, part /= 2) {
+        for (int i = 0; i < w->n; i++) {
+            trial[i] = w->y[i] + part * w->step[i];
+        }
+        const double energy = energy_of(w, trial);
+        /* with nothing held it must fall, but for what rounding does near the end */
+        if (energy < INFINITY && (!is_free || k > 20 || energy <= w->energy * (1 + 1e-9) + 1e-30 ||
+                                  most < 1e-6 * w->size)) {
+            memcpy(w->y, trial, sizeof *trial * (size_t)w->n);
+            w->energy = energy;
+            *length = part * most / w->size;
+            w->steps++;
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* Stationary, from w->y; 0 where it is not reached. */
+static int newton(work *w, double *matrix, double *trial)
+{
+    double length = INFINITY;
+    int last = 0;
+    w->energy = energy_of(w, w->y);
+    memset(w->multiplier, 0, sizeof(double) * (size_t)w->room);
+    for (int k = 0; k < STEPS_MAX && w->energy < INFINITY; k++) {
+        if (!newton_step(w, matrix, trial, &length)) {
+            return 0;
+        }
+        if (last) {
+            return w->is_stable;
+        }
+        last = length < small_step;
+    }
+    return 0;
+}
+
+/* ---- the start ---- */
+
+/* The geodesic curvature of the axis, by differences of the metric: a start needs no more. */
+static double axis_bend(const work *w, double s)
+{
+    const double h = 1e-4, at = fmin(fmax(s, h), 1 - h);
+    double g[3], a[3], b[3], c[3], d[3];
+    w->strip->metric(w->strip->context, at, 0.5, g);
+    w->strip->metric(w->strip->context, at - h, 0.5, a);
+    w->strip->metric(w->strip->context, at + h, 0.5, b);
+    w->strip->metric(w->strip->context, at, 0.5 - h, c);
+    w->strip->metric(w->strip->context, at, 0.5 + h, d);
+    const double ss = (b[0] - a[0]) / (2 * h), sm = (b[1] - a[1]) / (2 * h);
+    const double st = (d[0] - c[0]) / (2 * h);
+    const double det = g[0] * g[2] - g[1] * g[1];
+    return (g[0] * (sm - st / 2) - g[1] * ss / 2) / (sqrt(det) * g[0]); /* times the speed */
+}
+
+/* A x = b by elimination with row exchanges; a [n][n], b [n][columns]. */
+static void solve_dense(int n, double *a, int columns, double *b)
+{
+    for (int k = 0; k < n; k++) {
+        int best = k;
+        for (int i = k + 1; i < n; i++) {
+            best = fabs(a[i * n + k]) > fabs(a[best * n + k]) ? i : best;
+        }
+        for (int c = 0; c < n; c++) {
+            const double x = a[k * n + c];
+            a[k * n + c] = a[best * n + c];
+            a[best * n + c] = x;
+        }
+        for (int c = 0; c < columns; c++) {
+            const double x = b[k * columns + c];
+            b[k * columns + c] = b[best * columns + c];
+            b[best * columns + c] = x;
+        }
+        for (int i = 0; i < n; i++) {
+            if (i != k) {
+                const double f = a[i * n + k] / a[k * n + k];
+                for (int c = k; c < n; c++) {
+                    a[i * n + c] -= f * a[k * n + c];
+                }
+                for (int c = 0; c < columns; c++) {
+                    b[i * columns + c] -= f * b[k * columns + c];
+                }
+            }
+        }
+    }
+    for (int k = 0; k < n; k++) {
+        for (int c = 0; c < columns; c++) {
+            b[k * columns + c] /= a[k * n + k];
+        }
+    }
+}
+
+static double greville(int spans, int i)
+{
+    double sum = 0;
+    for (int k = 1; k <= DEGREE; k++) {
+        sum += knot_of(spans, i + k);
+    }
+    return sum / DEGREE;
+}
+
+/* The matrix of a direction's functions at the Greville points. */
+static void collocation(int spans, double *a)
+{
+    const int n = spans + DEGREE;
+    memset(a, 0, sizeof *a * (size_t)n * (size_t)n);
+    for (int i = 0; i < n; i++) {
+        const double x = greville(spans, i);
+        const int span = span_of(spans, x);
+        basis_at(spans, DEGREE, span, x, a + i * n + span, NULL);
+    }
+}
+
+/* Adds one stretch of the axis by Simpson's rule: place and angle. */
+static void walk_axis(const work *w, double from, double to, double place[2], double *angle)
+{
+    const double h = to - from, mid = from + h / 2;
+    double g[3], speed[3], theta[3];
+    const double at[3] = {from, mid, to};
+    const double b0 = axis_bend(w, from), b1 = axis_bend(w, mid), b2 = axis_bend(w, to);
+    theta[0] = *angle;
+    theta[1] = *angle + h / 24 * (5 * b0 + 8 * b1 - b2);
+    theta[2] = *angle + h / 6 * (b0 + 4 * b1 + b2);
+    for (int k = 0; k < 3; k++) {
+        w->strip->metric(w->strip->context, at[k], 0.5, g);
+        speed[k] = sqrt(g[0]);
+    }
+    place[0] +=
+        h / 6 *
+        (speed[0] * cos(theta[0]) + 4 * speed[1] * cos(theta[1]) + speed[2] * cos(theta[2]));
+    place[1] +=
+        h / 6 *
+        (speed[0] * sin(theta[0]) + 4 * speed[1] * sin(theta[1]) + speed[2] * sin(theta[2]));
+    *angle = theta[2];
+}
+
+/* The length of a cross line from the axis to t, with its sign. */
+static double cross_length(const work *w, double s, double t)
+{
+    double node[GAUSS], weight[GAUSS], g[3], sum = 0;
+    taut_gauss_rule(GAUSS, node, weight);
+    for (int q = 0; q < GAUSS; q++) {
+        w->strip->metric(w->strip->context, s, 0.5 + (t - 0.5) * (1 + node[q]) / 2, g);
+        sum += weight[q] / 2 * sqrt(g[2]);
+    }
+    return sum * (t - 0.5);
+}
+
+static void turn_start(work *w)
+{
+    double value[LOCAL], from[2] = {0, 0}, to[2] = {0, 0};
+    const int span = middle(w, value), last = w->lines[0].count - 1;
+    for (int k = 0; k < LOCAL; k++) {
+        for (int d = 0; d < 2; d++) {
+            from[d] += value[k] * w->y[unknown(w, 0, span + k, d)];
+            to[d] += value[k] * w->y[unknown(w, last, span + k, d)];
+        }
+    }
+    const double angle = w->options->thread - atan2(to[1] - from[1], to[0] - from[0]);
+    w->size = hypot(to[0] - from[0], to[1] - from[1]);
+    for (int i = 0; i < w->n; i += 2) {
+        const double x = w->y[i] - from[0], y = w->y[i + 1] - from[1];
+        w->y[i] = (cos(angle) * x - sin(angle) * y) * w->stretch[0];
+        w->y[i + 1] = (sin(angle) * x + cos(angle) * y) * w->stretch[1];
+        w->size = fmax(w->size, fmax(fabs(w->y[i]), fabs(w->y[i + 1])));
+    }
+    if (!w->is_turning) {
+        const double end = w->y[unknown(w, last, 0, 0)];
+        double mean = 0;
+        for (int k = 0; k <= w->lines[1].count - 1; k++) {
+            w->y[unknown(w, 0, k, 0)] = 0;
+            mean += (w->y[unknown(w, last, k, 0)] - end) / w->lines[1].count;
+        }
+        for (int k = 0; k < w->lines[1].count; k++) {
+            w->y[unknown(w, last, k, 0)] = end + mean;
+        }
+    }
+}
+
+static taut_status unroll(work *w)
+{
+    enum { STOPS = 16 };
+    const int ns = w->lines[0].count, nt = w->lines[1].count, most = ns > nt ? ns : nt;
+    double *a = taut_arena_take(w->arena, (size_t)most * (size_t)most, sizeof *a);
+    double *swapped = taut_arena_take(w->arena, (size_t)w->n, sizeof *swapped);
+    double place[2] = {0, 0}, angle = 0, before = 0;
+
+    if (taut_arena_status(w->arena) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    for (int i = 0; i < ns; i++) {
+        const double s = greville(w->lines[0].spans, i);
+        double g[3];
+        for (int k = 0; i > 0 && k < STOPS; k++) {
+            walk_axis(w, before + (s - before) * k / STOPS, before + (s - before) * (k + 1) / STOPS,
+                      place, &angle);
+        }
+        before = s;
+        w->strip->metric(w->strip->context, s, 0.5, g);
+        const double turn = angle + atan2(sqrt(g[0] * g[2] - g[1] * g[1]), g[1]);
+        for (int j = 0; j < nt; j++) {
+            const double reach = cross_length(w, s, greville(w->lines[1].spans, j));
+            w->y[unknown(w, i, j, 0)] = place[0] + reach * cos(turn);
+            w->y[unknown(w, i, j, 1)] = place[1] + reach * sin(turn);
+        }
+    }
+    collocation(w->lines[0].spans, a);
+    solve_dense(ns, a, 2 * nt, w->y);
+    for (int i = 0; i < ns; i++) {
+        for (int j = 0; j < nt; j++) {
+            swapped[(j * ns + i) * 2] = w->y[unknown(w, i, j, 0)];
+            swapped[(j * ns + i) * 2 + 1] = w->y[unknown(w, i, j, 1)];
+        }
+    }
+    collocation(w->lines[1].spans, a);
+    solve_dense(nt, a, 2 * ns, swapped);
+    for (int i = 0; i < ns; i++) {
+        for (int j = 0; j < nt; j++) {
+            w->y[unknown(w, i, j, 0)] = swapped[(j * ns + i) * 2];
+            w->y[unknown(w, i, j, 1)] = swapped[(j * ns + i) * 2 + 1];
+        }
+    }
+    turn_start(w);
+    return TAUT_OK;
+}
+
+/* ---- from the default law and natural lengths to what is asked for ---- */
+
+static void set_share(work *w, double share, int is_law)
+{
+    static const taut_flat_law *const from = &default_law;
+    if (is_law) {
+        const taut_flat_law *to = w->options->law;
+        w->law = (taut_flat_law){
+            from->d11 + share * (to->d11 - from->d11), from->d22 + share * (to->d22 - from->d22),
+            from->d12 + share * (to->d12 - from->d12), from->d33 + share * (to->d33 - from->d33)};
+        return;
+    }
+    for (int e = 0; e < TAUT_FLAT_EDGES; e++) {
+        const line *l = &w->lines[edge_way(e)];
+        for (int k = 0; w->options->held[e] != NULL && k < l->spans * GAUSS; k++) {
+            w->target[e][k] = w->length[e][k] * pow(w->natural[e][k], 1 - share) *
+                              pow(w->options->held[e][k], share);
+        }
+    }
+}
+
+/* At once, or in steps of a quarter, halved where one fails and raised by half where it does not. */
+static int go(work *w, int is_law, double *matrix, double *trial, double *kept)
+{
+    double share = 0, step = 1;
+    while (share < 1) {
+        const double next = fmin(1, share + step);
+        memcpy(kept, w->y, sizeof *kept * (size_t)w->n);
+        set_share(w, next, is_law);
+        if (newton(w, matrix, trial)) {
+            share = next;
+            step *= 1.5;
+            continue;
+        }
+        memcpy(w->y, kept, sizeof *kept * (size_t)w->n);
+        step = step == 1 ? 0.25 : step / 2;
+        if (step < 1.0 / LEAST_STEP) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static taut_status solve(work *w, const taut_flat *from)
+{
+    const size_t n = (size_t)w->n;
+    double *matrix = taut_arena_take_raw(w->arena, n * ((size_t)w->width + 1), sizeof *matrix);
+    double *trial = taut_arena_take(w->arena, n, sizeof *trial);
+    double *kept = taut_arena_take(w->arena, n, sizeof *kept);
+    double slope[2];
+    int first[TAUT_FLAT_EDGES], is_held = 0;
+
+    if (taut_arena_status(w->arena) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    for (int e = 0; e < TAUT_FLAT_EDGES; e++) {
+        first[e] = w->edges[e];
+        is_held = is_held || first[e] >= 0;
+        w->edges[e] = -1;
+    }
+    if (from != NULL) {
+        memcpy(w->y, from->points, n * sizeof *w->y);
+        for (size_t i = 0; i < n; i++) {
+            w->size = fmax(w->size, fabs(w->y[i]));
+        }
+        w->law = w->options->law != NULL ? *w->options->law : default_law;
+    } else {
+        if (unroll(w) != TAUT_OK) {
+            return TAUT_NO_MEMORY;
+        }
+        w->law = default_law;
+        if (!newton(w, matrix, trial) ||
+            (w->options->law != NULL && !go(w, 1, matrix, trial, kept))) {
+            return TAUT_NOT_CONVERGED;
+        }
+    }
+    if (!is_held) {
+        return from == NULL || newton(w, matrix, trial) ? TAUT_OK : TAUT_NOT_CONVERGED;
+    }
+    for (int e = 0; e < TAUT_FLAT_EDGES; e++) {
+        const line *l = &w->lines[edge_way(e)];
+        w->edges[e] = first[e];
+        for (int k = 0; first[e] >= 0 && k < l->spans * GAUSS; k++) {
+            w->natural[e][k] =
+                edge_speed(w, w->y, e, k / GAUSS, k % GAUSS, slope) / w->length[e][k];
+        }
+    }
+    return go(w, 0, matrix, trial, kept) ? TAUT_OK : TAUT_NOT_CONVERGED;
+}
+
+/* ---- the call ---- */
+
+static void edge_place(int edge, double x, double at[2])
+{
+    at[0] = edge == TAUT_FLAT_START ? 0 : edge == TAUT_FLAT_END ? 1 : x;
+    at[1] = edge == TAUT_FLAT_RIGHT ? 0 : edge == TAUT_FLAT_LEFT ? 1 : x;
+}
+
+static double speed_in_space(const taut_flat_strip *strip, int edge, double x)
+{
+    double at[2], g[3];
+    edge_place(edge, x, at);
+    strip->metric(strip->context, at[0], at[1], g);
+    return sqrt(edge_way(edge) ? g[2] : g[0]);
+}
+
+static taut_status prepare(work *w)
+{
+    const taut_flat_options *o = w->options;
+    const int spans[2] = {o->spans[0] > 0 ? o->spans[0] : 16, o->spans[1] > 0 ? o->spans[1] : 4};
+    int rows = 2;
+
+    for (int d = 0; d < 2; d++) {
+        if (!line_fill(w->arena, spans[d], &w->lines[d])) {
+            return TAUT_NO_MEMORY;
+        }
+    }
+    w->is_turning = !o->straight;
+    w->n = 2 * w->lines[0].count * w->lines[1].count;
+    w->width = 2 * (DEGREE * w->lines[1].count + DEGREE) + 1;
+    for (int e = 0; e < TAUT_FLAT_EDGES; e++) {
+        const size_t places = (size_t)w->lines[edge_way(e)].spans * GAUSS;
+        w->edges[e] = -1;
+        if (o->held[e] != NULL) {
+            w->edges[e] = rows - 2;
+            rows += w->lines[edge_way(e)].spans + DEGREE - 1;
+            w->length[e] = taut_arena_take(w->arena, places, sizeof(double));
+            w->target[e] = taut_arena_take(w->arena, places, sizeof(double));
+            w->natural[e] = taut_arena_take(w->arena, places, sizeof(double));
+        }
+    }
+    w->room = rows + (o->straight ? w->lines[1].count : 0);
+    const size_t n = (size_t)w->n, room = (size_t)w->room;
+    w->metric = taut_arena_take(w->arena, (size_t)spans[0] * (size_t)spans[1],
+                                sizeof(double[GAUSS][GAUSS][3]));
+    w->y = taut_arena_take(w->arena, n, sizeof(double));
+    w->step = taut_arena_take(w->arena, n + room, sizeof(double));
+    w->gradient = taut_arena_take(w->arena, n, sizeof(double));
+    w->slope = taut_arena_take(w->arena, n, sizeof(double));
+    w->change = taut_arena_take(w->arena, room, sizeof(double));
+    w->pinned = taut_arena_take(w->arena, n, 1);
+    w->hessian = (taut_band){w->n, w->width,
+                             taut_arena_take(w->arena, n * ((size_t)w->width + 1), sizeof(double))};
+    w->a = taut_arena_take(w->arena, room * n, sizeof(double));
+    w->solved = taut_arena_take(w->arena, (room + 1) * n, sizeof(double));
+    w->c = taut_arena_take(w->arena, room, sizeof(double));
+    w->multiplier = taut_arena_take(w->arena, room, sizeof(double));
+    w->schur = taut_arena_take(w->arena, room * room, sizeof(double));
+    if (taut_arena_status(w->arena) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    for (int k = 0; o->straight && k < w->lines[1].count; k++) {
+        w->pinned[unknown(w, 0, k, 0)] = 1;
+    }
+    w->pinned[unknown(w, 0, 0, 0)] = w->pinned[unknown(w, 0, 0, 1)] = 1;
+    w->stretch[0] = 1 - o->warp;
+    w->stretch[1] = 1 - o->weft;
+    return TAUT_OK;
+}
+
+static double sample(work *w)
+{
+    double area = 0;
+    for (int a = 0; a < w->lines[0].spans; a++) {
+        for (int b = 0; b < w->lines[1].spans; b++) {
+            for (int q = 0; q < GAUSS; q++) {
+                for (int r = 0; r < GAUSS; r++) {
+                    double *g = metric_of(w, a, b, q, r);
+                    w->strip->metric(w->strip->context, w->lines[0].at[a][q], w->lines[1].at[b][r],
+                                     g);
+                    area += sqrt(g[0] * g[2] - g[1] * g[1]) * w->lines[0].weight[q] *
+                            w->lines[1].weight[r];
+                }
+            }
+        }
+    }
+    for (int e = 0; e < TAUT_FLAT_EDGES; e++) {
+        const line *l = &w->lines[edge_way(e)];
+        for (int k = 0; w->edges[e] >= 0 && k < l->spans * GAUSS; k++) {
+            w->length[e][k] = speed_in_space(w->strip, e, l->at[k / GAUSS][k % GAUSS]);
+        }
+    }
+    return area;
+}
+
+static double flat_area(const work *w)
+{
+    double grad[CELL][2], j[2][2], sum = 0;
+    for (int a = 0; a < w->lines[0].spans; a++) {
+        for (int b = 0; b < w->lines[1].spans; b++) {
+            for (int q = 0; q < GAUSS * GAUSS; q++) {
+                jacobian(w, w->y, a, b, q / GAUSS, q % GAUSS, j, grad);
+                sum += (j[0][0] * j[1][1] - j[0][1] * j[1][0]) * w->lines[0].weight[q / GAUSS] *
+                       w->lines[1].weight[q % GAUSS];
+            }
+        }
+    }
+    return sum;
+}
+
+/* The middle of `start` into the origin. */
+static void place_origin(work *w)
+{
+    double value[LOCAL], from[2] = {0, 0};
+    const int span = middle(w, value);
+    for (int k = 0; k < LOCAL; k++) {
+        for (int d = 0; d < 2; d++) {
+            from[d] += value[k] * w->y[unknown(w, 0, span + k, d)];
+        }
+    }
+    for (int i = 0; i < w->n; i++) {
+        w->y[i] -= from[i % 2];
+    }
+}
+
+taut_status taut_flatten(taut_arena *arena, const taut_flat_strip *strip,
+                         const taut_flat_options *options, const taut_flat *from, taut_flat *flat)
+{
+    work w = {.arena = arena, .strip = strip, .options = options};
+    taut_status status = prepare(&w);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    const double area = sample(&w);
+    status = solve(&w, from);
+    if (status != TAUT_OK) {
+        *flat = (taut_flat){.energy = w.energy, .steps = w.steps};
+        return status;
+    }
+    place_origin(&w);
+    *flat = (taut_flat){.spans = {w.lines[0].spans, w.lines[1].spans},
+                        .count = {w.lines[0].count, w.lines[1].count},
+                        .points = w.y,
+                        .law = w.law,
+                        .warp = options->warp,
+                        .weft = options->weft,
+                        .energy = w.energy,
+                        .area = area,
+                        .flat_area = flat_area(&w),
+                        .residual = w.residual,
+                        .is_stable = w.is_stable,
+                        .steps = w.steps,
+                        .torque = w.is_turning ? w.multiplier[w.rows - 1] : 0};
+    for (int d = 0; d < 2; d++) {
+        flat->knots[d] = taut_arena_take(arena, (size_t)flat->count[d] + LOCAL, sizeof(double));
+        for (int k = 0; flat->knots[d] != NULL && k < flat->count[d] + LOCAL; k++) {
+            flat->knots[d][k] = knot_of(flat->spans[d], k);
+        }
+    }
+    return taut_arena_status(arena) == TAUT_OK ? TAUT_OK : TAUT_NO_MEMORY;
+}
+
+void taut_flat_at(const taut_flat *flat, double s, double t, double y[3][2])
+{
+    double value[2][LOCAL], slope[2][LOCAL];
+    const int a = span_of(flat->spans[0], s), b = span_of(flat->spans[1], t);
+    basis_at(flat->spans[0], DEGREE, a, s, value[0], slope[0]);
+    basis_at(flat->spans[1], DEGREE, b, t, value[1], slope[1]);
+    memset(y, 0, sizeof(double[3][2]));
+    for (int i = 0; i < LOCAL; i++) {
+        for (int j = 0; j < LOCAL; j++) {
+            const double *p = flat->points + ((a + i) * flat->count[1] + b + j) * 2;
+            for (int d = 0; d < 2; d++) {
+                y[0][d] += value[0][i] * value[1][j] * p[d];
+                y[1][d] += slope[0][i] * value[1][j] * p[d];
+                y[2][d] += value[0][i] * slope[1][j] * p[d];
+            }
+        }
+    }
+}
+
+void taut_flat_strain(const taut_flat *flat, const double g[3], const double y[3][2],
+                      double strain[2])
+{
+    const double j[2][2] = {{y[1][0], y[2][0]}, {y[1][1], y[2][1]}};
+    double inverse[2][2], det, c[3] = {0, 0, 0};
+    strain[0] = strain[1] = NAN;
+    if (stretch_form(j, g, inverse, &det, c)) {
+        const double p = 1 - flat->warp, q = 1 - flat->weft;
+        const double a = c[0] * p * p, b = c[1] * q * q, m = c[2] * p * q;
+        const double half = (a + b) / 2, radius = hypot((a - b) / 2, m);
+        strain[0] = sqrt(half + radius) - 1;
+        strain[1] = sqrt(half - radius) - 1;
+    }
+}
+
+double taut_flat_edge_length(const taut_flat *flat, const taut_flat_strip *strip,
+                             taut_flat_edge edge, double *stretch)
+{
+    const int d = edge_way(edge), spans = flat->spans[d];
+    double node[GAUSS], weight[GAUSS], sum = 0;
+    taut_gauss_rule(GAUSS, node, weight);
+    for (int k = 0; k < spans * GAUSS; k++) {
+        const double x = (k / GAUSS + 0.5 + 0.5 * node[k % GAUSS]) / spans;
+        double y[3][2], at[2];
+        edge_place(edge, x, at);
+        taut_flat_at(flat, at[0], at[1], y);
+        const double speed = hypot(y[1 + d][0], y[1 + d][1]);
+        sum += speed * weight[k % GAUSS] * 0.5 / spans;
+        if (stretch != NULL) {
+            stretch[k] = speed / speed_in_space(strip, edge, x);
+        }
+    }
+    return sum;
+}
