@@ -100,6 +100,9 @@ def lists_of_room(path, constructions):
     part = path.split("/")
     layer = part[1] if part[0] == "src" else part[0]
     names = ["status", *MAY_USE.get(layer, "").split()]
+    if layer == "problem":  # what a problem means, problem/film_complex.c
+        own = os.path.basename(path).split(".")[0].split("_")[0]
+        return ["status", own] if own in constructions else ["status"]
     if layer in ("construct", "certify", "io"):
         own = part[2]
         if layer == "io":  # the longest name that the file's begins with: harmonic_extension.c is harmonic's

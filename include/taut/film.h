@@ -80,6 +80,24 @@ typedef struct taut_film_edge {
     taut_film_guide plane;
 } taut_film_edge;
 
+/* The most patches of a film, and the most control points of all of them. */
+enum { TAUT_FILM_PATCHES_MAX = 64, TAUT_FILM_PATCHES_POINTS_MAX = 20000 };
+
+/* One edge of one of many patches. */
+typedef struct taut_film_side {
+    int patch, edge;
+    unsigned char reversed; /* nonzero: run backwards */
+} taut_film_side;
+
+/* Edges that are one curve: two join their sheets, three or more are a line of the film. */
+typedef struct taut_film_seam {
+    int count; /* 2 or more */
+    const taut_film_side *sides;
+    taut_film_edge edge; /* a cable where one runs along the seam, or all zero */
+} taut_film_seam;
+
+typedef struct taut_film_problem taut_film_problem;
+
 /* How a film is found. */
 typedef enum taut_film_method {
     TAUT_FILM_FULL = 0, /* in all coordinates of the net */
@@ -114,6 +132,12 @@ typedef struct taut_film_problem {
     taut_film_method method;
     int accepts_stationary; /* nonzero: films at rest that are no minimum too */
     int refine;             /* 0 to 6: found anew so often, each time with all spans halved */
+    /* Films of many patches: then of what stands above tolerance, max_iterations, method, without_least, accepts_stationary and
+     * equilibrium alone count. Of a patch name, u, v, corners, edges, tension count; an edge in a seam is left all zero. */
+    int patch_count;
+    const taut_film_problem *patches;
+    int seam_count;
+    const taut_film_seam *seams;
 } taut_film_problem;
 
 /* Reasons: word, meaning, remedy. */

@@ -209,7 +209,21 @@
     X(taut_film_problem, start, "const double *") \
     X(taut_film_problem, method, "taut_film_method") \
     X(taut_film_problem, accepts_stationary, "int") \
-    X(taut_film_problem, refine, "int")
+    X(taut_film_problem, refine, "int") \
+    X(taut_film_problem, patch_count, "int") \
+    X(taut_film_problem, patches, "const taut_film_problem *") \
+    X(taut_film_problem, seam_count, "int") \
+    X(taut_film_problem, seams, "const taut_film_seam *")
+
+#define TAUT_ABI_MEMBERS_taut_film_seam(X) \
+    X(taut_film_seam, count, "int") \
+    X(taut_film_seam, sides, "const taut_film_side *") \
+    X(taut_film_seam, edge, "taut_film_edge")
+
+#define TAUT_ABI_MEMBERS_taut_film_side(X) \
+    X(taut_film_side, patch, "int") \
+    X(taut_film_side, edge, "int") \
+    X(taut_film_side, reversed, "unsigned char")
 
 #define TAUT_ABI_MEMBERS_taut_forms(X) \
     X(taut_forms, e, "double") \
@@ -523,6 +537,8 @@
     X(taut_film_edge) \
     X(taut_film_guide) \
     X(taut_film_problem) \
+    X(taut_film_seam) \
+    X(taut_film_side) \
     X(taut_forms) \
     X(taut_gradient_request) \
     X(taut_harmonic_boundary) \
@@ -791,6 +807,8 @@
     X(TAUT_ORDER_MAX, "TAUT_ORDER_MAX") \
     X(TAUT_THROUGH_MAX, "TAUT_THROUGH_MAX") \
     X(TAUT_FILM_POINTS_MAX, "TAUT_FILM_POINTS_MAX") \
+    X(TAUT_FILM_PATCHES_MAX, "TAUT_FILM_PATCHES_MAX") \
+    X(TAUT_FILM_PATCHES_POINTS_MAX, "TAUT_FILM_PATCHES_POINTS_MAX") \
     X(TAUT_FILM_REFINE_MAX, "TAUT_FILM_REFINE_MAX") \
     X(TAUT_FILM_UPDATES_MAX, "TAUT_FILM_UPDATES_MAX") \
     X(TAUT_DEGREE_MAX, "TAUT_DEGREE_MAX") \

@@ -1,9 +1,12 @@
 /* left_out.c -- what the module does not have: formats that stand on something that is not there, or that nobody asks a page
  * for, and files. */
+#include "certify/film/complex/complex.h"
+#include "construct/film/complex/complex.h"
 #include "core/fail.h"
 #include "io/cad/cad.h"
 #include "io/format.h"
 #include "io/problem/boundary_file.h"
+#include "io/problem/film_patches.h"
 #include "mesh/parts.h"
 
 static taut_status write_nothing(const taut_model *model, const taut_write_options *options,
@@ -72,4 +75,46 @@ taut_status taut_cad_read_step(const char *path, taut_model **model, taut_error 
     (void)model;
     return taut_fail(error, TAUT_IO, "not-installed", NULL, taut_none, taut_none,
                      "STEP is not read in the browser: let the program `taut convert` read it");
+}
+
+/* Films of many patches: what nobody drags by hand. */
+static const char no_patches[] =
+    "films of many patches are not made in the browser: let the program `taut make` do it";
+
+void taut_film_document_patches(taut_reader *document, taut_problem *problem,
+                                const taut_film_patch_readers *readers, taut_film_problem *data)
+{
+    const taut_json at = taut_json_member(document->object, "patches");
+    (void)readers;
+    (void)problem;
+    (void)data;
+    if (document->status == TAUT_OK) {
+        document->status = taut_json_fail(&at, document->error, "not-installed", taut_none,
+                                          taut_none, "%s", no_patches);
+    }
+}
+
+taut_status taut_film_complex_make(const taut_film_problem *problem,
+                                   const taut_make_options *options, taut_model **model,
+                                   taut_error *error)
+{
+    (void)problem;
+    (void)options;
+    (void)model;
+    return taut_fail(error, TAUT_IO, "not-installed", NULL, taut_none, taut_none, "%s", no_patches);
+}
+
+taut_status taut_film_complex_certify(const taut_model *model, const taut_film_problem *problem,
+                                      taut_certificate *certificate, taut_error *error)
+{
+    (void)model;
+    (void)problem;
+    (void)certificate;
+    return taut_fail(error, TAUT_IO, "not-installed", NULL, taut_none, taut_none, "%s", no_patches);
+}
+
+void taut_film_complex_identify(const taut_film_problem *problem, taut_identity *identity)
+{
+    (void)problem;
+    (void)identity;
 }

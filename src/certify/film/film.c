@@ -30,6 +30,7 @@
 #include "certify/certify_ops.h"
 #include "certify/common/curve_distance.h"
 #include "certify/common/verdict.h"
+#include "certify/film/complex/complex.h"
 #include "certify/film/least.h"
 #include "certify/film/lines.h"
 #include "certify/film/moves.h"
@@ -865,7 +866,12 @@ static taut_status prove(const request *r, taut_certificate *certificate)
 static taut_status certify(const taut_model *model, const void *data, const taut_audit *audit,
                            taut_certificate *certificate, taut_error *error)
 {
+    const taut_film_problem *problem = data;
     request r;
+
+    if (problem != NULL && problem->patch_count > 0) {
+        return taut_film_complex_certify(model, problem, certificate, error);
+    }
     taut_status status = read_request(model, data, &r, error);
 
     (void)audit; /* nothing here takes long enough for threads */
@@ -885,6 +891,10 @@ static void identify(const taut_model *model, const void *data, taut_identity *i
     (void)model;
     if (problem == NULL) {
         taut_identity_surface(identity, 0, NULL, NULL, NULL);
+        return;
+    }
+    if (problem->patch_count > 0) {
+        taut_film_complex_identify(problem, identity);
         return;
     }
     const taut_expected_basis u = {.same = problem->u}, v = {.same = problem->v};

@@ -10,6 +10,7 @@
 
 #include "construct/common/build.h"
 #include "construct/construct_ops.h"
+#include "construct/film/complex/complex.h"
 #include "construct/film/flat.h"
 #include "construct/film/refine.h"
 #include "construct/film/ring.h"
@@ -615,6 +616,9 @@ taut_status taut_film_make(const taut_film_problem *problem, const taut_make_opt
     static const taut_make_options none;
     request r = {.problem = problem,
                  .monitor = options != NULL ? &options->monitor : &none.monitor};
+    if (problem != NULL && problem->patch_count > 0) {
+        return taut_film_complex_make(problem, options, model, error);
+    }
     const taut_status status = check_problem(problem, error);
 
     if (status != TAUT_OK) {

@@ -20,6 +20,7 @@
 #include "io/model/basis.h"
 #include "io/problem/document_ops.h"
 #include "io/problem/film_net.h"
+#include "io/problem/film_patches.h"
 #include "io/problem/member.h"
 #include "io/problem/net_document.h"
 
@@ -33,8 +34,8 @@ static const char *const members[] = {
     "least",         "patches",   "curves",    "boundary", "degree",         "count",
     "seams",         "cables",    "cells",     "images",   "start",          "refine",
     "force_density", "prestress", "reference", "updates",  "through",        NULL};
-static const char *const not_yet[] = {"patches", "curves", "boundary", "degree", "count",
-                                      "cables",  "cells",  "images",   NULL};
+static const char *const not_yet[] = {"curves", "boundary", "degree", "count",
+                                      "cables", "cells",    "images", NULL};
 static const char *const corner_members[] = {"u0v0", "u1v0", "u0v1", "u1v1", NULL};
 static const char *const edge_members[] = {"u0", "u1", "v0", "v1", NULL};
 static const char *const kind_members[] = {"fixed",  "cable", "plane", "slide",
@@ -374,18 +375,23 @@ static void read_pole(taut_reader *in)
     }
 }
 
+static void read_cable(taut_reader *in, taut_film_edge *edge)
+{
+    edge->kind = TAUT_FILM_CABLE;
+    edge->has_plane = (unsigned char)taut_reader_has(in, "plane");
+    read_law(in, edge);
+    if (edge->has_plane) {
+        read_guide(in, "plane", plane_members, &edge->plane);
+    }
+}
+
 /* What an edge is, by its member. */
 static void read_kind(taut_reader *in, const char *kind, taut_arena *arena, taut_film_edge *edge)
 {
     if (strcmp(kind, "fixed") == 0) {
         read_fixed(in, arena, &edge->curve);
     } else if (strcmp(kind, "cable") == 0) {
-        edge->kind = TAUT_FILM_CABLE;
-        edge->has_plane = (unsigned char)taut_reader_has(in, "plane");
-        read_law(in, edge);
-        if (edge->has_plane) {
-            read_guide(in, "plane", plane_members, &edge->plane);
-        }
+        read_cable(in, edge);
     } else if (strcmp(kind, "pole") == 0) {
         edge->kind = TAUT_FILM_POLE;
         read_pole(in);
@@ -625,22 +631,43 @@ static void check_name(taut_reader *document, const char *name)
     }
 }
 
+static void read_one(taut_reader *patch, taut_problem *problem, taut_film_problem *data)
+{
+    taut_member_name(patch, problem->arena, &data->name);
+    check_name(patch, data->name);
+    read_basis(patch, "u", problem->arena, &data->u);
+    read_basis(patch, "v", problem->arena, &data->v);
+    read_corners(patch, data);
+    read_edges(patch, problem->arena, data);
+}
+
+static void read_film_tension(taut_reader *patch, taut_film_problem *data)
+{
+    taut_reader_optional(patch, "tension", read_positive, &data->tension);
+}
+
+/* What one patch has that is the whole film. */
+static void read_alone(taut_reader *document, taut_problem *problem, taut_film_problem *data)
+{
+    read_one(document, problem, data);
+    read_seams(document, data);
+    read_nets(document, problem->arena, data);
+    taut_reader_optional_integer(document, "refine", 0, TAUT_FILM_REFINE_MAX, &data->refine);
+    read_film_tension(document, data);
+    read_threads(document, problem, data);
+}
+
 static void film_read(taut_reader *document, taut_problem *problem, void *into)
 {
     taut_film_problem *const data = into;
 
     refuse_members(document, not_yet);
-    taut_member_name(document, problem->arena, &data->name);
-    check_name(document, data->name);
-    read_basis(document, "u", problem->arena, &data->u);
-    read_basis(document, "v", problem->arena, &data->v);
-    read_corners(document, data);
-    read_edges(document, problem->arena, data);
-    read_seams(document, data);
-    read_nets(document, problem->arena, data);
-    taut_reader_optional_integer(document, "refine", 0, TAUT_FILM_REFINE_MAX, &data->refine);
-    taut_reader_optional(document, "tension", read_positive, &data->tension);
-    read_threads(document, problem, data);
+    if (taut_reader_has(document, "patches")) {
+        static const taut_film_patch_readers readers = {read_one, read_film_tension, read_cable};
+        taut_film_document_patches(document, problem, &readers, data);
+    } else {
+        read_alone(document, problem, data);
+    }
     taut_reader_optional(document, "tolerance", read_tolerance, &data->tolerance);
     taut_reader_optional_integer(document, "max_iterations", 1, 1000000, &data->max_iterations);
     taut_reader_optional(document, "equilibrium", read_equilibrium, &data->equilibrium);

@@ -1,0 +1,701 @@
+/* complex.c -- is this film of many patches at rest, and on what holds it?
+ *
+ * Claims, as certify/film/film.c has them of one patch:
+ *
+ *   boundary    edges that are held against their chords and curves, each by its own limit
+ *   held        corners, planes and lines: distance over the size; 64 2^-53
+ *   seams       the largest difference of coordinates of points that are one by seams and poles: 0
+ *   mirror      of edges in mirrors
+ *   cables      how many numbers of the curves differ from the edges they are: 0
+ *   stationary  as of one patch, over the nodes
+ *   stable      lowest eigenvalue of the second variation over the moves, scaled; above 1e-6
+ *   least       null: no bound is known of films of many patches
+ *   equilibrium where it is asked for: the largest defect
+ */
+#include "certify/film/complex/complex.h"
+
+#include "certify/common/curve_distance.h"
+#include "certify/common/verdict.h"
+#include "certify/film/complex/defects.h"
+#include "certify/plateau/fit.h"
+#include "core/constants.h"
+#include "core/fail.h"
+#include "core/vec3.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { FIT = 2, RULES = 6, SECOND_EXTRA = 1 };
+static const int extra_nodes[RULES] = {4, 8, 15, 27, 48, 76};
+static const double tolerance_default = 1e-10, largest_limit = 1e-6, stable_limit = 1e-6,
+                    kept_limit = 0x1p-47; /* 64 2^-53 */
+static const char *const edge_names[4] = {"u0", "u1", "v0", "v1"};
+static const char *const corner_names[4] = {"u0v0", "u1v0", "u0v1", "u1v1"};
+
+/* What is certified, and what is found. */
+typedef struct request {
+    const taut_model *model;
+    const taut_film_problem *problem;
+    taut_arena *arena;
+    taut_film_complex complex;
+    const taut_surface **surfaces; /* [patch_count] */
+    double tolerance, size;
+    double residual;
+    int at; /* the node of it */
+    int settled;
+    double lowest, lowest_user;
+    int below;
+} request;
+
+static const taut_surface *find_surface(const taut_model *model, const char *name)
+{
+    for (int k = 0; k < taut_model_surface_count(model); k++) {
+        if (strcmp(taut_surface_name(taut_model_surface(model, k)), name) == 0) {
+            return taut_model_surface(model, k);
+        }
+    }
+    return NULL;
+}
+
+static taut_status find_surfaces(request *r, taut_error *error)
+{
+    double largest = 0;
+
+    for (int p = 0; p < r->problem->patch_count; p++) {
+        const taut_film_problem *patch = &r->problem->patches[p];
+        const taut_surface *surface = find_surface(r->model, patch->name);
+        if (surface == NULL || !taut_basis_equal(patch->u, taut_surface_u(surface)) ||
+            !taut_basis_equal(patch->v, taut_surface_v(surface)) ||
+            taut_surface_weights(surface) != NULL) {
+            return taut_fail(
+                error, TAUT_BAD_INPUT, "model", "/surfaces", p, taut_none,
+                "the model has no surface \"%.80s\" on the bases of that patch, without "
+                "weights: they do not belong together",
+                patch->name);
+        }
+        r->surfaces[p] = surface;
+        const double *first = taut_surface_points(r->surfaces[0]),
+                     *x = taut_surface_points(surface);
+        for (int k = 0; k < 3 * (r->complex.first[p + 1] - r->complex.first[p]); k++) {
+            largest = taut_certify_max(fabs(x[k] / 2 - first[k % 3] / 2), largest);
+        }
+    }
+    r->size = 2 * largest;
+    return TAUT_OK;
+}
+
+static const double *point_at(const request *r, int p, int k)
+{
+    return taut_surface_points(r->surfaces[p]) + 3 * k;
+}
+
+static int corner_at(const taut_film_problem *patch, int c)
+{
+    return taut_film_complex_point(patch, c % 2,
+                                   c / 2 * (taut_film_complex_along(patch, c % 2) - 1));
+}
+
+static taut_status add(taut_certificate *certificate, const taut_claim *claim, taut_error *error)
+{
+    return taut_certificate_add(certificate, claim) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
+}
+
+/* ---- the boundary ---- */
+
+typedef struct boundary {
+    double residual, limit;
+    int count, fitted;
+    char where[96];
+} boundary;
+
+static taut_status make_wanted(const request *r, int p, int e, taut_curve **curve,
+                               taut_error *error)
+{
+    const taut_film_problem *patch = &r->problem->patches[p];
+    const taut_basis_spec spec = {.type = "bezier", .degree = 1};
+    const int n = taut_film_complex_along(patch, e);
+    taut_basis *basis = NULL;
+    double ends[2][3];
+
+    if (patch->edges[e].curve != NULL) {
+        return taut_curve_copy(patch->edges[e].curve, curve) == TAUT_OK ? TAUT_OK
+                                                                        : taut_fail_memory(error);
+    }
+    for (int end = 0; end < 2; end++) {
+        memcpy(ends[end], point_at(r, p, taut_film_complex_point(patch, e, end * (n - 1))),
+               sizeof ends[end]);
+    }
+    taut_status status = taut_basis_new(&spec, 2, &basis, error);
+    if (status == TAUT_OK) {
+        status = taut_curve_new(NULL, basis, ends[0], NULL, curve, error);
+    }
+    taut_basis_free(basis);
+    return status;
+}
+
+static taut_status fit_edge(const taut_curve *wanted, const taut_basis *basis, double *bound,
+                            taut_error *error)
+{
+    taut_curve *fit = NULL;
+    taut_status status = taut_certify_fit(wanted, basis, &fit);
+
+    *bound = INFINITY;
+    status = status == TAUT_OK          ? taut_certify_distance(fit, wanted, bound, error)
+             : status == TAUT_NO_MEMORY ? taut_fail_memory(error)
+                                        : TAUT_OK;
+    taut_curve_free(fit);
+    return status;
+}
+
+static taut_status check_edge(const request *r, int p, int e, boundary *b, taut_error *error)
+{
+    const taut_surface *s = r->surfaces[p];
+    const taut_curve *given = r->problem->patches[p].edges[e].curve;
+    taut_curve *wanted = NULL, *found = NULL;
+    double distance = INFINITY, fitted = 0;
+    taut_status status = make_wanted(r, p, e, &wanted, error);
+
+    if (status == TAUT_OK) {
+        status = taut_certify_edge(taut_surface_u(s), taut_surface_v(s), taut_surface_points(s),
+                                   NULL, e, &found, error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_certify_distance(found, wanted, &distance, error);
+    }
+    if (status == TAUT_OK && given != NULL &&
+        (taut_curve_weights(given) != NULL ||
+         !taut_basis_equal(taut_curve_t(given), taut_curve_t(found)))) {
+        b->fitted = 1;
+        status = fit_edge(wanted, taut_curve_t(found), &fitted, error);
+    }
+    if (status == TAUT_OK) {
+        const int degree = taut_basis_degree(taut_curve_t(wanted));
+        const double roundings = taut_basis_degree(taut_curve_t(found)) +
+                                 (degree >= 0 ? degree : 5) + taut_basis_count(taut_curve_t(found));
+        const double away = taut_norm(point_at(r, 0, 0)), residual = distance / r->size;
+        const double limit =
+            FIT * fitted / r->size + 64 * roundings * TAUT_UNIT_ROUNDOFF * (1 + away / r->size);
+        if (b->count++ == 0 || !(residual / limit <= b->residual / b->limit)) {
+            b->residual = residual;
+            b->limit = limit;
+            snprintf(b->where, sizeof b->where, "%.88s.%s", r->problem->patches[p].name,
+                     edge_names[e]);
+        }
+    }
+    taut_curve_free(wanted);
+    taut_curve_free(found);
+    return status;
+}
+
+static taut_status add_boundary(const request *r, taut_certificate *certificate, taut_error *error)
+{
+    boundary b = {.count = 0, .where = ""};
+
+    for (int k = 0; k < 4 * r->problem->patch_count; k++) {
+        if (r->problem->patches[k / 4].edges[k % 4].kind == TAUT_FILM_FIXED &&
+            taut_film_complex_seam(r->problem, k / 4, k % 4) < 0) {
+            const taut_status status = check_edge(r, k / 4, k % 4, &b, error);
+            if (status != TAUT_OK) {
+                return status;
+            }
+        }
+    }
+    const taut_claim claim = {.claim = "boundary",
+                              .kind = b.fitted ? TAUT_BOUND : TAUT_EXACT,
+                              .residual = b.residual,
+                              .limit = b.limit,
+                              .holds = taut_certify_below(b.residual, b.limit),
+                              .where = b.where};
+    return b.count > 0 ? add(certificate, &claim, error) : TAUT_OK;
+}
+
+/* ---- what is held, joined, mirrored ---- */
+
+static void take_farther(double away, const request *r, int p, const char *what, char where[96],
+                         taut_claim *claim)
+{
+    if (!(away <= claim->residual)) {
+        claim->residual = away;
+        snprintf(where, 96, "%.88s.%s", r->problem->patches[p].name, what);
+    }
+}
+
+static double away_from(const request *r, const double *x, const taut_film_guide *guide, int line)
+{
+    double from[3], across[3];
+
+    taut_difference(x, guide->point, from);
+    taut_cross(from, guide->direction, across);
+    const double away = line ? taut_norm(across) : fabs(taut_dot(from, guide->direction));
+    return away / taut_norm(guide->direction) / r->size;
+}
+
+static double leave_plane(const request *r, const taut_film_side *side,
+                          const taut_film_guide *plane)
+{
+    const taut_film_problem *patch = &r->problem->patches[side->patch];
+    double largest = 0;
+
+    for (int k = 0; k < taut_film_complex_along(patch, side->edge); k++) {
+        const double *x = point_at(r, side->patch, taut_film_complex_point(patch, side->edge, k));
+        largest = taut_certify_max(away_from(r, x, plane, 0), largest);
+    }
+    return largest;
+}
+
+static taut_status add_held(const request *r, taut_certificate *certificate, taut_error *error)
+{
+    char where[96] = "";
+    taut_claim claim = {.claim = "held", .kind = TAUT_EXACT, .limit = kept_limit, .where = where};
+
+    for (int p = 0; p < r->problem->patch_count; p++) {
+        const taut_film_problem *patch = &r->problem->patches[p];
+        for (int c = 0; c < 4; c++) {
+            const double *x = point_at(r, p, corner_at(patch, c));
+            const taut_film_corner_kind kind = patch->corner_kinds[c];
+            if (kind == TAUT_FILM_HELD && patch->has_corner[c]) {
+                take_farther(taut_distance(x, patch->corners[c]) / r->size, r, p, corner_names[c],
+                             where, &claim);
+            } else if (kind == TAUT_FILM_ON_LINE || kind == TAUT_FILM_ON_PLANE) {
+                take_farther(away_from(r, x, &patch->guides[c], kind == TAUT_FILM_ON_LINE), r, p,
+                             corner_names[c], where, &claim);
+            }
+        }
+        for (int e = 0; e < 4; e++) {
+            const taut_film_edge *edge = &patch->edges[e];
+            const taut_film_side side = {p, e, 0};
+            if (edge->kind == TAUT_FILM_SLIDE ||
+                (edge->kind == TAUT_FILM_CABLE && edge->has_plane)) {
+                take_farther(leave_plane(r, &side, &edge->plane), r, p, edge_names[e], where,
+                             &claim);
+            }
+        }
+    }
+    for (int s = 0; s < r->problem->seam_count; s++) {
+        const taut_film_seam *seam = &r->problem->seams[s];
+        if (seam->edge.kind == TAUT_FILM_CABLE && seam->edge.has_plane) {
+            take_farther(leave_plane(r, &seam->sides[0], &seam->edge.plane), r,
+                         seam->sides[0].patch, edge_names[seam->sides[0].edge], where, &claim);
+        }
+    }
+    claim.holds = taut_certify_below(claim.residual, claim.limit);
+    return add(certificate, &claim, error);
+}
+
+/* Point k of a side, as it is run. */
+static const double *run_point(const request *r, const taut_film_side *side, int k)
+{
+    const taut_film_problem *patch = &r->problem->patches[side->patch];
+    const int last = taut_film_complex_along(patch, side->edge) - 1;
+    return point_at(r, side->patch,
+                    taut_film_complex_point(patch, side->edge, side->reversed ? last - k : k));
+}
+
+/* Straight from the seams of the problem, edge by edge. */
+static taut_status add_seams(const request *r, taut_certificate *certificate, taut_error *error)
+{
+    char where[96] = "";
+    taut_claim claim = {.claim = "seams", .kind = TAUT_EXACT, .where = where};
+
+    for (int s = 0; s < r->problem->seam_count; s++) {
+        const taut_film_seam *seam = &r->problem->seams[s];
+        const taut_film_problem *patch = &r->problem->patches[seam->sides[0].patch];
+        for (int j = 1; j < seam->count; j++) {
+            for (int k = 0; k < taut_film_complex_along(patch, seam->sides[0].edge); k++) {
+                double d[3];
+                taut_difference(run_point(r, &seam->sides[0], k), run_point(r, &seam->sides[j], k),
+                                d);
+                take_farther(taut_largest_coordinate(d), r, seam->sides[j].patch,
+                             edge_names[seam->sides[j].edge], where, &claim);
+            }
+        }
+    }
+    for (int k = 0; k < 4 * r->problem->patch_count; k++) {
+        const taut_film_side side = {k / 4, k % 4, 0};
+        const taut_film_problem *patch = &r->problem->patches[k / 4];
+        for (int i = 1; patch->edges[k % 4].kind == TAUT_FILM_POLE &&
+                        i < taut_film_complex_along(patch, k % 4);
+             i++) {
+            double d[3];
+            taut_difference(run_point(r, &side, i), run_point(r, &side, 0), d);
+            take_farther(taut_largest_coordinate(d), r, k / 4, edge_names[k % 4], where, &claim);
+        }
+    }
+    claim.holds = taut_certify_below(claim.residual, 0);
+    return add(certificate, &claim, error);
+}
+
+static taut_status add_mirror(const request *r, taut_certificate *certificate, taut_error *error)
+{
+    char where[96] = "";
+    taut_claim claim = {.claim = "mirror", .kind = TAUT_EXACT, .limit = kept_limit, .where = where};
+    int count = 0;
+
+    for (int k = 0; k < 4 * r->problem->patch_count; k++) {
+        const taut_film_edge *edge = &r->problem->patches[k / 4].edges[k % 4];
+        const taut_film_side side = {k / 4, k % 4, 0};
+        if (edge->kind == TAUT_FILM_SLIDE && edge->is_mirror) {
+            take_farther(leave_plane(r, &side, &edge->plane), r, k / 4, edge_names[k % 4], where,
+                         &claim);
+            count++;
+        }
+    }
+    claim.holds = taut_certify_below(claim.residual, claim.limit);
+    return count > 0 ? add(certificate, &claim, error) : TAUT_OK;
+}
+
+/* ---- cables ---- */
+
+static void strand_name(const request *r, int k, char name[96])
+{
+    const taut_film_side *side = &r->complex.strands[k].side;
+    snprintf(name, 96, "%.88s.%s", r->problem->patches[side->patch].name, edge_names[side->edge]);
+}
+
+static int count_differences(const request *r, const taut_curve *curve, const taut_film_side *side)
+{
+    const taut_film_problem *patch = &r->problem->patches[side->patch];
+    const taut_basis *basis = side->edge < 2 ? patch->v : patch->u;
+    const int count = taut_basis_count(basis);
+    int differences = 0;
+
+    if (curve == NULL || !taut_basis_equal(taut_curve_t(curve), basis) ||
+        taut_curve_weights(curve) != NULL) {
+        return 3 * count;
+    }
+    for (int k = 0; k < count; k++) {
+        const double *x = run_point(r, side, k);
+        for (int c = 0; c < 3; c++) {
+            differences += taut_curve_points(curve)[3 * k + c] != x[c];
+        }
+    }
+    return differences;
+}
+
+static taut_status add_cables(const request *r, taut_certificate *certificate, taut_error *error)
+{
+    char where[96] = "";
+    taut_claim claim = {.claim = "cables", .kind = TAUT_EXACT, .where = where};
+
+    for (int k = 0; k < r->complex.strand_count; k++) {
+        const taut_curve *curve = NULL;
+        char name[96];
+        strand_name(r, k, name);
+        for (int i = 0; i < taut_model_curve_count(r->model); i++) {
+            if (strcmp(taut_curve_name(taut_model_curve(r->model, i)), name) == 0) {
+                curve = taut_model_curve(r->model, i);
+            }
+        }
+        const int differences = count_differences(r, curve, &r->complex.strands[k].side);
+        if (differences > 0) {
+            memcpy(where, name, sizeof where);
+        }
+        claim.residual += differences;
+    }
+    claim.holds = claim.residual == 0 ? TAUT_TRUE : TAUT_FALSE;
+    return r->complex.strand_count > 0 ? add(certificate, &claim, error) : TAUT_OK;
+}
+
+/* ---- at rest ---- */
+
+/* The largest derivative along moves, and along all that is free as it counts, over the largest. */
+static void judge(request *r, const taut_sheets *s)
+{
+    r->residual = 0;
+    for (int a = 0; a < r->complex.nodes; a++) {
+        const taut_film_hold *hold = &r->complex.holds[a];
+        double g[3], largest = 0;
+        memcpy(g, s->gradient + 3 * a, sizeof g);
+        for (int m = s->first[a]; m < s->first[a + 1]; m++) {
+            largest = taut_certify_max(fabs(taut_dot(g, s->way + 3 * m)), largest);
+        }
+        for (int k = 0; k < hold->count; k++) {
+            taut_add_scaled(-taut_dot(g, hold->normals[k]), hold->normals[k], g);
+        }
+        if (r->complex.kind[a] != TAUT_FILM_NODE_HELD) {
+            largest = taut_certify_max(taut_largest_coordinate(g) * (r->tolerance / largest_limit),
+                                       largest);
+        }
+        if (!(largest / s->largest <= r->residual)) {
+            r->residual = largest / s->largest;
+            r->at = a;
+        }
+    }
+}
+
+static taut_status settle(request *r)
+{
+    const double limit = fmin(r->tolerance, largest_limit);
+    double before = INFINITY;
+
+    for (int rule = 0; rule < RULES && !r->settled; rule++) {
+        taut_arena *arena = taut_arena_new();
+        taut_sheets s;
+        const taut_status status =
+            taut_sheets_new(&r->complex, r->surfaces, extra_nodes[rule], arena, &s);
+        if (status == TAUT_OK) {
+            judge(r, &s);
+        }
+        taut_arena_free(arena);
+        if (status != TAUT_OK) {
+            return status;
+        }
+        r->settled = (r->residual <= limit && before <= limit) ||
+                     fabs(r->residual - before) <= 0.25 * fmin(r->residual, before);
+        before = r->residual;
+    }
+    return TAUT_OK;
+}
+
+static taut_status add_stationary(const request *r, taut_certificate *certificate,
+                                  taut_error *error)
+{
+    char where[64];
+    taut_claim claim = {.claim = "stationary",
+                        .kind = TAUT_CHECK,
+                        .residual = r->residual,
+                        .limit = fmin(r->tolerance, largest_limit),
+                        .where = where};
+    int k = 0, p = 0;
+
+    while (k < r->complex.points - 1 && r->complex.node[k] != r->at) {
+        k++;
+    }
+    while (r->complex.first[p + 1] <= k) {
+        p++;
+    }
+    const int nv = taut_basis_count(r->problem->patches[p].v), local = k - r->complex.first[p];
+    snprintf(where, sizeof where, "/surfaces/%d/points/%d/%d", p, local / nv, local % nv);
+    claim.holds = taut_certify_below(claim.residual, claim.limit);
+    if (claim.holds == TAUT_UNDECIDED) {
+        snprintf(where, sizeof where, TAUT_CERTIFY_OUT_OF_RANGE);
+    } else if (!r->settled) {
+        claim.holds = TAUT_UNDECIDED;
+        snprintf(where, sizeof where, "no Gauss rule settles the integrals");
+    }
+    return add(certificate, &claim, error);
+}
+
+static taut_status find_stability(request *r)
+{
+    taut_arena *arena = taut_arena_new();
+    taut_sheets s;
+    taut_status status = taut_sheets_new(&r->complex, r->surfaces, SECOND_EXTRA, arena, &s);
+
+    if (status == TAUT_OK) {
+        status = taut_sheets_lowest(&s, stable_limit, &r->lowest, &r->below);
+        r->lowest_user = r->lowest * s.tension / r->size / r->size;
+    }
+    taut_arena_free(arena);
+    return status == TAUT_NOT_CONVERGED ? TAUT_OK : status;
+}
+
+static taut_status add_stable(const request *r, taut_certificate *certificate, taut_error *error)
+{
+    taut_claim claim = {.claim = "stable",
+                        .kind = TAUT_CHECK,
+                        .residual = r->lowest,
+                        .limit = stable_limit,
+                        .where = ""};
+
+    if (r->problem->accepts_stationary) {
+        claim.holds = TAUT_UNDECIDED;
+        claim.where = "stationary: the problem accepts films that are no minimum";
+        return add(certificate, &claim, error);
+    }
+    claim.holds = r->below < 0    ? TAUT_UNDECIDED
+                  : r->below == 0 ? taut_certify_above(claim.residual, claim.limit)
+                                  : TAUT_FALSE;
+    if (claim.holds == TAUT_UNDECIDED) {
+        claim.where = "no eigenvalue is found";
+    }
+    return add(certificate, &claim, error);
+}
+
+static taut_status add_least(taut_certificate *certificate, taut_error *error)
+{
+    const taut_claim claim = {.claim = "least",
+                              .kind = TAUT_BOUND,
+                              .residual = taut_none,
+                              .limit = largest_limit,
+                              .holds = TAUT_UNDECIDED,
+                              .where = "patches: no bound is known of films of many patches"};
+    return add(certificate, &claim, error);
+}
+
+/* ---- figures ---- */
+
+static void add_reactions(const request *r, const taut_sheets *s, double *forces,
+                          unsigned char *seen, taut_record *figures)
+{
+    taut_record *reactions = taut_record_add_list(figures, "reactions");
+
+    taut_complex_pulls(s, forces);
+    for (int k = 0; k < 4 * r->problem->patch_count; k++) {
+        const int p = k / 4;
+        const int node =
+            r->complex.node[r->complex.first[p] + corner_at(&r->problem->patches[p], k % 4)];
+        if (r->complex.holds[node].count == 3 && !seen[node]) {
+            seen[node] = 1;
+            taut_record_add_numbers(reactions, NULL, 3, forces + 3 * node);
+        }
+    }
+}
+
+static int has_slide(const taut_film_problem *problem)
+{
+    for (int k = 0; k < 4 * problem->patch_count; k++) {
+        if (problem->patches[k / 4].edges[k % 4].kind == TAUT_FILM_SLIDE) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static taut_status fill_figures(const request *r, taut_record *figures,
+                                taut_certificate *certificate, taut_error *error)
+{
+    const int patches = r->problem->patch_count, strands = r->complex.strand_count;
+    taut_sheets s;
+    double *numbers = taut_arena_take(r->arena, (size_t)strands, 2 * sizeof(double));
+    double *forces = taut_arena_take(r->arena, (size_t)r->complex.nodes, 3 * sizeof(double));
+    unsigned char *seen = taut_arena_take(r->arena, (size_t)r->complex.nodes, 1);
+    double energy = 0, area = 0;
+
+    if (taut_arena_status(r->arena) != TAUT_OK ||
+        taut_sheets_new(&r->complex, r->surfaces, extra_nodes[1], r->arena, &s) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    for (int p = 0; p < patches; p++) {
+        area += s.areas[p];
+        energy += s.shares[p] * s.tension * s.areas[p];
+    }
+    for (int k = 0; k < strands; k++) {
+        numbers[k] = r->complex.strands[k].edge->force;
+        numbers[strands + k] = taut_complex_sag(&s, k);
+        energy += numbers[k] * s.lengths[k];
+    }
+    taut_record_add_number(figures, "energy", energy);
+    taut_record_add_number(figures, "area", area);
+    taut_record_add_numbers(figures, "areas", patches, s.areas);
+    taut_record_add_numbers(figures, "lengths", strands, s.lengths);
+    taut_record_add_numbers(figures, "tensions", strands, numbers);
+    taut_record_add_numbers(figures, "sags", strands, numbers + strands);
+    add_reactions(r, &s, forces, seen, figures);
+    if (r->below >= 0) {
+        taut_record_add_number(figures, "lowest_eigenvalue", r->lowest_user);
+    }
+    const taut_complex_defects d = taut_complex_defects_of(&s);
+    taut_record_add_number(figures, "mean_curvature", d.mean);
+    if (strands > 0) {
+        taut_record_add_number(figures, "cable_geodesic", d.geodesic);
+        taut_record_add_number(figures, "cable_normal", d.normal);
+    }
+    if (r->problem->seam_count > 0) {
+        taut_record_add_number(figures, "seam_angle", d.seam);
+    }
+    if (has_slide(r->problem)) {
+        taut_record_add_number(figures, "slide_angle", d.slide);
+    }
+    taut_claim claim = {.claim = "equilibrium",
+                        .kind = TAUT_CHECK,
+                        .residual = taut_certify_max(
+                            taut_certify_max(d.mean, d.seam),
+                            taut_certify_max(d.slide, taut_certify_max(d.geodesic, d.normal))),
+                        .limit = r->problem->equilibrium,
+                        .where = ""};
+    claim.holds = taut_certify_below(claim.residual, claim.limit);
+    return r->problem->equilibrium > 0 ? add(certificate, &claim, error) : TAUT_OK;
+}
+
+static taut_status add_figures(const request *r, taut_certificate *certificate, taut_error *error)
+{
+    taut_record *figures = taut_record_new();
+    taut_status status = fill_figures(r, figures, certificate, error);
+
+    if (status == TAUT_OK && taut_record_status(figures) != TAUT_OK) {
+        status = taut_fail_memory(error);
+    }
+    taut_certificate_set_figures(certificate, figures);
+    return status;
+}
+
+/* ---- the whole ---- */
+
+static taut_status prove(request *r, taut_certificate *certificate, taut_error *error)
+{
+    taut_status status = add_boundary(r, certificate, error);
+
+    if (status == TAUT_OK) {
+        status = add_held(r, certificate, error);
+    }
+    if (status == TAUT_OK) {
+        status = add_seams(r, certificate, error);
+    }
+    if (status == TAUT_OK) {
+        status = add_mirror(r, certificate, error);
+    }
+    if (status == TAUT_OK) {
+        status = add_cables(r, certificate, error);
+    }
+    if (status == TAUT_OK && (settle(r) != TAUT_OK || find_stability(r) != TAUT_OK)) {
+        status = taut_fail_memory(error);
+    }
+    if (status == TAUT_OK) {
+        status = add_stationary(r, certificate, error);
+    }
+    if (status == TAUT_OK) {
+        status = add_stable(r, certificate, error);
+    }
+    if (status == TAUT_OK) {
+        status = add_least(certificate, error);
+    }
+    return status == TAUT_OK ? add_figures(r, certificate, error) : status;
+}
+
+taut_status taut_film_complex_certify(const taut_model *model, const taut_film_problem *problem,
+                                      taut_certificate *certificate, taut_error *error)
+{
+    request r = {.model = model,
+                 .problem = problem,
+                 .arena = taut_arena_new(),
+                 .tolerance = problem->tolerance > 0 ? problem->tolerance : tolerance_default,
+                 .lowest = NAN,
+                 .lowest_user = NAN,
+                 .below = -1};
+    taut_status status = taut_film_complex_new(problem, r.arena, &r.complex, error);
+
+    if (status == TAUT_OK) {
+        r.surfaces =
+            taut_arena_take(r.arena, (size_t)problem->patch_count, sizeof(const taut_surface *));
+        status = r.surfaces == NULL ? taut_fail_memory(error) : find_surfaces(&r, error);
+    }
+    if (status == TAUT_OK) {
+        status = prove(&r, certificate, error);
+    }
+    taut_arena_free(r.arena);
+    return status;
+}
+
+void taut_film_complex_identify(const taut_film_problem *problem, taut_identity *identity)
+{
+    for (int p = 0; p < problem->patch_count; p++) {
+        const taut_film_problem *patch = &problem->patches[p];
+        const taut_expected_basis u = {.same = patch->u}, v = {.same = patch->v};
+        taut_identity_surface(identity, taut_identity_find_surface(identity, patch->name),
+                              patch->name, &u, &v);
+        for (int e = 0; e < 4; e++) {
+            const int s = taut_film_complex_seam(problem, p, e);
+            const int speaks = s < 0 || (problem->seams[s].sides[0].patch == p &&
+                                         problem->seams[s].sides[0].edge == e);
+            const taut_film_edge *edge = s < 0 ? &patch->edges[e] : &problem->seams[s].edge;
+            if (speaks && edge->kind == TAUT_FILM_CABLE) {
+                char name[96];
+                snprintf(name, sizeof name, "%.88s.%s", patch->name, edge_names[e]);
+                taut_identity_curve(identity, taut_identity_find_curve(identity, name), name,
+                                    e < 2 ? &v : &u);
+            }
+        }
+    }
+}

@@ -1,0 +1,13 @@
+/* complex.h -- the certificate of films of many patches. */
+#ifndef TAUT_CERTIFY_FILM_COMPLEX_COMPLEX_H
+#define TAUT_CERTIFY_FILM_COMPLEX_COMPLEX_H
+
+#include "certify/common/identity.h"
+#include "taut/film.h"
+
+/* As taut_certify_ops, of a problem with patches. */
+taut_status taut_film_complex_certify(const taut_model *model, const taut_film_problem *problem,
+                                      taut_certificate *certificate, taut_error *error);
+void taut_film_complex_identify(const taut_film_problem *problem, taut_identity *identity);
+
+#endif /* TAUT_CERTIFY_FILM_COMPLEX_COMPLEX_H */

@@ -1,0 +1,203 @@
+#include "certify/film/complex/defects.h"
+
+#include "certify/common/verdict.h"
+#include "core/vec3.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { PLACES = 40, SAMPLES = 101 };
+
+/* Derivatives of a patch at parts (s, t) of its ranges. */
+static void look(const taut_sheets *s, int p, double at_u, double at_v, int order, double (*x)[3])
+{
+    const taut_basis *u = taut_surface_u(s->surfaces[p]), *v = taut_surface_v(s->surfaces[p]);
+    (void)taut_surface_eval(
+        s->surfaces[p], taut_basis_lo(u) + at_u * (taut_basis_hi(u) - taut_basis_lo(u)),
+        taut_basis_lo(v) + at_v * (taut_basis_hi(v) - taut_basis_lo(v)), order, x[0]);
+}
+
+/* |2 H| at a place. */
+static double mean_at(const taut_sheets *s, int p, double u, double v)
+{
+    double x[TAUT_SURFACE_VECTORS(2)][3], n[3];
+
+    look(s, p, u, v, 2, x);
+    taut_cross(x[TAUT_XU], x[TAUT_XV], n);
+    const double w = taut_norm(n), e = taut_dot(x[TAUT_XU], x[TAUT_XU]),
+                 f = taut_dot(x[TAUT_XU], x[TAUT_XV]), g = taut_dot(x[TAUT_XV], x[TAUT_XV]);
+    return fabs(e * taut_dot(x[TAUT_XVV], n) - 2 * f * taut_dot(x[TAUT_XUV], n) +
+                g * taut_dot(x[TAUT_XUU], n)) /
+           (w * w * w);
+}
+
+/* A place of an edge: its tangent, c'' by arc length, the outward conormal and the normal of its sheet. */
+typedef struct rim {
+    double t[3], bend[3], nu[3], n[3], x[3];
+} rim;
+
+static void find_rim(const taut_sheets *s, const taut_film_side *side, double part, rim *at)
+{
+    const int e = side->edge;
+    const double along = side->reversed ? 1 - part : part;
+    double x[TAUT_SURFACE_VECTORS(2)][3];
+
+    look(s, side->patch, e < 2 ? e : along, e < 2 ? along : e - 2, 2, x);
+    const double *first = e < 2 ? x[TAUT_XV] : x[TAUT_XU],
+                 *second = e < 2 ? x[TAUT_XVV] : x[TAUT_XUU];
+    const double *out = e < 2 ? x[TAUT_XU] : x[TAUT_XV], speed = taut_norm(first);
+    const double sign = e % 2 == 0 ? -1 : 1;
+
+    memcpy(at->x, x[0], sizeof at->x);
+    for (int k = 0; k < 3; k++) {
+        at->t[k] = first[k] / speed;
+    }
+    for (int k = 0; k < 3; k++) {
+        at->bend[k] = (second[k] - taut_dot(second, at->t) * at->t[k]) / (speed * speed);
+        at->nu[k] = sign * (out[k] - taut_dot(out, at->t) * at->t[k]);
+    }
+    const double size = taut_norm(at->nu);
+    for (int k = 0; k < 3; k++) {
+        at->nu[k] /= size;
+    }
+    taut_cross(at->t, at->nu, at->n);
+}
+
+static double tension_of(const taut_sheets *s, int p)
+{
+    return s->shares[p] * s->tension;
+}
+
+/* Without its part along a plane's normal. */
+static void into_plane(const taut_film_edge *edge, double x[3])
+{
+    const double size = taut_norm(edge->plane.direction);
+    double n[3];
+    for (int k = 0; k < 3; k++) {
+        n[k] = edge->plane.direction[k] / size;
+    }
+    taut_add_scaled(-taut_dot(x, n), n, x);
+}
+
+static double seam_at(const taut_sheets *s, const taut_film_seam *seam, double part)
+{
+    double sum[3] = {0, 0, 0}, largest = 0;
+
+    for (int k = 0; k < seam->count; k++) {
+        const double tension = tension_of(s, seam->sides[k].patch);
+        rim at;
+        find_rim(s, &seam->sides[k], part, &at);
+        taut_add_scaled(tension, at.nu, sum);
+        largest = fmax(largest, tension);
+        if (k == 0 && seam->edge.kind == TAUT_FILM_CABLE) {
+            taut_add_scaled(-seam->edge.force, at.bend, sum);
+        }
+    }
+    if (seam->edge.kind == TAUT_FILM_CABLE && seam->edge.has_plane) {
+        into_plane(&seam->edge, sum);
+    }
+    return taut_norm(sum) / largest;
+}
+
+static void edge_at(const taut_sheets *s, const taut_film_side *side, double part,
+                    taut_complex_defects *d)
+{
+    const taut_film_edge *edge = &s->complex->problem->patches[side->patch].edges[side->edge];
+    rim at;
+
+    find_rim(s, side, part, &at);
+    if (edge->kind == TAUT_FILM_SLIDE) {
+        into_plane(edge, at.nu); /* nu - (nu . N) N */
+        d->slide = taut_certify_max(taut_norm(at.nu), d->slide);
+    } else if (edge->kind == TAUT_FILM_CABLE) {
+        const double radius = edge->force / tension_of(s, side->patch);
+        if (edge->has_plane) {
+            into_plane(edge, at.nu);
+            for (int k = 0; k < 3; k++) {
+                at.nu[k] -= radius * at.bend[k];
+            }
+            d->geodesic = taut_certify_max(taut_norm(at.nu), d->geodesic);
+        } else {
+            d->geodesic =
+                taut_certify_max(fabs(taut_dot(at.bend, at.nu) * radius - 1), d->geodesic);
+            d->normal = taut_certify_max(fabs(taut_dot(at.bend, at.n)) * radius, d->normal);
+        }
+    }
+}
+
+taut_complex_defects taut_complex_defects_of(const taut_sheets *sheets)
+{
+    const taut_sheets *s = sheets;
+    const taut_film_problem *problem = s->complex->problem;
+    taut_complex_defects d = {0, 0, 0, 0, 0};
+
+    for (int p = 0; p < problem->patch_count; p++) {
+        for (int k = 0; k < PLACES * PLACES; k++) {
+            d.mean = taut_certify_max(
+                mean_at(s, p, (k / PLACES + 0.5) / PLACES, (k % PLACES + 0.5) / PLACES) *
+                    (2 * s->half),
+                d.mean);
+        }
+        for (int k = 0; k < 4 * SAMPLES; k++) {
+            const taut_film_side side = {p, k / SAMPLES, 0};
+            edge_at(s, &side, (k % SAMPLES + 0.5) / SAMPLES, &d);
+        }
+    }
+    for (int k = 0; k < problem->seam_count * SAMPLES; k++) {
+        d.seam = taut_certify_max(
+            seam_at(s, &problem->seams[k / SAMPLES], (k % SAMPLES + 0.5) / SAMPLES), d.seam);
+    }
+    return d;
+}
+
+/* The tangent of a strand at an end, leaving it, and the end. */
+static void leave_end(const taut_sheets *s, const taut_film_side *side, int end, double t[3])
+{
+    double x[TAUT_SURFACE_VECTORS(1)][3];
+    const int e = side->edge;
+
+    look(s, side->patch, e < 2 ? e : end, e < 2 ? end : e - 2, 1, x);
+    const double *first = e < 2 ? x[TAUT_XV] : x[TAUT_XU];
+    for (int k = 0; k < 3; k++) {
+        t[k] = (end == 0 ? 1 : -1) * first[k] / taut_norm(first);
+    }
+}
+
+void taut_complex_pulls(const taut_sheets *sheets, double *forces)
+{
+    const taut_film_complex *c = sheets->complex;
+
+    memset(forces, 0, 3 * (size_t)c->nodes * sizeof(double));
+    for (int k = 0; k < c->strand_count; k++) {
+        const taut_film_side *side = &c->strands[k].side;
+        const int last = taut_film_complex_along(&c->problem->patches[side->patch], side->edge) - 1;
+        for (int end = 0; end < 2; end++) {
+            double t[3];
+            leave_end(sheets, side, end, t);
+            taut_add_scaled(c->strands[k].edge->force, t,
+                            forces + 3 * taut_film_complex_node(c, side, end * last));
+        }
+    }
+}
+
+double taut_complex_sag(const taut_sheets *sheets, int strand)
+{
+    const taut_film_side *side = &sheets->complex->strands[strand].side;
+    double ends[2][TAUT_SURFACE_VECTORS(0)][3], chord[3], largest = 0;
+    const int e = side->edge;
+
+    for (int end = 0; end < 2; end++) {
+        look(sheets, side->patch, e < 2 ? e : end, e < 2 ? end : e - 2, 0, ends[end]);
+    }
+    taut_difference(ends[1][0], ends[0][0], chord);
+    const double length = taut_norm(chord);
+    for (int k = 1; length > 0 && k < SAMPLES; k++) {
+        double x[TAUT_SURFACE_VECTORS(0)][3], from[3], across[3];
+        const double at = (double)k / SAMPLES;
+        look(sheets, side->patch, e < 2 ? e : at, e < 2 ? at : e - 2, 0, x);
+        taut_difference(x[0], ends[0][0], from);
+        taut_cross(from, chord, across);
+        largest = taut_certify_max(taut_norm(across) / length / length, largest);
+    }
+    return largest;
+}

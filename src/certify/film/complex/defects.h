@@ -1,0 +1,27 @@
+/* defects.h -- how far a film of many patches is from the equations of equilibrium: of the continuous film all are 0.
+ *
+ * At the middles of equal parts of the parameters of each patch, seam and line, so that the ends of lines, where there may be no
+ * normal, are not among them.
+ */
+#ifndef TAUT_CERTIFY_FILM_COMPLEX_DEFECTS_H
+#define TAUT_CERTIFY_FILM_COMPLEX_DEFECTS_H
+
+#include "certify/film/complex/sheets.h"
+
+typedef struct taut_complex_defects {
+    double mean;  /* |2 H| size */
+    double seam;  /* |sum s_i nu_i - T c''| / the largest s_i of the seam */
+    double slide; /* |nu - (nu . N) N| */
+    double
+        geodesic; /* of cable edges |k_g T / s - 1|; in a plane |T c'' - s (nu - (nu . N) N)| / s */
+    double normal; /* |k_n| T / s, of those in no plane */
+} taut_complex_defects;
+
+taut_complex_defects taut_complex_defects_of(const taut_sheets *sheets);
+
+/* forces[nodes][3]: what the cables that end in a node pull it with, in the user's unit. */
+void taut_complex_pulls(const taut_sheets *sheets, double *forces);
+/* The largest distance of a strand from its chord over the chord; 0 where it closes. */
+double taut_complex_sag(const taut_sheets *sheets, int strand);
+
+#endif /* TAUT_CERTIFY_FILM_COMPLEX_DEFECTS_H */

@@ -1,0 +1,52 @@
+/* sheets.h -- a film of many patches at Gauss nodes of the certificate's own: its derivatives by nodes of the
+ * complex (problem/film_complex.h), the moves that it sees, and the second variation over these.
+ *
+ *     E / s    = sum (s_i / s) A_i + sum r_k L_k,      s the tension of the first patch
+ *     inside   one move, along sum over sheets of n_a = iint N_a x_u x x_v, each sheet's turned to the side of the first one's
+ *     line     across the tangent at the Greville abscissa, as far as planes leave it
+ *     vertex   all that planes leave
+ *     K, M     as certify/film/moves.h, over all sheets and cables; M over all lines
+ *
+ * All in scaled coordinates: the first point at 0, about size 1.
+ */
+#ifndef TAUT_CERTIFY_FILM_COMPLEX_SHEETS_H
+#define TAUT_CERTIFY_FILM_COMPLEX_SHEETS_H
+
+#include "geometry/grid/table.h"
+#include "problem/film_complex.h"
+
+typedef struct taut_sheet_axis {
+    taut_table *table; /* order 1 */
+    double *weights;
+} taut_sheet_axis;
+
+typedef struct taut_sheets {
+    taut_arena *arena;
+    const taut_film_complex *complex;
+    const taut_surface *const *surfaces; /* [patch_count] */
+    int unit;                            /* points were divided by 2^unit */
+    double half;                         /* half the size, unscaled */
+    double *points;                      /* [points][3], scaled, patch by patch */
+    double *shares;                      /* [patch_count] */
+    double *ratios;                      /* [strand_count] */
+    double tension;                      /* of the first patch */
+    taut_sheet_axis *axes;               /* [patch_count][2] */
+    double *gradient;                    /* [nodes][3] */
+    double *moments;                     /* [nodes][3] */
+    double *areas, *lengths;             /* unscaled */
+    double
+        largest; /* coordinate of a derivative of the sheets alone; force of a cable where that is more */
+    int moves;
+    int *first;  /* [nodes + 1]: the moves of a node */
+    double *way; /* [moves][3], unit */
+} taut_sheets;
+
+/* extra nodes a span. All of the arena. TAUT_NO_MEMORY. */
+taut_status taut_sheets_new(const taut_film_complex *complex, const taut_surface *const *surfaces,
+                            int extra, taut_arena *arena, taut_sheets *sheets);
+
+/* The lowest eigenvalue of K x = lambda M x, in tension over length squared times size^2, and how many are not above `limit`.
+ * TAUT_NO_MEMORY; TAUT_NOT_CONVERGED: too large, or no eigenvalue is found: *below is -1. */
+taut_status taut_sheets_lowest(const taut_sheets *sheets, double limit, double *lowest, int *below);
+
+#endif /* TAUT_CERTIFY_FILM_COMPLEX_SHEETS_H */

@@ -1,0 +1,288 @@
+/* complex.c -- films of many patches.
+ *
+ *     1. check the data
+ *     2. nodes, holds, the start (construct/film/complex/layout.h)
+ *     3. Newton's steps to the least energy (construct/film/complex/solve.h)
+ *     4. a surface of each patch, and each cable as a curve, "NAME.u0", the row of points at its edge, bit for bit
+ */
+#include "construct/film/complex/complex.h"
+
+#include "construct/common/build.h"
+#include "construct/film/complex/solve.h"
+#include "core/fail.h"
+#include "core/vec3.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { DEGREE_MOST = 10 };
+static const char *const edge_names[4] = {"u0", "u1", "v0", "v1"};
+static const char *const corner_names[4] = {"u0v0", "u1v0", "u0v1", "u1v1"};
+
+static taut_status check_basis(const taut_basis *basis, int p, const char *member,
+                               taut_error *error)
+{
+    char where[48];
+    const char *type = taut_basis_type(basis);
+    const int degree = taut_basis_degree(basis);
+
+    if ((strcmp(type, "bezier") == 0 || strcmp(type, "bspline") == 0) && degree >= 2 &&
+        degree <= DEGREE_MOST) {
+        return TAUT_OK;
+    }
+    snprintf(where, sizeof where, "/patches/%d/%s", p, member);
+    return taut_fail_expected(error, TAUT_BAD_INPUT, "basis", where, degree,
+                              "bezier or bspline of degree 2 to 10",
+                              "found a basis of type \"%s\" and degree %d", type, degree);
+}
+
+static taut_status check_edge(const taut_film_edge *edge, const char *where, taut_error *error)
+{
+    if (edge->kind == TAUT_FILM_CABLE && edge->law != TAUT_FILM_FORCE) {
+        return taut_fail(error, TAUT_BAD_INPUT, "not-yet", where, taut_none, taut_none,
+                         "a cable of a film of many patches has a \"force\" in this version: give "
+                         "it one");
+    }
+    if (edge->kind == TAUT_FILM_CABLE && !(edge->force > 0 && isfinite(edge->force))) {
+        return taut_fail(error, TAUT_BAD_INPUT, "value", where, edge->force, 0,
+                         "the force of a cable is %.17g, expected a number above 0", edge->force);
+    }
+    const double size = taut_norm(edge->plane.direction), from = taut_norm(edge->plane.point);
+    if ((edge->kind == TAUT_FILM_SLIDE || edge->has_plane) &&
+        !(size > 0 && isfinite(size) && isfinite(from))) {
+        return taut_fail_expected(error, TAUT_BAD_INPUT, "value", where, size,
+                                  "a finite point, and a direction of a length above 0",
+                                  "found a direction of length %.3g", size);
+    }
+    return TAUT_OK;
+}
+
+static taut_status check_patch(const taut_film_problem *problem, int p, taut_error *error)
+{
+    const taut_film_problem *patch = &problem->patches[p];
+    taut_status status = check_basis(patch->u, p, "u", error);
+    char where[64];
+
+    if (status == TAUT_OK) {
+        status = check_basis(patch->v, p, "v", error);
+    }
+    for (int q = 0; status == TAUT_OK && q < p; q++) {
+        if (strcmp(patch->name, problem->patches[q].name) == 0) {
+            snprintf(where, sizeof where, "/patches/%d/name", p);
+            return taut_fail(error, TAUT_BAD_INPUT, "name", where, q, p,
+                             "patches %d and %d are both called %.80s: give each a name of its own",
+                             q, p, patch->name);
+        }
+    }
+    for (int e = 0; status == TAUT_OK && e < 4; e++) {
+        snprintf(where, sizeof where, "/patches/%d/edges/%s", p, edge_names[e]);
+        status = check_edge(&patch->edges[e], where, error);
+    }
+    for (int k = 0; status == TAUT_OK && k < 4; k++) {
+        snprintf(where, sizeof where, "/patches/%d/corners/%s", p, corner_names[k]);
+        if (patch->has_corner[k] && !isfinite(taut_norm(patch->corners[k]))) {
+            return taut_fail(error, TAUT_BAD_INPUT, "value", where, taut_none, taut_none,
+                             "corner %s is not a point of finite numbers", corner_names[k]);
+        }
+    }
+    snprintf(where, sizeof where, "/patches/%d/tension", p);
+    return status == TAUT_OK && patch->tension != 0 &&
+                   !(patch->tension > 0 && isfinite(patch->tension))
+               ? taut_fail(error, TAUT_BAD_INPUT, "value", where, patch->tension, 0,
+                           "the tension is %.17g, expected a positive number", patch->tension)
+               : status;
+}
+
+static taut_status check_problem(const taut_film_problem *problem, taut_error *error)
+{
+    double points = 0;
+    taut_status status = TAUT_OK;
+
+    if (problem->patch_count > TAUT_FILM_PATCHES_MAX || problem->patches == NULL) {
+        return taut_fail(error, TAUT_BAD_INPUT, "size", "/patches", problem->patch_count,
+                         TAUT_FILM_PATCHES_MAX, "%d patches, expected 1 to %d",
+                         problem->patch_count, TAUT_FILM_PATCHES_MAX);
+    }
+    for (int p = 0; status == TAUT_OK && p < problem->patch_count; p++) {
+        if (problem->patches[p].u == NULL || problem->patches[p].v == NULL ||
+            problem->patches[p].name == NULL) {
+            return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
+                             "a patch of a film needs a name and two bases");
+        }
+        points += (double)taut_basis_count(problem->patches[p].u) *
+                  taut_basis_count(problem->patches[p].v);
+        status = check_patch(problem, p, error);
+    }
+    if (status == TAUT_OK && points > TAUT_FILM_PATCHES_POINTS_MAX) {
+        return taut_fail(error, TAUT_BAD_INPUT, "size", "/patches", points,
+                         TAUT_FILM_PATCHES_POINTS_MAX,
+                         "%.0f control points, expected at most %d: give fewer to the bases",
+                         points, TAUT_FILM_PATCHES_POINTS_MAX);
+    }
+    for (int s = 0; status == TAUT_OK && s < problem->seam_count; s++) {
+        char where[32];
+        snprintf(where, sizeof where, "/seams/%d", s);
+        status = check_edge(&problem->seams[s].edge, where, error);
+    }
+    if (status == TAUT_OK && problem->tolerance != 0 &&
+        !(problem->tolerance >= 1e-14 && problem->tolerance <= 1e-3)) {
+        status = taut_fail(error, TAUT_BAD_INPUT, "value", "/tolerance", problem->tolerance, 1e-14,
+                           "found %.17g, expected a number from 1e-14 to 1e-3", problem->tolerance);
+    }
+    return status;
+}
+
+/* ---- the model ---- */
+
+static void strand_name(const taut_film_complex *c, int k, char name[96])
+{
+    const taut_film_side *side = &c->strands[k].side;
+    snprintf(name, 96, "%.88s.%s", c->problem->patches[side->patch].name, edge_names[side->edge]);
+}
+
+static taut_status add_patch(const taut_film_complex *c, int p, const double *points,
+                             taut_arena *arena, taut_model *model, taut_error *error)
+{
+    const taut_film_problem *patch = &c->problem->patches[p];
+    const int first = c->first[p], count = c->first[p + 1] - first;
+    double *net = taut_arena_take(arena, (size_t)count, 3 * sizeof(double));
+    taut_surface *surface = NULL;
+
+    if (net == NULL) {
+        return taut_fail_memory(error);
+    }
+    for (int k = 0; k < count; k++) {
+        memcpy(net + 3 * k, points + 3 * c->node[first + k], 3 * sizeof(double));
+    }
+    const taut_status status =
+        taut_surface_new(patch->name, patch->u, patch->v, net, NULL, &surface, error);
+    return status == TAUT_OK ? taut_construct_add_surface(model, surface, error) : status;
+}
+
+static taut_status add_strand(const taut_film_complex *c, int k, const double *points,
+                              taut_arena *arena, taut_model *model, taut_error *error)
+{
+    const taut_film_side *side = &c->strands[k].side;
+    const taut_film_problem *patch = &c->problem->patches[side->patch];
+    const taut_basis *basis = side->edge < 2 ? patch->v : patch->u;
+    const int count = taut_basis_count(basis);
+    double *row = taut_arena_take(arena, (size_t)count, 3 * sizeof(double));
+    taut_curve *curve = NULL;
+    char name[96];
+
+    if (row == NULL) {
+        return taut_fail_memory(error);
+    }
+    for (int i = 0; i < count; i++) {
+        memcpy(row + 3 * i, points + 3 * taut_film_complex_node(c, side, i), 3 * sizeof(double));
+    }
+    strand_name(c, k, name);
+    const taut_status status = taut_curve_new(name, basis, row, NULL, &curve, error);
+    return status == TAUT_OK ? taut_construct_add_curve(model, curve, error) : status;
+}
+
+/* Corners that are held, each node once, by the first patch that has them. */
+static void add_supports(const taut_film_complex *c, taut_record *details, unsigned char *seen)
+{
+    taut_record *supports = taut_record_add_list(details, "supports");
+
+    for (int p = 0; p < c->problem->patch_count; p++) {
+        for (int k = 0; k < 4; k++) {
+            const taut_film_problem *patch = &c->problem->patches[p];
+            const taut_film_side side = {p, k % 2, 0};
+            const int node = taut_film_complex_node(
+                c, &side, k / 2 * (taut_film_complex_along(patch, k % 2) - 1));
+            char name[96];
+            if (c->holds[node].count == 3 && !seen[node]) {
+                seen[node] = 1;
+                snprintf(name, sizeof name, "%.88s.%s", patch->name, corner_names[k]);
+                taut_record_add_text(supports, NULL, name);
+            }
+        }
+    }
+}
+
+static taut_record *details_of(const taut_film_layout *l, const taut_film_rest *rest,
+                               taut_arena *arena)
+{
+    const taut_film_complex *c = &l->complex;
+    taut_record *details = taut_record_new();
+    unsigned char *seen = taut_arena_take(arena, (size_t)c->nodes, 1);
+
+    taut_record_add_number(details, "unknowns", rest->unknowns);
+    taut_record_add_number(details, "iterations", rest->iterations);
+    taut_record_add_text(details, "method", "full");
+    taut_record_add_text(details, "solver", "fronts");
+    taut_record_add_number(details, "residual", rest->residual);
+    taut_record *cables = taut_record_add_list(details, "cables");
+    for (int k = 0; k < c->strand_count; k++) {
+        char name[96];
+        taut_record *cable = taut_record_add_object(cables, NULL);
+        strand_name(c, k, name);
+        taut_record_add_text(cable, "edge", name);
+        taut_record_add_number(cable, "force", c->strands[k].edge->force);
+    }
+    if (seen == NULL) {
+        taut_record_free(details);
+        return NULL;
+    }
+    add_supports(c, details, seen);
+    taut_record *verdict = taut_record_add_object(details, "verdict");
+    taut_record_add_text(verdict, "exists", "found");
+    if (rest->negative > 0) {
+        taut_record_add_bool(verdict, "stable", 0);
+    } else {
+        taut_record_add_text(verdict, "stable", "found");
+    }
+    taut_record_add_null(verdict, "least");
+    if (l->fitted > 0) {
+        taut_record_add_number(details, "deviation", l->deviation);
+    }
+    return details;
+}
+
+typedef struct request {
+    const taut_film_problem *problem;
+    const taut_monitor *monitor;
+} request;
+
+static taut_status build(void *context, taut_arena *arena, taut_model *model, taut_error *error)
+{
+    const request *r = context;
+    taut_film_layout layout;
+    taut_film_rest rest;
+    taut_status status = taut_film_layout_new(r->problem, arena, &layout, error);
+
+    if (status == TAUT_OK) {
+        status = taut_film_rest_find(&layout, r->monitor, arena, &rest, error);
+    }
+    for (int p = 0; status == TAUT_OK && p < r->problem->patch_count; p++) {
+        status = add_patch(&layout.complex, p, rest.points, arena, model, error);
+    }
+    for (int k = 0; status == TAUT_OK && k < layout.complex.strand_count; k++) {
+        status = add_strand(&layout.complex, k, rest.points, arena, model, error);
+    }
+    return status == TAUT_OK
+               ? taut_construct_set_details(model, details_of(&layout, &rest, arena), error)
+               : status;
+}
+
+taut_status taut_film_complex_make(const taut_film_problem *problem,
+                                   const taut_make_options *options, taut_model **model,
+                                   taut_error *error)
+{
+    static const taut_make_options none;
+    request r = {.problem = problem,
+                 .monitor = options != NULL ? &options->monitor : &none.monitor};
+    const taut_status status = check_problem(problem, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    if (model == NULL) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
+                         "taut_film_make needs a place for the model");
+    }
+    return taut_construct_build(build, &r, model, error);
+}

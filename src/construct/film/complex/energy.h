@@ -1,0 +1,48 @@
+/* energy.h -- the energy of a film of many patches, and its first and second derivatives by nodes.
+ *
+ *     E / s = sum (s_i / s) A_i + sum r_k L_k,    s the tension of the first patch
+ *     B     = (1 - theta) H + theta L             of construct/plateau/area.h and cable.h, summed over the sheets
+ *           = H + theta diag(L)                   of theta up to 1e-3: a shift that turns no move within a sheet into one across it
+ */
+#ifndef TAUT_CONSTRUCT_FILM_COMPLEX_ENERGY_H
+#define TAUT_CONSTRUCT_FILM_COMPLEX_ENERGY_H
+
+#include "construct/film/complex/layout.h"
+#include "construct/plateau/area.h"
+#include "numeric/sparse.h"
+
+typedef struct taut_film_energy {
+    const taut_film_layout *layout;
+    taut_arena *arena;            /* of one rule */
+    taut_area_functional **areas; /* [patch_count] */
+    double *shares;               /* [patch_count]: s_i / s */
+    taut_area_cable *cables;      /* [strand_count] */
+    double *net, *slopes;         /* [points][3]: patch by patch */
+    unsigned char *size;          /* [nodes]: how many directions are free */
+    double *free;                 /* [nodes][3][3]: these, unit and orthogonal */
+    int *start, *column;          /* blocks (a, b), b <= a, of row a: column[start[a]] .. */
+    double *second, *metric;      /* [blocks][9], [blocks] */
+    double *element;              /* scratch: of the pairs of a cell */
+    taut_sparse *sparse;
+    double theta;
+    double least; /* of the last value: smallest W over its mean, of all patches */
+} taut_film_energy;
+
+/* extra nodes a span. The energy's arena is its own. TAUT_NO_MEMORY. */
+taut_status taut_film_energy_new(const taut_film_layout *layout, int extra,
+                                 taut_film_energy **energy);
+void taut_film_energy_free(taut_film_energy *energy); /* NULL is fine */
+
+/* x double[nodes][3], scaled; gradient of the same shape, at held nodes too, or NULL. *largest: the largest coordinate of a derivative of the sheets
+ * alone, before those of one node are summed. */
+double taut_film_energy_value(taut_film_energy *energy, const double *x, double *gradient,
+                              double *largest);
+/* H and L at the x of the last gradient. */
+void taut_film_energy_second(taut_film_energy *energy);
+/* The factor of B; *negative as of taut_sparse_factor. */
+taut_status taut_film_energy_factor(taut_film_energy *energy, double theta, int *negative);
+/* d = - B^-1 g along what is free. d double[nodes][3]. right: scratch of as many rows as B has. */
+void taut_film_energy_step(const taut_film_energy *energy, const double *gradient, double *right,
+                           double *d);
+
+#endif /* TAUT_CONSTRUCT_FILM_COMPLEX_ENERGY_H */

@@ -1,0 +1,312 @@
+#include "construct/film/complex/layout.h"
+
+#include "construct/common/curve_fit.h"
+#include "construct/film/greville.h"
+#include "core/fail.h"
+#include "core/vec3.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static int corner_node(const taut_film_complex *c, int p, int corner)
+{
+    const taut_film_problem *patch = &c->problem->patches[p];
+    const taut_film_side side = {p, corner % 2, 0};
+    return taut_film_complex_node(c, &side,
+                                  corner / 2 * (taut_film_complex_along(patch, corner % 2) - 1));
+}
+
+/* ---- corners ---- */
+
+/* Where corners are held or said to be near. */
+static void take_given(taut_film_layout *l, unsigned char *is_set)
+{
+    const taut_film_complex *c = &l->complex;
+
+    for (int p = 0; p < c->problem->patch_count; p++) {
+        const taut_film_problem *patch = &c->problem->patches[p];
+        for (int k = 0; k < 4; k++) {
+            const int node = corner_node(c, p, k);
+            if (c->holds[node].count == 3) {
+                taut_film_hold_onto(&c->holds[node], l->points + 3 * node);
+                is_set[node] = 1;
+            } else if (patch->has_corner[k] && !is_set[node]) {
+                memcpy(l->points + 3 * node, patch->corners[k], 3 * sizeof(double));
+                is_set[node] = 1;
+            }
+        }
+    }
+}
+
+/* One round: corners that are not set, at the mean of those set that their edges lead to. How many were set. */
+static int take_means(taut_film_layout *l, unsigned char *is_set, double *sums, int *counts)
+{
+    const taut_film_complex *c = &l->complex;
+    int set = 0;
+
+    memset(sums, 0, 3 * (size_t)c->nodes * sizeof(double));
+    memset(counts, 0, (size_t)c->nodes * sizeof(int));
+    for (int p = 0; p < c->problem->patch_count; p++) {
+        for (int k = 0; k < 4; k++) {
+            const int node = corner_node(c, p, k);
+            for (int way = 1; way <= 2; way++) {
+                const int other = corner_node(c, p, k ^ way);
+                if (!is_set[node] && is_set[other]) {
+                    taut_add_scaled(1, l->points + 3 * other, sums + 3 * node);
+                    counts[node]++;
+                }
+            }
+        }
+    }
+    for (int a = 0; a < c->nodes; a++) {
+        if (counts[a] > 0) {
+            for (int k = 0; k < 3; k++) {
+                l->points[3 * a + k] = sums[3 * a + k] / counts[a];
+            }
+            is_set[a] = 1;
+            set++;
+        }
+    }
+    return set;
+}
+
+static taut_status lay_corners(taut_film_layout *l, taut_arena *arena, taut_error *error)
+{
+    const taut_film_complex *c = &l->complex;
+    unsigned char *is_set = taut_arena_take(arena, (size_t)c->nodes, 1);
+    double *sums = taut_arena_take(arena, (size_t)c->nodes, 3 * sizeof(double));
+    int *counts = taut_arena_take(arena, (size_t)c->nodes, sizeof(int));
+
+    if (taut_arena_status(arena) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    take_given(l, is_set);
+    while (take_means(l, is_set, sums, counts) > 0) {
+    }
+    for (int p = 0; p < c->problem->patch_count; p++) {
+        for (int k = 0; k < 4; k++) {
+            const int node = corner_node(c, p, k);
+            taut_film_hold_onto(&c->holds[node], l->points + 3 * node);
+        }
+    }
+    return TAUT_OK;
+}
+
+/* ---- edges ---- */
+
+static taut_status fit_edge(taut_film_layout *l, const taut_film_side *side,
+                            const taut_basis *basis, double *row, taut_error *error)
+{
+    const taut_film_complex *c = &l->complex;
+    const taut_curve *curve = c->problem->patches[side->patch].edges[side->edge].curve;
+    const int n = taut_basis_count(basis);
+    double ends[2][3], deviation = 0;
+
+    if (taut_basis_equal(taut_curve_t(curve), basis) && taut_curve_weights(curve) == NULL) {
+        memcpy(row, taut_curve_points(curve), 3 * (size_t)n * sizeof(double));
+        return TAUT_OK;
+    }
+    for (int end = 0; end < 2; end++) {
+        memcpy(ends[end], l->points + 3 * taut_film_complex_node(c, side, end * (n - 1)),
+               sizeof ends[end]);
+    }
+    const taut_status status =
+        taut_curve_fit(curve, basis, (const double(*)[3])ends, row, &deviation);
+    l->deviation = fmax(l->deviation, deviation);
+    l->fitted++;
+    return status == TAUT_NO_MEMORY ? taut_fail_memory(error)
+           : status == TAUT_OK
+               ? status
+               : taut_fail(error, TAUT_NOT_CONVERGED, "curve-fit", "/patches", taut_none, taut_none,
+                           "the curve of an edge of patch %.80s cannot be fitted to its basis: the "
+                           "knots, the degree or the points are too extreme",
+                           c->problem->patches[side->patch].name);
+}
+
+static taut_status lay_edge(taut_film_layout *l, int p, int e, taut_arena *arena, taut_error *error)
+{
+    const taut_film_complex *c = &l->complex;
+    const taut_film_problem *patch = &c->problem->patches[p];
+    const taut_basis *basis = e < 2 ? patch->v : patch->u;
+    const taut_film_side side = {p, e, 0};
+    const int n = taut_basis_count(basis);
+    double *row = taut_arena_take(arena, (size_t)n, 3 * sizeof(double));
+    double *at = taut_arena_take(arena, (size_t)n, sizeof(double));
+
+    if (taut_arena_status(arena) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    if (patch->edges[e].curve != NULL) {
+        const taut_status status = fit_edge(l, &side, basis, row, error);
+        if (status != TAUT_OK) {
+            return status;
+        }
+    } else {
+        const double *a = l->points + 3 * taut_film_complex_node(c, &side, 0),
+                     *b = l->points + 3 * taut_film_complex_node(c, &side, n - 1);
+        taut_film_greville(basis, at);
+        for (int k = 0; k < n; k++) {
+            for (int i = 0; i < 3; i++) {
+                row[3 * k + i] = k == 0       ? a[i]
+                                 : k == n - 1 ? b[i]
+                                              : (1 - at[k]) * a[i] + at[k] * b[i];
+            }
+        }
+    }
+    for (int k = 1; k < n - 1; k++) {
+        double *x = l->points + 3 * taut_film_complex_node(c, &side, k);
+        memcpy(x, row + 3 * k, 3 * sizeof(double));
+        if (c->kind[taut_film_complex_node(c, &side, k)] != TAUT_FILM_NODE_HELD) {
+            taut_film_hold_onto(&c->holds[taut_film_complex_node(c, &side, k)], x);
+        }
+    }
+    return TAUT_OK;
+}
+
+/* The net of Coons. */
+static taut_status fill_patch(taut_film_layout *l, int p, taut_arena *arena, taut_error *error)
+{
+    const taut_film_complex *c = &l->complex;
+    const taut_film_problem *patch = &c->problem->patches[p];
+    const int nu = taut_basis_count(patch->u), nv = taut_basis_count(patch->v);
+    const int *node = c->node + c->first[p];
+    double *at_u = taut_arena_take(arena, (size_t)nu, sizeof(double));
+    double *at_v = taut_arena_take(arena, (size_t)nv, sizeof(double));
+
+    if (taut_arena_status(arena) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    taut_film_greville(patch->u, at_u);
+    taut_film_greville(patch->v, at_v);
+    for (int i = 1; i < nu - 1; i++) {
+        for (int j = 1; j < nv - 1; j++) {
+            const double a = at_u[i], b = at_v[j];
+            const int at[8] = {j, (nu - 1) * nv + j, i * nv, i * nv + nv - 1,
+                               0, (nu - 1) * nv,     nv - 1, nu * nv - 1};
+            const double share[8] = {
+                1 - a, a, 1 - b, b, -(1 - a) * (1 - b), -a * (1 - b), -(1 - a) * b, -a * b};
+            double *x = l->points + 3 * node[i * nv + j];
+            memset(x, 0, 3 * sizeof(double));
+            for (int k = 0; k < 8; k++) {
+                taut_add_scaled(share[k], l->points + 3 * node[at[k]], x);
+            }
+        }
+    }
+    return TAUT_OK;
+}
+
+/* ---- forces ---- */
+
+static taut_status take_forces(taut_film_layout *l, taut_error *error)
+{
+    const taut_film_complex *c = &l->complex;
+    const int unit = l->scaling.outer + l->scaling.inner;
+
+    for (int p = 0; p < c->problem->patch_count; p++) {
+        const double tension = c->problem->patches[p].tension;
+        l->tensions[p] = tension > 0 ? tension : 1;
+    }
+    for (int k = 0; k < c->strand_count; k++) {
+        const double force = c->strands[k].edge->force;
+        l->ratios[k] = ldexp(force / l->tensions[0], -unit);
+        if (!(l->ratios[k] >= TAUT_FILM_FORCE_MIN && l->ratios[k] <= TAUT_FILM_FORCE_MAX)) {
+            char where[64];
+            const taut_film_strand *strand = &c->strands[k];
+            if (strand->seam >= 0) {
+                snprintf(where, sizeof where, "/seams/%d/cable/force", strand->seam);
+            } else {
+                snprintf(where, sizeof where, "/patches/%d/edges/%s/cable/force",
+                         strand->side.patch,
+                         strand->side.edge < 2    ? (strand->side.edge ? "u1" : "u0")
+                         : strand->side.edge == 3 ? "v1"
+                                                  : "v0");
+            }
+            return taut_fail(error, TAUT_BAD_INPUT, "value", where, force, taut_none,
+                             "the force of a cable is %.3g of the film's tension times its size, "
+                             "expected %.0e to %.0e",
+                             l->ratios[k], TAUT_FILM_FORCE_MIN, TAUT_FILM_FORCE_MAX);
+        }
+    }
+    return TAUT_OK;
+}
+
+static taut_status check_area(const taut_film_layout *l, taut_error *error)
+{
+    const taut_film_complex *c = &l->complex;
+
+    for (int p = 0; p < c->problem->patch_count; p++) {
+        int equal = 0;
+        double size = 0;
+        for (int k = 0; k < 4; k++) {
+            size = fmax(size, taut_distance(l->points + 3 * corner_node(c, p, k),
+                                            l->points + 3 * corner_node(c, p, k ^ 3)));
+        }
+        for (int e = 0; e < 4; e++) {
+            const int a = e < 2 ? e : 2 * (e - 2), b = e < 2 ? e + 2 : a + 1;
+            equal += c->problem->patches[p].edges[e].kind != TAUT_FILM_POLE &&
+                     c->problem->patches[p].edges[e].curve == NULL &&
+                     !(taut_distance(l->points + 3 * corner_node(c, p, a),
+                                     l->points + 3 * corner_node(c, p, b)) > 1e-9 * size);
+        }
+        if (equal > 0 || size == 0) {
+            char where[64];
+            snprintf(where, sizeof where, "/patches/%d/corners", p);
+            return taut_fail(
+                error, TAUT_NO_SOLUTION, "no-area", where, equal, 0,
+                "two corners of patch %.80s are one and no pole, or start as one: give "
+                "corners that differ, or say where they are near",
+                c->problem->patches[p].name);
+        }
+    }
+    return TAUT_OK;
+}
+
+taut_status taut_film_layout_new(const taut_film_problem *problem, taut_arena *arena,
+                                 taut_film_layout *layout, taut_error *error)
+{
+    taut_film_layout *const l = layout;
+    *l = (taut_film_layout){.fitted = 0};
+    taut_status status = taut_film_complex_new(problem, arena, &l->complex, error);
+    const taut_film_complex *c = &l->complex;
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    l->points = taut_arena_take(arena, (size_t)c->nodes, 3 * sizeof(double));
+    l->known = taut_arena_take(arena, (size_t)c->nodes, 1);
+    l->start = taut_arena_take(arena, (size_t)c->nodes, 3 * sizeof(double));
+    l->tensions = taut_arena_take(arena, (size_t)problem->patch_count, sizeof(double));
+    l->ratios = taut_arena_take(arena, (size_t)c->strand_count, sizeof(double));
+    if (taut_arena_status(arena) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    status = lay_corners(l, arena, error);
+    for (int k = 0; status == TAUT_OK && k < 4 * problem->patch_count; k++) {
+        status = lay_edge(l, k / 4, k % 4, arena, error);
+    }
+    for (int p = 0; status == TAUT_OK && p < problem->patch_count; p++) {
+        const taut_film_problem *patch = &problem->patches[p];
+        const size_t local =
+            (size_t)taut_basis_local(patch->u) * (size_t)taut_basis_local(patch->v);
+        l->pairs = local * (local + 1) / 2 > l->pairs ? local * (local + 1) / 2 : l->pairs;
+        status = fill_patch(l, p, arena, error);
+    }
+    if (status == TAUT_OK) {
+        status = check_area(l, error);
+    }
+    if (status != TAUT_OK) {
+        return status;
+    }
+    unsigned char *all = taut_arena_take(arena, (size_t)c->nodes, 1);
+    if (all == NULL) {
+        return taut_fail_memory(error);
+    }
+    memset(all, 1, (size_t)c->nodes);
+    for (int a = 0; a < c->nodes; a++) {
+        l->known[a] = c->kind[a] == TAUT_FILM_NODE_HELD;
+    }
+    l->scaling = taut_scaling_of((size_t)c->nodes, l->points, all);
+    taut_scaling_apply(&l->scaling, (size_t)c->nodes, l->points, NULL, l->start);
+    return take_forces(l, error);
+}

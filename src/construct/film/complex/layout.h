@@ -1,0 +1,30 @@
+/* layout.h -- a film of many patches before it is solved: its nodes, what is held, where the rest starts.
+ *
+ *     corners   held, or near where they are said to be, or at the mean of those their edges lead to
+ *     edges     held curves fitted by their moments, straight lines for the rest
+ *     inside    the net of Coons of the four edges
+ */
+#ifndef TAUT_CONSTRUCT_FILM_COMPLEX_LAYOUT_H
+#define TAUT_CONSTRUCT_FILM_COMPLEX_LAYOUT_H
+
+#include "construct/common/scaling.h"
+#include "problem/film_complex.h"
+
+typedef struct taut_film_layout {
+    taut_film_complex complex; /* its holds in the user's unit */
+    double *points;            /* [nodes][3]: held ones and the start, in the user's unit */
+    unsigned char *known;      /* [nodes] */
+    taut_scaling scaling;
+    double *start;    /* [nodes][3], scaled */
+    double *tensions; /* [patch_count] */
+    double *ratios;   /* [strand_count]: force over the tension of the first patch, scaled */
+    double deviation; /* of fitted curves */
+    int fitted;       /* how many of these */
+    size_t pairs;     /* of functions of a cell, at most */
+} taut_film_layout;
+
+/* In the arena. Reasons as taut_film_complex_new, curve-fit, no-area, overflow, value. */
+taut_status taut_film_layout_new(const taut_film_problem *problem, taut_arena *arena,
+                                 taut_film_layout *layout, taut_error *error);
+
+#endif /* TAUT_CONSTRUCT_FILM_COMPLEX_LAYOUT_H */

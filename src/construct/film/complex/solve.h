@@ -1,0 +1,19 @@
+/* solve.h -- the film of least energy of many patches. */
+#ifndef TAUT_CONSTRUCT_FILM_COMPLEX_SOLVE_H
+#define TAUT_CONSTRUCT_FILM_COMPLEX_SOLVE_H
+
+#include "construct/film/complex/layout.h"
+#include "taut/monitor.h"
+
+typedef struct taut_film_rest {
+    double *points; /* [nodes][3], in the user's unit */
+    int unknowns, iterations;
+    double residual; /* largest free derivative over the largest */
+    int negative;    /* eigenvalues of the second variation below 0 */
+} taut_film_rest;
+
+/* TAUT_NO_SOLUTION: unstable, overflow; TAUT_NOT_CONVERGED: folds, not-converged; TAUT_INTERRUPTED, TAUT_NO_MEMORY. */
+taut_status taut_film_rest_find(const taut_film_layout *layout, const taut_monitor *monitor,
+                                taut_arena *arena, taut_film_rest *rest, taut_error *error);
+
+#endif /* TAUT_CONSTRUCT_FILM_COMPLEX_SOLVE_H */

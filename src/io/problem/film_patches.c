@@ -1,0 +1,180 @@
+/* film_patches.c -- films of many patches.
+ *
+ *     "patches": [PATCH, ..]      PATCH  { "name", "u", "v", "corners", "edges", "tension" }
+ *     "seams":   [SEAM, ..]       SEAM   ["a.u1", "-b.v0", ..] | { "edges": [..], "cable": LAW, "plane": PLANE }
+ *
+ * An edge runs with its parameter, one with a minus sign backwards.
+ */
+#include "io/problem/film_patches.h"
+
+#include "core/fail.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static const char *const patch_members[] = {"name", "u", "v", "corners", "edges", "tension", NULL};
+static const char *const seam_members[] = {"edges", "cable", "plane", NULL};
+static const char *const edge_names[4] = {"u0", "u1", "v0", "v1"};
+static const char *const corner_names[4] = {"u0v0", "u1v0", "u0v1", "u1v1"};
+static const char *const of_patches[] = {
+    "u",      "v",     "corners",       "edges",     "points",    "tension",
+    "name",   "start", "force_density", "prestress", "reference", "updates",
+    "refine", NULL};
+
+/* What is being read. */
+typedef struct reading {
+    taut_reader *document;
+    taut_problem *problem;
+    const taut_film_patch_readers *readers;
+    taut_film_problem *data;
+    taut_film_problem *patches;
+    taut_film_seam *seams;
+    int count; /* of patches read */
+} reading;
+
+/* A corner that nothing is said of is held where a curve ends, else unknown. */
+static void free_corners(const taut_json *at, taut_film_problem *patch)
+{
+    const taut_json corners = taut_json_member(at, "corners");
+
+    for (int c = 0; c < 4; c++) {
+        const taut_json corner = taut_json_member(&corners, corner_names[c]);
+        const int has_curve =
+            patch->edges[c % 2].curve != NULL || patch->edges[2 + c / 2].curve != NULL;
+        if (corner.value == NULL && !has_curve) {
+            patch->corner_kinds[c] = TAUT_FILM_FREE;
+        }
+    }
+}
+
+static taut_status read_patch(const taut_json *at, void *into, taut_error *error)
+{
+    reading *r = into;
+    taut_film_problem *patch = &r->patches[r->count];
+    taut_reader in = taut_reader_of(at, patch_members, error);
+
+    if (in.status == TAUT_OK) {
+        r->readers->patch(&in, r->problem, patch);
+        r->readers->tension(&in, patch);
+        free_corners(at, patch);
+    }
+    if (in.status == TAUT_OK && patch->name == NULL) {
+        char name[24];
+        snprintf(name, sizeof name, "film-%d", r->count);
+        patch->name = taut_arena_text(r->problem->arena, name);
+        in.status = patch->name == NULL ? taut_fail_memory(error) : TAUT_OK;
+    }
+    r->count++;
+    return in.status;
+}
+
+static taut_status read_side(const reading *r, const taut_json *at, taut_film_side *side,
+                             taut_error *error)
+{
+    const char *text = taut_json_text_at(at);
+
+    if (text == NULL) {
+        return taut_json_refuse(at, error, "type", "the name of an edge, \"NAME.u0\"");
+    }
+    side->reversed = text[0] == '-';
+    text += side->reversed;
+    const char *dot = strrchr(text, '.');
+    for (int p = 0; dot != NULL && p < r->count; p++) {
+        const size_t length = strlen(r->patches[p].name);
+        for (int e = 0; e < 4; e++) {
+            if (length == (size_t)(dot - text) && strncmp(r->patches[p].name, text, length) == 0 &&
+                strcmp(dot + 1, edge_names[e]) == 0) {
+                side->patch = p;
+                side->edge = e;
+                return TAUT_OK;
+            }
+        }
+    }
+    return taut_json_refuse(at, error, "name",
+                            "an edge of a patch, such as \"%s.u0\" or \"-%s.v1\"",
+                            r->patches[0].name, r->patches[0].name);
+}
+
+static taut_status read_sides(const reading *r, const taut_json *at, taut_film_seam *seam,
+                              taut_error *error)
+{
+    size_t count = 0;
+    taut_status status =
+        taut_json_array(at, 2, 4 * (size_t)TAUT_FILM_PATCHES_MAX, "edges", &count, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    taut_film_side *sides = taut_arena_take(r->problem->arena, count, sizeof *sides);
+    if (sides == NULL) {
+        return taut_fail_memory(error);
+    }
+    for (size_t k = 0; status == TAUT_OK && k < count; k++) {
+        const taut_json item = taut_json_item(at, k);
+        status = read_side(r, &item, &sides[k], error);
+    }
+    seam->count = (int)count;
+    seam->sides = sides;
+    return status;
+}
+
+static taut_status read_seam(const taut_json *at, void *into, taut_error *error)
+{
+    reading *r = into;
+    taut_film_seam *seam = &r->seams[r->data->seam_count++];
+
+    if (taut_json_kind_at(at) != TAUT_JSON_OBJECT) {
+        return read_sides(r, at, seam, error);
+    }
+    taut_reader in = taut_reader_of(at, seam_members, error);
+    const taut_json edges = taut_json_member(at, "edges");
+    const taut_json plane = taut_json_member(at, "plane");
+    if (in.status == TAUT_OK) {
+        in.status = read_sides(r, &edges, seam, error);
+    }
+    if (in.status == TAUT_OK && taut_reader_has(&in, "cable")) {
+        seam->edge.kind = TAUT_FILM_CABLE;
+        r->readers->cable(&in, &seam->edge);
+    } else if (in.status == TAUT_OK && plane.value != NULL) {
+        in.status =
+            taut_json_fail(&plane, error, "conflict", 1, 0, "found \"plane\" without a \"cable\"");
+    }
+    return in.status;
+}
+
+void taut_film_document_patches(taut_reader *document, taut_problem *problem,
+                                const taut_film_patch_readers *readers, taut_film_problem *data)
+{
+    const taut_json patches = taut_json_member(document->object, "patches");
+    const taut_json seams = taut_json_member(document->object, "seams");
+    reading r = {.document = document, .problem = problem, .readers = readers, .data = data};
+    const size_t seam_count = taut_json_count_at(&seams);
+
+    for (int k = 0; document->status == TAUT_OK && of_patches[k] != NULL; k++) {
+        const taut_json at = taut_json_member(document->object, of_patches[k]);
+        if (at.value != NULL) {
+            document->status =
+                taut_json_fail(&at, document->error, k < 7 ? "conflict" : "not-yet", 2, 1,
+                               k < 7 ? "found \"%s\" beside \"patches\": give it to each patch"
+                                     : "found \"%s\", which films of many patches cannot have in "
+                                       "this version: leave it out",
+                               of_patches[k]);
+        }
+    }
+    r.patches = taut_arena_take(problem->arena, TAUT_FILM_PATCHES_MAX, sizeof *r.patches);
+    r.seams = taut_arena_take(problem->arena, seam_count + 1, sizeof *r.seams);
+    if (document->status == TAUT_OK && (r.patches == NULL || r.seams == NULL)) {
+        document->status = taut_fail_memory(document->error);
+    }
+    if (document->status == TAUT_OK) {
+        document->status = taut_json_each(&patches, 1, TAUT_FILM_PATCHES_MAX, "patches", read_patch,
+                                          &r, document->error);
+    }
+    data->patch_count = r.count;
+    data->patches = r.patches;
+    if (document->status == TAUT_OK && seams.value != NULL) {
+        document->status = taut_json_each(&seams, 0, 4 * (size_t)TAUT_FILM_PATCHES_MAX, "seams",
+                                          read_seam, &r, document->error);
+    }
+    data->seams = r.seams;
+}

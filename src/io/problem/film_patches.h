@@ -1,0 +1,19 @@
+/* film_patches.h -- the members `patches` and `seams` of films. */
+#ifndef TAUT_IO_PROBLEM_FILM_PATCHES_H
+#define TAUT_IO_PROBLEM_FILM_PATCHES_H
+
+#include "io/problem/document_ops.h"
+#include "taut/film.h"
+
+/* How film.c reads what one patch has, its tension, and a cable's law with its plane. */
+typedef struct taut_film_patch_readers {
+    void (*patch)(taut_reader *patch, taut_problem *problem, taut_film_problem *data);
+    void (*tension)(taut_reader *patch, taut_film_problem *data);
+    void (*cable)(taut_reader *in, taut_film_edge *edge);
+} taut_film_patch_readers;
+
+/* Fills the patches and the seams of data. */
+void taut_film_document_patches(taut_reader *document, taut_problem *problem,
+                                const taut_film_patch_readers *readers, taut_film_problem *data);
+
+#endif /* TAUT_IO_PROBLEM_FILM_PATCHES_H */

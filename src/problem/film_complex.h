@@ -1,0 +1,73 @@
+/* film_complex.h -- films of many patches: which points of their nets are one, and what holds them.
+ *
+ *     seams    points of edges that are one curve, in the order that each is run
+ *     poles    all points of an edge
+ *
+ * make the classes of points, `nodes`. A node is held on planes n . x = c, up to three of them in general position: by the
+ * planes of slides and cables, by corners that are held or kept on a line or in a plane, by edges that are held whole.
+ *
+ *     inside   a point inside a patch or of a seam of two without a cable
+ *     line     a point of a cable, a slide, a seam of three or more; a corner where two of one kind run on into each other
+ *     vertex   where other lines end
+ */
+#ifndef TAUT_PROBLEM_FILM_COMPLEX_H
+#define TAUT_PROBLEM_FILM_COMPLEX_H
+
+#include "core/arena.h"
+#include "taut/film.h"
+
+typedef enum taut_film_node_kind {
+    TAUT_FILM_NODE_HELD, /* with a whole edge, or as a corner */
+    TAUT_FILM_NODE_INSIDE,
+    TAUT_FILM_NODE_LINE,
+    TAUT_FILM_NODE_VERTEX
+} taut_film_node_kind;
+
+/* n . x = c for each of `count`; n unit and orthogonal. */
+typedef struct taut_film_hold {
+    int count;
+    double normals[3][3], offsets[3];
+} taut_film_hold;
+
+/* Cables, in the order of figures: edges of patches, then seams. */
+typedef struct taut_film_strand {
+    taut_film_side side; /* where its points lie: not reversed */
+    const taut_film_edge *edge;
+    int seam; /* -1: an edge of its own */
+} taut_film_strand;
+
+typedef struct taut_film_complex {
+    const taut_film_problem *problem;
+    int points; /* of all nets, patch by patch, [nu][nv] */
+    int *first; /* [patch_count + 1] */
+    int *node;  /* [points] */
+    int nodes;
+    unsigned char *kind;   /* [nodes] */
+    unsigned char *fixed;  /* [nodes]: on an edge that is held whole */
+    taut_film_side *line;  /* [nodes]: of a point of a line, one of its edges */
+    int *at;               /* [nodes]: of such a point, which of the edge */
+    taut_film_hold *holds; /* [nodes] */
+    int strand_count;
+    taut_film_strand *strands;
+} taut_film_complex;
+
+/* Point k of an edge among those of its patch. */
+int taut_film_complex_point(const taut_film_problem *patch, int edge, int k);
+/* How many. */
+int taut_film_complex_along(const taut_film_problem *patch, int edge);
+/* The node of point k of a side, as it is run. */
+int taut_film_complex_node(const taut_film_complex *complex, const taut_film_side *side, int k);
+/* The seam that an edge is in, or -1. */
+int taut_film_complex_seam(const taut_film_problem *problem, int patch, int edge);
+
+/* One plane more. 0: it does not meet the others, by more than `gap`. */
+int taut_film_hold_add(taut_film_hold *hold, const double normal[3], double offset, double gap);
+/* x is moved onto them by the shortest way. */
+void taut_film_hold_onto(const taut_film_hold *hold, double x[3]);
+
+/* In the arena. TAUT_BAD_INPUT: edge-conflict, seam-mismatch, corner-conflict, corner-missing, curve-ends, value.
+ * TAUT_NO_SOLUTION: floating. TAUT_NO_MEMORY. */
+taut_status taut_film_complex_new(const taut_film_problem *problem, taut_arena *arena,
+                                  taut_film_complex *complex, taut_error *error);
+
+#endif /* TAUT_PROBLEM_FILM_COMPLEX_H */
