@@ -26,7 +26,7 @@ set(studio_page ${CMAKE_BINARY_DIR}/generated/studio.html)
 file(GLOB_RECURSE studio_library CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/*.[ch] ${CMAKE_SOURCE_DIR}/include/*.h)
 list(FILTER studio_library EXCLUDE REGEX "/src/(cli|modules|page)/")
 add_custom_command(OUTPUT ${studio_wasm}
-  COMMAND ${CMAKE_COMMAND} --preset wasm -B ${CMAKE_BINARY_DIR}/wasm --log-level=WARNING
+  COMMAND ${CMAKE_COMMAND} --preset wasm -DTAUT_WEB_NETS=ON -B ${CMAKE_BINARY_DIR}/wasm --log-level=WARNING
   COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR}/wasm
   COMMAND ${CMAKE_COMMAND} -E touch ${studio_wasm}
   WORKING_DIRECTORY ${CMAKE_SOURCE_DIR} COMMENT "The library as WebAssembly, for the studio" VERBATIM

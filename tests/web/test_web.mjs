@@ -43,6 +43,11 @@ for (const name of examples) {
   test(name, () => {
     const text = read(name), theirs = native(text);
     const surface = taut.open(text);
+    if (JSON.parse(text).construct === "trace") { // in the studio's module alone
+      assert.throws(() => surface.make(), (/** @type {any} */ error) => error.reason === "not-installed");
+      surface.close();
+      return;
+    }
     surface.make();
     const holds = surface.certify();
     const written = surface.write("json");
