@@ -271,7 +271,9 @@ static double tube_of(const oracle_case *about, oracle_real reach[2], int straig
     oracle_sheet sheet;
     oracle_real worst = 0;
 
-    if (isnan(radius) || !route_of(about->model, &route)) {
+    /* a run has no one axis, whatever curve of that name is added to it */
+    if (isnan(radius) || oracle_surface(about->model, "blend") == NULL ||
+        !route_of(about->model, &route)) {
         return NAN;
     }
     for (int e = 0; e < 2; e++) {
