@@ -4,7 +4,7 @@
  *
  *   boundary    where edges are held: the largest distance of one from its chord or curve, at equal
  *               parts of their ranges, proved (certify/common/curve_distance.h), over the size of
- *               the film; of several the one nearest to its limit. Limit: FIT of what a least squares fit of the certificate's own is proved to
+ *               the film; of several the one nearest to its limit. Limit: twice what a least squares fit of the certificate's own is proved to
  *               be off by (certify/plateau/fit.h), and rounding, 64 (p + q + n) 2^-53.
  *   held        largest distance of a corner from the problem's, over the size: 0. Where points are kept on planes or lines,
  *               the largest distance of one from them too, and then the limit is 64 2^-53.
@@ -28,13 +28,12 @@
 #include "taut/film.h"
 
 #include "certify/certify_ops.h"
-#include "certify/common/curve_distance.h"
 #include "certify/common/verdict.h"
 #include "certify/film/complex/complex.h"
+#include "certify/film/edge.h"
 #include "certify/film/least.h"
 #include "certify/film/lines.h"
 #include "certify/film/moves.h"
-#include "certify/plateau/fit.h"
 #include "core/constants.h"
 #include "core/fail.h"
 #include "core/vec3.h"
@@ -46,7 +45,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { GRID = 101 /* as taut_measure_surface */, FIT = 2, RULES = 6, SECOND_EXTRA = 1 };
+enum { GRID = 101 /* as taut_measure_surface */, RULES = 6, SECOND_EXTRA = 1 };
 static const int extra_nodes[RULES] = {4, 8, 15, 27, 48, 76};
 static const double tolerance_default = 1e-10, largest_limit = 1e-6, stable_limit = 1e-6,
                     length_limit = 1e-10, kept_limit = 0x1p-47; /* 64 2^-53 */
@@ -109,109 +108,32 @@ static taut_status read_request(const taut_model *model, const taut_film_problem
 
 /* ---- the edges ---- */
 
-/* What is found of the held edge that comes nearest to its limit, or is farthest beyond it. */
-typedef struct boundary {
-    double residual, limit;
-    int worst, count;
-    int fitted; /* is one of them held on a curve of another basis? */
-} boundary;
-
-/* What edge e has to be: to be freed. */
-static taut_status make_wanted(const request *r, int e, taut_curve **curve, taut_error *error)
+static taut_status check_edge(const request *r, int e, taut_film_boundary *b, int *worst,
+                              taut_error *error)
 {
-    const taut_film_edge *edge = &r->problem->edges[e];
-    const taut_basis_spec spec = {.type = "bezier", .degree = 1};
-    taut_basis *basis = NULL;
-    double ends[2][3];
+    taut_film_asked asked = {.curve = r->problem->edges[e].curve,
+                             .is_fitted = r->problem->ring != TAUT_FILM_OPEN,
+                             .size = 2 * r->half,
+                             .away = taut_norm(corner_point(r, 0))};
+    int is_worst = 0;
 
-    if (edge->curve != NULL) {
-        return taut_curve_copy(edge->curve, curve) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
-    }
     for (int end = 0; end < 2; end++) {
-        memcpy(ends[end], corner_point(r, corner_of(e, end)), sizeof ends[end]);
+        memcpy(asked.ends[end], corner_point(r, corner_of(e, end)), sizeof asked.ends[end]);
     }
-    taut_status status = taut_basis_new(&spec, 2, &basis, error);
-    if (status == TAUT_OK) {
-        status = taut_curve_new(NULL, basis, ends[0], NULL, curve, error);
-    }
-    taut_basis_free(basis);
-    return status;
-}
-
-/* How near to its curve the space of the problem lets an edge come. */
-static taut_status fit_edge(const taut_curve *wanted, const taut_basis *basis, double *bound,
-                            taut_error *error)
-{
-    taut_curve *fit = NULL;
-    taut_status status = taut_certify_fit(wanted, basis, &fit);
-
-    *bound = INFINITY;
-    if (status == TAUT_OK) {
-        status = taut_certify_distance(fit, wanted, bound, error);
-    } else {
-        status = status == TAUT_NO_MEMORY ? taut_fail_memory(error) : TAUT_OK;
-    }
-    taut_curve_free(fit);
-    return status;
-}
-
-/* One edge against its own limit. */
-static void judge_edge(const request *r, int e, const taut_curve *found, const taut_curve *wanted,
-                       double distance, double fitted, boundary *b)
-{
-    const int degree = taut_basis_degree(taut_curve_t(wanted));
-    const double roundings = taut_basis_degree(taut_curve_t(found)) + (degree >= 0 ? degree : 5) +
-                             taut_basis_count(taut_curve_t(found));
-    const double size = 2 * r->half, away = taut_norm(corner_point(r, 0));
-    const double residual = distance / size;
-    const double limit =
-        FIT * fitted / size + 64 * roundings * TAUT_UNIT_ROUNDOFF * (1 + away / size);
-
-    if (b->count == 0 || !(residual / limit <= b->residual / b->limit)) {
-        b->residual = residual;
-        b->limit = limit;
-        b->worst = e;
-    }
-    b->count++;
-}
-
-static taut_status check_edge(const request *r, int e, boundary *b, taut_error *error)
-{
-    const taut_surface *s = r->surface;
-    taut_curve *wanted = NULL, *found = NULL;
-    double distance = INFINITY, fitted = 0;
-    taut_status status = make_wanted(r, e, &wanted, error);
-
-    if (status == TAUT_OK) {
-        status = taut_certify_edge(taut_surface_u(s), taut_surface_v(s), taut_surface_points(s),
-                                   NULL, e, &found, error);
-    }
-    if (status == TAUT_OK) {
-        status = taut_certify_distance(found, wanted, &distance, error);
-    }
-    const taut_curve *given = r->problem->edges[e].curve;
-    if (status == TAUT_OK && given != NULL &&
-        (r->problem->ring != TAUT_FILM_OPEN || taut_curve_weights(given) != NULL ||
-         !taut_basis_equal(taut_curve_t(given), taut_curve_t(found)))) {
-        b->fitted = 1;
-        status = fit_edge(wanted, taut_curve_t(found), &fitted, error);
-    }
-    if (status == TAUT_OK) {
-        judge_edge(r, e, found, wanted, distance, fitted, b);
-    }
-    taut_curve_free(wanted);
-    taut_curve_free(found);
+    const taut_status status = taut_film_judge_edge(r->surface, e, &asked, b, &is_worst, error);
+    *worst = is_worst ? e : *worst;
     return status;
 }
 
 static taut_status add_boundary(const request *r, taut_certificate *certificate, taut_error *error)
 {
-    boundary b = {.worst = 0};
+    taut_film_boundary b = {.count = 0};
+    int worst = 0;
 
     for (int e = 0; e < 4; e++) {
         if (r->problem->edges[e].kind == TAUT_FILM_FIXED &&
             taut_film_sheet_has_edge(r->problem, e)) {
-            const taut_status status = check_edge(r, e, &b, error);
+            const taut_status status = check_edge(r, e, &b, &worst, error);
             if (status != TAUT_OK) {
                 return status;
             }
@@ -225,7 +147,7 @@ static taut_status add_boundary(const request *r, taut_certificate *certificate,
                         .residual = b.residual,
                         .limit = b.limit,
                         .holds = taut_certify_below(b.residual, b.limit),
-                        .where = edge_names[b.worst]};
+                        .where = edge_names[worst]};
     if (claim.holds == TAUT_UNDECIDED) {
         claim.where = "the certificate's own fit finds no place to stand";
     }

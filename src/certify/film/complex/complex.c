@@ -14,10 +14,9 @@
  */
 #include "certify/film/complex/complex.h"
 
-#include "certify/common/curve_distance.h"
 #include "certify/common/verdict.h"
 #include "certify/film/complex/defects.h"
-#include "certify/plateau/fit.h"
+#include "certify/film/edge.h"
 #include "core/constants.h"
 #include "core/fail.h"
 #include "core/vec3.h"
@@ -26,7 +25,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { FIT = 2, RULES = 6, SECOND_EXTRA = 1 };
+enum { RULES = 6, SECOND_EXTRA = 1 };
 static const int extra_nodes[RULES] = {4, 8, 15, 27, 48, 76};
 static const double tolerance_default = 1e-10, largest_limit = 1e-6, stable_limit = 1e-6,
                     kept_limit = 0x1p-47; /* 64 2^-53 */
@@ -103,99 +102,35 @@ static taut_status add(taut_certificate *certificate, const taut_claim *claim, t
 
 /* ---- the boundary ---- */
 
-typedef struct boundary {
-    double residual, limit;
-    int count, fitted;
-    char where[96];
-} boundary;
-
-static taut_status make_wanted(const request *r, int p, int e, taut_curve **curve,
-                               taut_error *error)
+static taut_status check_edge(const request *r, int p, int e, taut_film_boundary *b, char where[96],
+                              taut_error *error)
 {
     const taut_film_problem *patch = &r->problem->patches[p];
-    const taut_basis_spec spec = {.type = "bezier", .degree = 1};
     const int n = taut_film_complex_along(patch, e);
-    taut_basis *basis = NULL;
-    double ends[2][3];
+    taut_film_asked asked = {
+        .curve = patch->edges[e].curve, .size = r->size, .away = taut_norm(point_at(r, 0, 0))};
+    int is_worst = 0;
 
-    if (patch->edges[e].curve != NULL) {
-        return taut_curve_copy(patch->edges[e].curve, curve) == TAUT_OK ? TAUT_OK
-                                                                        : taut_fail_memory(error);
-    }
     for (int end = 0; end < 2; end++) {
-        memcpy(ends[end], point_at(r, p, taut_film_complex_point(patch, e, end * (n - 1))),
-               sizeof ends[end]);
+        memcpy(asked.ends[end], point_at(r, p, taut_film_complex_point(patch, e, end * (n - 1))),
+               sizeof asked.ends[end]);
     }
-    taut_status status = taut_basis_new(&spec, 2, &basis, error);
-    if (status == TAUT_OK) {
-        status = taut_curve_new(NULL, basis, ends[0], NULL, curve, error);
+    const taut_status status = taut_film_judge_edge(r->surfaces[p], e, &asked, b, &is_worst, error);
+    if (is_worst) {
+        snprintf(where, 96, "%.88s.%s", patch->name, edge_names[e]);
     }
-    taut_basis_free(basis);
-    return status;
-}
-
-static taut_status fit_edge(const taut_curve *wanted, const taut_basis *basis, double *bound,
-                            taut_error *error)
-{
-    taut_curve *fit = NULL;
-    taut_status status = taut_certify_fit(wanted, basis, &fit);
-
-    *bound = INFINITY;
-    status = status == TAUT_OK          ? taut_certify_distance(fit, wanted, bound, error)
-             : status == TAUT_NO_MEMORY ? taut_fail_memory(error)
-                                        : TAUT_OK;
-    taut_curve_free(fit);
-    return status;
-}
-
-static taut_status check_edge(const request *r, int p, int e, boundary *b, taut_error *error)
-{
-    const taut_surface *s = r->surfaces[p];
-    const taut_curve *given = r->problem->patches[p].edges[e].curve;
-    taut_curve *wanted = NULL, *found = NULL;
-    double distance = INFINITY, fitted = 0;
-    taut_status status = make_wanted(r, p, e, &wanted, error);
-
-    if (status == TAUT_OK) {
-        status = taut_certify_edge(taut_surface_u(s), taut_surface_v(s), taut_surface_points(s),
-                                   NULL, e, &found, error);
-    }
-    if (status == TAUT_OK) {
-        status = taut_certify_distance(found, wanted, &distance, error);
-    }
-    if (status == TAUT_OK && given != NULL &&
-        (taut_curve_weights(given) != NULL ||
-         !taut_basis_equal(taut_curve_t(given), taut_curve_t(found)))) {
-        b->fitted = 1;
-        status = fit_edge(wanted, taut_curve_t(found), &fitted, error);
-    }
-    if (status == TAUT_OK) {
-        const int degree = taut_basis_degree(taut_curve_t(wanted));
-        const double roundings = taut_basis_degree(taut_curve_t(found)) +
-                                 (degree >= 0 ? degree : 5) + taut_basis_count(taut_curve_t(found));
-        const double away = taut_norm(point_at(r, 0, 0)), residual = distance / r->size;
-        const double limit =
-            FIT * fitted / r->size + 64 * roundings * TAUT_UNIT_ROUNDOFF * (1 + away / r->size);
-        if (b->count++ == 0 || !(residual / limit <= b->residual / b->limit)) {
-            b->residual = residual;
-            b->limit = limit;
-            snprintf(b->where, sizeof b->where, "%.88s.%s", r->problem->patches[p].name,
-                     edge_names[e]);
-        }
-    }
-    taut_curve_free(wanted);
-    taut_curve_free(found);
     return status;
 }
 
 static taut_status add_boundary(const request *r, taut_certificate *certificate, taut_error *error)
 {
-    boundary b = {.count = 0, .where = ""};
+    taut_film_boundary b = {.count = 0};
+    char where[96] = "";
 
     for (int k = 0; k < 4 * r->problem->patch_count; k++) {
         if (r->problem->patches[k / 4].edges[k % 4].kind == TAUT_FILM_FIXED &&
             taut_film_complex_seam(r->problem, k / 4, k % 4) < 0) {
-            const taut_status status = check_edge(r, k / 4, k % 4, &b, error);
+            const taut_status status = check_edge(r, k / 4, k % 4, &b, where, error);
             if (status != TAUT_OK) {
                 return status;
             }
@@ -206,7 +141,7 @@ static taut_status add_boundary(const request *r, taut_certificate *certificate,
                               .residual = b.residual,
                               .limit = b.limit,
                               .holds = taut_certify_below(b.residual, b.limit),
-                              .where = b.where};
+                              .where = where};
     return b.count > 0 ? add(certificate, &claim, error) : TAUT_OK;
 }
 
