@@ -364,6 +364,9 @@ static const attack_row rows[] = {
     {"trace", "ends", "trace-principal", lath_name, ANY | ONE_WAY},
     {"trace", "nodes", "trace-principal", lath_middle, ONE_WAY},
     {"trace", "complete", "trace-principal", lath_name, ANY | ONE_WAY},
+    {"trace", "right-angled", "trace-enneper", inside, 0},
+    {"trace", "spacing", "trace-enneper", lath_name, ANY | ONE_WAY},
+    {"trace", "pattern", "trace-planks", lath_name, ANY | ONE_WAY},
     {"trace", "identity", "trace-principal", other_unit, 0},
 };
 
