@@ -5,7 +5,7 @@ example=$SOURCE/examples
 
 run 0 make "$example/bonnet-figure-2a.json" -o a.json --report r.json
 contains err.txt 'algebraic +holds'
-contains err.txt 'area +6\.41603321562'
+contains err.txt 'area +6\.4160332156'
 contains r.json '"construct": "bonnet"'
 run 0 certify a.json "$example/bonnet-figure-2a.json"
 run 0 certify a.json
