@@ -66,7 +66,7 @@ mkdir cmake
 cat > cmake/CMakeLists.txt <<'END'
 cmake_minimum_required(VERSION 3.25)
 project(stranger CXX)
-find_package(taut 0.1 REQUIRED)
+find_package(taut 0.2 REQUIRED)
 add_executable(stranger stranger.cpp)
 target_link_libraries(stranger PRIVATE taut::draw)
 END

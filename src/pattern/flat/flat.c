@@ -14,6 +14,7 @@
  */
 #include "pattern/flat/flat.h"
 
+#include "core/elementary/elementary.h"
 #include "numeric/band.h"
 #include "numeric/quadrature.h"
 
@@ -387,7 +388,7 @@ static double edge_speed(const work *w, const double *y, int edge, int a, int q,
             slope[d] += l->slope[a][q][i] * y[edge_unknown(w, edge, a + i, d)];
         }
     }
-    return hypot(slope[0], slope[1]);
+    return taut_hypot(slope[0], slope[1]);
 }
 
 static double *row_of(work *w, int row)
@@ -458,7 +459,7 @@ static void add_constraints(work *w)
     } else {
         double value[LOCAL];
         const int span = middle(w, value);
-        const double turn[2] = {-sin(w->options->thread), cos(w->options->thread)};
+        const double turn[2] = {-taut_sin(w->options->thread), taut_cos(w->options->thread)};
         for (int k = 0; k < LOCAL; k++) {
             for (int d = 0; d < 2; d++) {
                 const int to = unknown(w, last, span + k, d), from = unknown(w, 0, span + k, d);
@@ -775,12 +776,12 @@ static void walk_axis(const work *w, double from, double to, double place[2], do
         w->strip->metric(w->strip->context, at[k], 0.5, g);
         speed[k] = sqrt(g[0]);
     }
-    place[0] +=
-        h / 6 *
-        (speed[0] * cos(theta[0]) + 4 * speed[1] * cos(theta[1]) + speed[2] * cos(theta[2]));
-    place[1] +=
-        h / 6 *
-        (speed[0] * sin(theta[0]) + 4 * speed[1] * sin(theta[1]) + speed[2] * sin(theta[2]));
+    place[0] += h / 6 *
+                (speed[0] * taut_cos(theta[0]) + 4 * speed[1] * taut_cos(theta[1]) +
+                 speed[2] * taut_cos(theta[2]));
+    place[1] += h / 6 *
+                (speed[0] * taut_sin(theta[0]) + 4 * speed[1] * taut_sin(theta[1]) +
+                 speed[2] * taut_sin(theta[2]));
     *angle = theta[2];
 }
 
@@ -806,12 +807,12 @@ static void turn_start(work *w)
             to[d] += value[k] * w->y[unknown(w, last, span + k, d)];
         }
     }
-    const double angle = w->options->thread - atan2(to[1] - from[1], to[0] - from[0]);
-    w->size = hypot(to[0] - from[0], to[1] - from[1]);
+    const double angle = w->options->thread - taut_atan2(to[1] - from[1], to[0] - from[0]);
+    w->size = taut_hypot(to[0] - from[0], to[1] - from[1]);
     for (int i = 0; i < w->n; i += 2) {
         const double x = w->y[i] - from[0], y = w->y[i + 1] - from[1];
-        w->y[i] = (cos(angle) * x - sin(angle) * y) * w->stretch[0];
-        w->y[i + 1] = (sin(angle) * x + cos(angle) * y) * w->stretch[1];
+        w->y[i] = (taut_cos(angle) * x - taut_sin(angle) * y) * w->stretch[0];
+        w->y[i + 1] = (taut_sin(angle) * x + taut_cos(angle) * y) * w->stretch[1];
         w->size = fmax(w->size, fmax(fabs(w->y[i]), fabs(w->y[i + 1])));
     }
     if (!w->is_turning) {
@@ -847,11 +848,11 @@ static taut_status unroll(work *w)
         }
         before = s;
         w->strip->metric(w->strip->context, s, 0.5, g);
-        const double turn = angle + atan2(sqrt(g[0] * g[2] - g[1] * g[1]), g[1]);
+        const double turn = angle + taut_atan2(sqrt(g[0] * g[2] - g[1] * g[1]), g[1]);
         for (int j = 0; j < nt; j++) {
             const double reach = cross_length(w, s, greville(w->lines[1].spans, j));
-            w->y[unknown(w, i, j, 0)] = place[0] + reach * cos(turn);
-            w->y[unknown(w, i, j, 1)] = place[1] + reach * sin(turn);
+            w->y[unknown(w, i, j, 0)] = place[0] + reach * taut_cos(turn);
+            w->y[unknown(w, i, j, 1)] = place[1] + reach * taut_sin(turn);
         }
     }
     collocation(w->lines[0].spans, a);
@@ -889,8 +890,8 @@ static void set_share(work *w, double share, int is_law)
     for (int e = 0; e < TAUT_FLAT_EDGES; e++) {
         const line *l = &w->lines[edge_way(e)];
         for (int k = 0; w->options->held[e] != NULL && k < l->spans * GAUSS; k++) {
-            w->target[e][k] = w->length[e][k] * pow(w->natural[e][k], 1 - share) *
-                              pow(w->options->held[e][k], share);
+            w->target[e][k] = w->length[e][k] * taut_pow(w->natural[e][k], 1 - share) *
+                              taut_pow(w->options->held[e][k], share);
         }
     }
 }
@@ -1155,7 +1156,7 @@ void taut_flat_strain(const taut_flat *flat, const double g[3], const double y[3
     if (stretch_form(j, g, inverse, &det, c)) {
         const double p = 1 - flat->warp, q = 1 - flat->weft;
         const double a = c[0] * p * p, b = c[1] * q * q, m = c[2] * p * q;
-        const double half = (a + b) / 2, radius = hypot((a - b) / 2, m);
+        const double half = (a + b) / 2, radius = taut_hypot((a - b) / 2, m);
         strain[0] = sqrt(half + radius) - 1;
         strain[1] = sqrt(half - radius) - 1;
     }
@@ -1164,18 +1165,18 @@ void taut_flat_strain(const taut_flat *flat, const double g[3], const double y[3
 double taut_flat_edge_length(const taut_flat *flat, const taut_flat_strip *strip,
                              taut_flat_edge edge, double *stretch)
 {
-    const int d = edge_way(edge), spans = flat->spans[d];
+    const int e = (int)edge, d = edge_way(e), spans = flat->spans[d];
     double node[GAUSS], weight[GAUSS], sum = 0;
     taut_gauss_rule(GAUSS, node, weight);
     for (int k = 0; k < spans * GAUSS; k++) {
         const double x = (k / GAUSS + 0.5 + 0.5 * node[k % GAUSS]) / spans;
         double y[3][2], at[2];
-        edge_place(edge, x, at);
+        edge_place(e, x, at);
         taut_flat_at(flat, at[0], at[1], y);
-        const double speed = hypot(y[1 + d][0], y[1 + d][1]);
+        const double speed = taut_hypot(y[1 + d][0], y[1 + d][1]);
         sum += speed * weight[k % GAUSS] * 0.5 / spans;
         if (stretch != NULL) {
-            stretch[k] = speed / speed_in_space(strip, edge, x);
+            stretch[k] = speed / speed_in_space(strip, e, x);
         }
     }
     return sum;
