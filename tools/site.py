@@ -120,7 +120,8 @@ def stage(studio):
         shutil.copyfile(os.path.join(ROOT, "tools", "site", name), os.path.join(STAGE, "docs", name))
     pages["search.md"] = "Search"
     with open(os.path.join(STAGE, "docs", "search.md"), "w", encoding="utf-8") as file:
-        file.write('# Search\n\n<input id="words" type="search" aria-label="Words to search for" placeholder="cable force">\n'
+        file.write('# Search\n\nA word of an error, a name of the library, or what you look for. All is searched in this page; nothing is '
+                   'sent.\n\n<input id="words" type="search" aria-label="Words to search for" placeholder="cable force">\n'
                    '<p id="count"></p>\n<ul id="found"></ul>\n<script src="search-index.js"></script>\n'
                    '<script src="search.js"></script>\n')
     if studio:
