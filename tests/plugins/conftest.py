@@ -3,6 +3,7 @@ import json
 import os
 import pathlib
 import shutil
+import signal
 import subprocess
 import sys
 
@@ -34,10 +35,16 @@ def run_in(tmp_path):
                 pytest.skip(f"there is no {needed} here: tools/deps.sh hosts")
         environment = dict(os.environ, PYTHONPATH=f"{ROOT / 'python'}:{ROOT / 'plugins' / plugin}:{ROOT / 'plugins' / plugin / 'compat'}:{HERE}", TAUT_TEST=json.dumps({**given, "folder": str(tmp_path)}),
                            HOME=str(tmp_path), LIBGL_ALWAYS_SOFTWARE="1", QTWEBENGINE_DISABLE_SANDBOX="1", PYTHONDONTWRITEBYTECODE="1")
-        done = subprocess.run([word.format(script=HERE / script) for word in COMMANDS[host]], env=environment, capture_output=True,
-                              text=True, timeout=300, stdin=subprocess.DEVNULL, cwd=tmp_path)
-        lines = [line for line in done.stdout.splitlines() if "RESULT " in line]
-        assert lines, f"{host} ended with {done.returncode}:\n{done.stdout[-4000:]}\n{done.stderr[-4000:]}"
+        # a session of its own: with the host end the programs that it or xvfb-run started, too
+        process = subprocess.Popen([word.format(script=HERE / script) for word in COMMANDS[host]], env=environment, stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE, text=True, stdin=subprocess.DEVNULL, cwd=tmp_path, start_new_session=True)
+        try:
+            out, said = process.communicate(timeout=200)
+        except subprocess.TimeoutExpired:
+            os.killpg(process.pid, signal.SIGKILL)
+            out, said = process.communicate()
+        lines = [line for line in out.splitlines() if "RESULT " in line]
+        assert lines, f"{host} ended with {process.returncode}:\n{out[-4000:]}\n{said[-4000:]}"
         return json.loads(lines[-1].split("RESULT ", 1)[1])
 
     return run
