@@ -56,7 +56,7 @@ def test_readme(program, tmp_path, monkeypatch, capsys):
     (tmp_path / "tent.json").write_text(re.search(r"```json\n(.*?)```", text, re.S)[1])
     monkeypatch.chdir(tmp_path)
     exec(re.search(r"```python\n(.*?)```", text, re.S)[1], {})
-    said = re.fullmatch(r"\[(.*)\] True (4\.199715535\d*)\n", capsys.readouterr().out)
+    said = re.fullmatch(r"\[(.*)\] \(3, 3, 3\)\nTrue (4\.199715535\d*)\n", capsys.readouterr().out)
     assert said and [float(x) for x in said[1].split()] == [0, 0, 0.375]  # 4 x 1/8 - 1/2 x 1/4
 
 
