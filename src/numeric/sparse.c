@@ -88,6 +88,16 @@ static int weigh(const taut_sparse *s, const int *nodes, int count)
     return rows;
 }
 
+/* A copy; of no numbers it is no NULL either, which is left to want of memory. */
+static list keep(taut_arena *arena, const int *from, int count)
+{
+    list kept = {taut_arena_take(arena, (size_t)count + 1, sizeof(int)), count};
+    if (kept.at != NULL && count > 0) {
+        memcpy(kept.at, from, (size_t)count * sizeof(int));
+    }
+    return kept;
+}
+
 /* Joins the cliques of `pivot` into clique number g->count, without the group's own. */
 static taut_status eliminate(taut_sparse *s, graph *g, int pivot)
 {
@@ -136,8 +146,7 @@ static taut_status eliminate(taut_sparse *s, graph *g, int pivot)
     made->own_rows = weigh(s, made->nodes, own);
     made->rows = weigh(s, made->nodes, count);
     s->work += (double)made->own_rows * made->rows * made->rows;
-    g->cliques[clique] = (list){
-        taut_arena_copy(g->arena, made->nodes + own, (size_t)others + 1, sizeof(int)), others};
+    g->cliques[clique] = keep(g->arena, made->nodes + own, others);
     for (int k = 0; k < others; k++) {
         const int node = made->nodes[own + k];
         g->degree[node] = weigh(s, g->scratch, gather(g, node));
@@ -150,8 +159,7 @@ static taut_status order(taut_sparse *s, graph *g)
     for (int a = 0; a < s->nodes; a++) {
         const int count = gather(g, a);
         g->degree[a] = weigh(s, g->scratch, count);
-        s->neighbors[a] =
-            (list){taut_arena_copy(s->arena, g->scratch, (size_t)count, sizeof(int)), count};
+        s->neighbors[a] = keep(s->arena, g->scratch, count);
     }
     for (taut_status status = taut_arena_status(s->arena);;) {
         int pivot = -1;
@@ -186,11 +194,7 @@ static taut_status prepare(taut_sparse *s, int cliques, const int *first, const 
     g->count = cliques;
     for (int k = 0; k < cliques; k++) {
         g->owner[k] = -1;
-        g->cliques[k] =
-            (list){taut_arena_copy(g->arena, members + first[k],
-                                   (size_t)(first[k + 1] - first[k]) + 1 /* none is no NULL */,
-                                   sizeof(int)),
-                   first[k + 1] - first[k]};
+        g->cliques[k] = keep(g->arena, members + first[k], first[k + 1] - first[k]);
         for (int m = first[k]; m < first[k + 1]; m++) {
             g->of[members[m]].count++;
         }
