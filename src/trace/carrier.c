@@ -88,7 +88,11 @@ void taut_carrier_at(const taut_carrier *carrier, const int span[2], const doubl
     double h[TAUT_CARRIER_VECTORS][4];
     const int count = (order + 1) * (order + 2) / 2;
 
-    sum_net(carrier, span, at, order, h);
+    if (carrier->cells != NULL) {
+        taut_carrier_cells_at(carrier->cells, span, at, order, h);
+    } else {
+        sum_net(carrier, span, at, order, h);
+    }
     if (carrier->is_rational) {
         project(count, (const double(*)[4])h, x);
         return;
@@ -280,7 +284,8 @@ taut_status taut_carrier_new(taut_arena *arena, const taut_surface *surface, tau
         carrier->lo[d] = taut_basis_lo(carrier->basis[d]);
         carrier->hi[d] = taut_basis_hi(carrier->basis[d]);
     }
-    if (!make_net(arena, carrier)) {
+    if (!make_net(arena, carrier) ||
+        taut_carrier_cells_new(arena, carrier->basis, carrier->net, &carrier->cells) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
     look(carrier);

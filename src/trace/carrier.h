@@ -9,6 +9,7 @@
 
 #include "core/arena.h"
 #include "taut/surface.h"
+#include "trace/carrier_cells.h"
 
 /* The derivatives of a surface up to the third, in the order of taut_jet_power: x, x_u, x_v, x_uu,
  * x_uv, x_vv, x_uuu, x_uuv, x_uvv, x_vvv. */
@@ -17,7 +18,8 @@ enum { TAUT_CARRIER_VECTORS = 10 };
 typedef struct taut_carrier {
     const taut_surface *surface;
     const taut_basis *basis[2];
-    const double *net; /* [nu][nv][4]: (wx, wy, wz, w) */
+    const double *net;               /* [nu][nv][4]: (wx, wy, wz, w) */
+    const taut_carrier_cells *cells; /* the same cell by cell, or NULL */
     int is_rational;
     int scale;           /* an exponent */
     double origin[3];    /* of the surface's own points */

@@ -13,7 +13,10 @@ static const struct {
     double closing;               /* over the size: the seed again */
     double crease, kink;          /* angles of normals and of tangents */
     double along;                 /* over a range: it runs on a break */
-} limits = {1e-2, 0.1, 1e-12, 0.5, 1e-9, 1e-9, 1e-9, 1e-8, 1e-12};
+    double rounding;              /* over the size: of the place of an event */
+    double near,
+        nearer; /* over the size: a step of Newton, and the one after it, in its last rounds */
+} limits = {1e-2, 0.1, 1e-12, 0.5, 1e-9, 1e-9, 1e-9, 1e-8, 1e-12, 2e-16, 1e-7, 1e-14};
 
 /* The system of a cell, and what went wrong last. */
 typedef struct cell_field {
@@ -271,17 +274,42 @@ static double event_value(const follower *f, const event *e, const taut_walk_sta
     return taut_dot(away, f->seed_tangent);
 }
 
+/* Where in [0, h] the cubic through two values and their rates vanishes: a first guess. */
+static double guess_event(const double value[2], const double rate[2], double h)
+{
+    const double a = h * rate[0], b = h * rate[1], rise = value[1] - value[0];
+    double low = 0, high = 1, t = value[0] / -rise;
+
+    for (int round = 0; round < 8; round++) {
+        const double p = 3 * rise - 2 * a - b, q = a + b - 2 * rise;
+        const double here = value[0] + t * (a + t * (p + t * q));
+        const double slope = a + t * (2 * p + 3 * t * q);
+        *((here > 0) == (value[1] > 0) ? &high : &low) = t;
+        t -= here / slope;
+        if (!(t > low) || !(t < high)) {
+            t = (low + high) / 2;
+        }
+    }
+    return h * t;
+}
+
 /* The length of the step at which the event happens, by Newton between 0 and h, each a full step. */
 static int solve_event(follower *f, double h, const taut_walk_state *end, event *e)
 {
-    double low = 0, high = h, rate = 0;
+    const double size = f->carrier->size;
+    double low = 0, high = h, rates[2], values[2];
     taut_walk_state state = *end;
-    double value = event_value(f, e, &state, &rate);
+
+    values[0] = event_value(f, e, &f->state, &rates[0]);
+    values[1] = event_value(f, e, end, &rates[1]);
+    double value = values[1], rate = rates[1];
     const double side = value > 0 ? 1 : -1;
+    double next =
+        value != 0 && values[0] * side < 0 ? guess_event(values, rates, h) : h - value / rate;
 
     e->h = h;
     for (int round = 0; round < 60 && value != 0; round++) {
-        double next = e->h - value / rate, error = 0;
+        double error = 0;
         if (!(next > low) || !(next < high)) {
             next = (low + high) / 2;
         }
@@ -291,12 +319,11 @@ static int solve_event(follower *f, double h, const taut_walk_state *end, event 
         }
         e->h = next;
         value = event_value(f, e, &state, &rate);
-        if (value * side > 0) {
-            high = next;
-        } else {
-            low = next;
-        }
-        if (moved <= 2e-16 * f->carrier->size || high - low <= 2e-16 * f->carrier->size) {
+        *(value * side > 0 ? &high : &low) = next;
+        next -= value / rate;
+        /* Newton's last step was so small that the next one is rounding */
+        if (moved <= limits.rounding * size || high - low <= limits.rounding * size ||
+            (moved <= limits.near * size && fabs(next - e->h) <= limits.nearer * size)) {
             break;
         }
     }

@@ -778,19 +778,11 @@ static taut_status trace_seed(taut_net *net, const taut_trace_seed *seed, int in
 
 static taut_status find_nodes(taut_net *net, taut_error *error)
 {
-    const int is_geodesic = net->problem->net == TAUT_TRACE_GEODESIC;
     net->nodes.arena = net->arena;
-    for (int i = 0; i < net->count; i++) {
-        for (int j = is_geodesic ? i + 1 : 0; j < net->count; j++) {
-            const int crosses =
-                is_geodesic || (net->laths[i].family == 0 && net->laths[j].family == 1);
-            if (crosses && taut_nodes_between(net->carrier, net->problem->net, net->laths, i, j,
-                                              &net->nodes) != TAUT_OK) {
-                return taut_fail_memory(error);
-            }
-        }
-    }
-    return TAUT_OK;
+    return taut_nodes_find(net->carrier, net->problem->net, net->laths, net->count, &net->nodes) ==
+                   TAUT_OK
+               ? TAUT_OK
+               : taut_fail_memory(error);
 }
 
 taut_status taut_net_trace(taut_net *net, const taut_monitor *monitor, taut_error *error)

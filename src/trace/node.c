@@ -10,6 +10,9 @@ enum { DEPTH = 9, ROUNDS = 12 };
 static const double margin = 1e-7, beyond = 1e-9, same = 1e-9;
 /* Below this sine two laths of a pair do not cross but touch. */
 static const double least_sine = 1e-7;
+/* Over the size: how well the quintics know a crossing, and how small a step of Newton is taken along
+ * the curves' tangents and bends instead of by one more full step. */
+static const double roughly = 1e-6, small_step = 1e-8;
 
 typedef struct box {
     double low[2], high[2];
@@ -17,12 +20,15 @@ typedef struct box {
 
 static box box_of(const double points[TAUT_QUINTIC][2], const double room[2])
 {
-    box b = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
-    for (int k = 0; k < TAUT_QUINTIC; k++) {
-        for (int d = 0; d < 2; d++) {
-            b.low[d] = fmin(b.low[d], points[k][d] - room[d]);
-            b.high[d] = fmax(b.high[d], points[k][d] + room[d]);
+    box b;
+    for (int d = 0; d < 2; d++) {
+        double low = points[0][d], high = low;
+        for (int k = 1; k < TAUT_QUINTIC; k++) {
+            low = points[k][d] < low ? points[k][d] : low;
+            high = points[k][d] > high ? points[k][d] : high;
         }
+        b.low[d] = low - room[d];
+        b.high[d] = high + room[d];
     }
     return b;
 }
@@ -33,13 +39,22 @@ static int overlap(const box *a, const box *b)
            b->low[1] <= a->high[1];
 }
 
+/* A lath in the window: the quintics of its segments, boxes around them, and one around all. */
+typedef struct outline {
+    double (*quintics)[TAUT_QUINTIC][2];
+    box *boxes;
+    box whole;
+} outline;
+
 /* What is searched: two segments, and what was found. */
 typedef struct search {
     const taut_carrier *carrier;
     taut_trace_net net;
     const taut_lath *laths;
+    const outline *outlines;
     int index[2];
     const taut_segment *segments[2];
+    const double *quintics[2];
     double room[2];
     taut_nodes *nodes;
     taut_status status;
@@ -114,46 +129,106 @@ static int is_known(const search *w, const taut_node *node)
     return 0;
 }
 
-/* Newton on both lengths, each iterate a full step, from the middles of what is left. */
+/* A step of Newton towards where two lines of the window meet that have places and directions: how far along
+ * each. 0 where they only touch. */
+static int newton_step(const double at[2][2], const double way[2][2], double step[2])
+{
+    const double *p = way[0], *q = way[1];
+    const double away[2] = {at[1][0] - at[0][0], at[1][1] - at[0][1]};
+    const double det = p[1] * q[0] - p[0] * q[1];
+    const double area = taut_hypot(p[0], p[1]) * taut_hypot(q[0], q[1]);
+
+    if (!(fabs(det) > least_sine * area)) {
+        return 0;
+    }
+    step[0] = (away[1] * q[0] - away[0] * q[1]) / det;
+    step[1] = (away[1] * p[0] - away[0] * p[1]) / det;
+    return 1;
+}
+
+/* Is s on the segment, or so far beside it? */
+static int is_within(const taut_segment *segment, double s, double room)
+{
+    return s >= segment->from.s - room && s <= segment->to.s + room;
+}
+
+/* Where the quintics cross, from a first guess; 0 where they do not. */
+static int cross_quintics(const search *w, double s[2])
+{
+    const double settled = 1e-13 * w->carrier->size;
+    for (int round = 0; round < 2 * ROUNDS; round++) {
+        double at[2][2], way[2][2], step[2];
+        for (int k = 0; k < 2; k++) {
+            const taut_segment *segment = w->segments[k];
+            const double length = segment->to.s - segment->from.s;
+            double bend[2] = {0, 0};
+            taut_quintic_at(2, w->quintics[k], (s[k] - segment->from.s) / length, at[k], way[k],
+                            bend);
+            way[k][0] *= (TAUT_QUINTIC - 1) / length;
+            way[k][1] *= (TAUT_QUINTIC - 1) / length;
+        }
+        if (!newton_step((const double(*)[2])at, (const double(*)[2])way, step)) {
+            return 0;
+        }
+        for (int k = 0; k < 2; k++) {
+            s[k] += step[k];
+            if (!is_within(w->segments[k], s[k], w->segments[k]->to.s - w->segments[k]->from.s)) {
+                return 0;
+            }
+        }
+        if (fabs(step[0]) + fabs(step[1]) <= settled) {
+            break;
+        }
+    }
+    const double room = roughly * w->carrier->size;
+    return is_within(w->segments[0], s[0], room) && is_within(w->segments[1], s[1], room);
+}
+
+/* A station so little further on that its Taylor polynomial says where. */
+static void move_station(taut_station *station, double step)
+{
+    station->s += step;
+    for (int d = 0; d < 2; d++) {
+        station->at[d] += step * (station->ab[d] + step / 2 * station->bend[d]);
+    }
+    taut_add_scaled(step, station->acceleration, station->tangent);
+}
+
+/* The crossing near s0 and s1, if it is one: of the quintics first, then Newton on both lengths, each
+ * iterate a full step from where the segment begins. */
 static void polish(search *w, double s0, double s1)
 {
     double s[2] = {s0, s1};
     taut_station at[2];
     taut_node node;
 
+    if (!cross_quintics(w, s)) {
+        return;
+    }
     for (int round = 0; round < ROUNDS; round++) {
+        double places[2][2], ways[2][2], step[2];
         for (int k = 0; k < 2; k++) {
             const taut_linefield_kind kind = {w->net, k};
             if (!taut_segment_state(w->carrier, kind, w->segments[k], s[k], &at[k])) {
                 return;
             }
+            memcpy(places[k], at[k].at, sizeof places[k]);
+            memcpy(ways[k], at[k].ab, sizeof ways[k]);
         }
-        const double *p = at[0].ab, *q = at[1].ab;
-        const double away[2] = {at[1].at[0] - at[0].at[0], at[1].at[1] - at[0].at[1]};
-        const double det = p[1] * q[0] - p[0] * q[1];
-        const double area = taut_hypot(p[0], p[1]) * taut_hypot(q[0], q[1]);
-        if (!(fabs(det) > least_sine * area)) {
+        if (!newton_step((const double(*)[2])places, (const double(*)[2])ways, step)) {
             return;
         }
-        const double step[2] = {(away[1] * q[0] - away[0] * q[1]) / det,
-                                (away[1] * p[0] - away[0] * p[1]) / det};
-        for (int k = 0; k < 2; k++) {
-            const taut_segment *segment = w->segments[k];
-            const double length = segment->to.s - segment->from.s;
-            s[k] += step[k];
-            if (!(s[k] > segment->from.s - length) || !(s[k] < segment->to.s + length)) {
-                return;
-            }
-        }
-        if (fabs(step[0]) + fabs(step[1]) <= 1e-15 * w->carrier->size) {
+        s[0] += step[0];
+        s[1] += step[1];
+        if (fabs(step[0]) + fabs(step[1]) <= small_step * w->carrier->size) {
+            move_station(&at[0], step[0]);
+            move_station(&at[1], step[1]);
             break;
         }
     }
-    for (int k = 0; k < 2; k++) {
-        const double room = beyond * w->carrier->size;
-        if (!(s[k] >= w->segments[k]->from.s - room) || !(s[k] <= w->segments[k]->to.s + room)) {
-            return;
-        }
+    const double room = beyond * w->carrier->size;
+    if (!is_within(w->segments[0], s[0], room) || !is_within(w->segments[1], s[1], room)) {
+        return;
     }
     describe(w, at, &node);
     if (!is_known(w, &node)) {
@@ -234,35 +309,77 @@ static void sort_new(taut_nodes *nodes, int first)
     }
 }
 
-taut_status taut_nodes_between(const taut_carrier *carrier, taut_trace_net net,
-                               const taut_lath *laths, int first, int second, taut_nodes *nodes)
+/* The crossings of two laths, in the order of the first. */
+static void cross_laths(search *w, int first, int second)
 {
-    const int before = nodes->count;
-    search w = {.carrier = carrier,
-                .net = net,
-                .laths = laths,
-                .index = {first, second},
-                .room = {margin * (carrier->hi[0] - carrier->lo[0]),
-                         margin * (carrier->hi[1] - carrier->lo[1])},
-                .nodes = nodes};
+    const outline *a = &w->outlines[first], *b = &w->outlines[second];
+    const int before = w->nodes->count;
 
-    for (int i = 0; i < laths[first].count; i++) {
-        double p[TAUT_QUINTIC][2];
-        w.segments[0] = &laths[first].segments[i];
-        taut_segment_window(w.segments[0], p);
-        const box a = box_of((const double(*)[2])p, w.room);
-        for (int j = 0; w.status == TAUT_OK && j < laths[second].count; j++) {
-            double q[TAUT_QUINTIC][2];
-            w.segments[1] = &laths[second].segments[j];
-            taut_segment_window(w.segments[1], q);
-            const box b = box_of((const double(*)[2])q, w.room);
-            if (overlap(&a, &b)) {
-                const double from[2] = {w.segments[0]->from.s, w.segments[1]->from.s};
-                const double to[2] = {w.segments[0]->to.s, w.segments[1]->to.s};
-                bisect(&w, (const double(*)[2])p, (const double(*)[2])q, from, to, DEPTH);
+    w->index[0] = first;
+    w->index[1] = second;
+    for (int i = 0; overlap(&a->whole, &b->whole) && i < w->laths[first].count; i++) {
+        if (!overlap(&a->boxes[i], &b->whole)) {
+            continue;
+        }
+        w->segments[0] = &w->laths[first].segments[i];
+        w->quintics[0] = a->quintics[i][0];
+        for (int j = 0; w->status == TAUT_OK && j < w->laths[second].count; j++) {
+            if (overlap(&a->boxes[i], &b->boxes[j])) {
+                w->segments[1] = &w->laths[second].segments[j];
+                w->quintics[1] = b->quintics[j][0];
+                const double from[2] = {w->segments[0]->from.s, w->segments[1]->from.s};
+                const double to[2] = {w->segments[0]->to.s, w->segments[1]->to.s};
+                bisect(w, (const double(*)[2])a->quintics[i], (const double(*)[2])b->quintics[j],
+                       from, to, DEPTH);
             }
         }
     }
-    sort_new(nodes, before);
+    sort_new(w->nodes, before);
+}
+
+static taut_status outline_of(const search *w, const taut_lath *lath, outline *made)
+{
+    taut_arena *arena = w->nodes->arena;
+    made->quintics = taut_arena_take_raw(arena, (size_t)lath->count + 1, sizeof *made->quintics);
+    made->boxes = taut_arena_take_raw(arena, (size_t)lath->count + 1, sizeof *made->boxes);
+    made->whole = (box){{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+    if (taut_arena_status(arena) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    for (int k = 0; k < lath->count; k++) {
+        taut_segment_window(&lath->segments[k], made->quintics[k]);
+        made->boxes[k] = box_of((const double(*)[2])made->quintics[k], w->room);
+        for (int d = 0; d < 2; d++) {
+            made->whole.low[d] = fmin(made->whole.low[d], made->boxes[k].low[d]);
+            made->whole.high[d] = fmax(made->whole.high[d], made->boxes[k].high[d]);
+        }
+    }
+    return TAUT_OK;
+}
+
+taut_status taut_nodes_find(const taut_carrier *carrier, taut_trace_net net, const taut_lath *laths,
+                            int count, taut_nodes *nodes)
+{
+    outline *outlines = taut_arena_take(nodes->arena, (size_t)count + 1, sizeof *outlines);
+    search w = {.carrier = carrier,
+                .net = net,
+                .laths = laths,
+                .outlines = outlines,
+                .room = {margin * (carrier->hi[0] - carrier->lo[0]),
+                         margin * (carrier->hi[1] - carrier->lo[1])},
+                .nodes = nodes,
+                .status = outlines != NULL ? TAUT_OK : TAUT_NO_MEMORY};
+
+    for (int i = 0; w.status == TAUT_OK && i < count; i++) {
+        w.status = outline_of(&w, &laths[i], &outlines[i]);
+    }
+    for (int i = 0; i < count; i++) {
+        for (int j = net == TAUT_TRACE_GEODESIC ? i + 1 : 0; w.status == TAUT_OK && j < count;
+             j++) {
+            if (net == TAUT_TRACE_GEODESIC || laths[i].family < laths[j].family) {
+                cross_laths(&w, i, j);
+            }
+        }
+    }
     return w.status;
 }

@@ -19,8 +19,9 @@ typedef struct taut_nodes {
     int count, room;
 } taut_nodes;
 
-/* Adds the crossings of two laths, in the order of the first. TAUT_NO_MEMORY. */
-taut_status taut_nodes_between(const taut_carrier *carrier, taut_trace_net net,
-                               const taut_lath *laths, int first, int second, taut_nodes *nodes);
+/* Adds the crossings of laths of the first family with those of the second (of geodesics: of all), pair by
+ * pair in the order of the laths, each pair's in the order of its first. TAUT_NO_MEMORY. */
+taut_status taut_nodes_find(const taut_carrier *carrier, taut_trace_net net, const taut_lath *laths,
+                            int count, taut_nodes *nodes);
 
 #endif /* TAUT_TRACE_NODE_H */

@@ -1,7 +1,8 @@
 /* spacing.c
  *
  *     the measure along the seed's line by Gauss's rule between the surface's breaks
- *     of each place that cuts it in equal parts: the nearest crossing of a curve of the family, by the curves' places in the window
+ *     the measures at which curves of the family cross it, by their places in the window
+ *     of each place that cuts it in equal parts: the nearest of them
  */
 #include "certify/trace/spacing.h"
 
@@ -117,15 +118,16 @@ static double measure_to(const line *l, double t)
     return l->sum[k] + measure_between(l, l->t[k], t);
 }
 
-/* t where the measure is `target`. */
+/* t near to where the measure is `target`: to ask what the surface is like there, not to measure by. */
 static double reach(const line *l, double target)
 {
-    double low = 0, high = 1;
-    for (int k = 0; k < HALVINGS; k++) {
-        const double middle = (low + high) / 2;
-        *(measure_to(l, middle) < target ? &low : &high) = middle;
+    int k = 0;
+    while (k + 1 < l->count && l->sum[k + 1] < target) {
+        k++;
     }
-    return high;
+    const double part = l->sum[k + 1] - l->sum[k];
+    const double share = part > 0 ? (target - l->sum[k]) / part : 1;
+    return l->t[k] + fmin(fmax(share, 0), 1) * (l->t[k + 1] - l->t[k]);
 }
 
 /* Is there a curve of the family at t of the line, and does it cross it? */
@@ -165,16 +167,16 @@ static double beside(const line *l, const double at[2], double *t)
     return (l->way[0] * y - l->way[1] * x) / square;
 }
 
-/* The nearest of the crossings of a curve to a measure. */
-static double nearest_crossing(const line *l, const taut_net_line *curve, double target)
+/* Adds the measures at which a curve crosses the line; 0 where its places in the window are not known. */
+static int add_crossings(const line *l, const taut_net_line *curve, double *crossings, int *count)
 {
     const taut_basis *basis = taut_curve_t(curve->space);
     const double *breaks = taut_basis_breaks(basis);
-    double best = INFINITY, at[2], t = 0, before = 0;
+    double at[2], t = 0, before = 0;
 
     for (int k = 0; k <= taut_basis_span_count(basis); k++) {
         if (!taut_net_line_window(curve, breaks[k], at)) {
-            return INFINITY;
+            return 0;
         }
         const double here = beside(l, at, &t);
         int crosses = fabs(here) <= on_line;
@@ -188,32 +190,55 @@ static double nearest_crossing(const line *l, const taut_net_line *curve, double
             crosses = 1;
         }
         if (crosses && t >= -on_line && t <= 1 + on_line) {
-            best = fmin(best, fabs(measure_to(l, fmin(fmax(t, 0), 1)) - target));
+            crossings[(*count)++] = measure_to(l, fmin(fmax(t, 0), 1));
         }
         before = here;
     }
-    return best;
+    return 1;
 }
 
-static double judge(const line *l, const taut_net_lines *lines, int family,
-                    const taut_trace_seed *seed)
+/* The measures at which curves of a family cross the line. NULL: no memory. */
+static double *find_crossings(const line *l, const taut_net_lines *lines, int family,
+                              taut_arena *arena, int *count)
+{
+    size_t most = 1;
+    for (int i = 0; i < lines->count; i++) {
+        most += (size_t)taut_basis_span_count(taut_curve_t(lines->lines[i].space)) + 1;
+    }
+    double *crossings = taut_arena_take_raw(arena, most, sizeof *crossings);
+    *count = 0;
+    for (int i = 0; crossings != NULL && i < lines->count; i++) {
+        const int before = *count;
+        if (lines->lines[i].family == family &&
+            !add_crossings(l, &lines->lines[i], crossings, count)) {
+            *count = before;
+        }
+    }
+    return crossings;
+}
+
+static taut_status judge(const line *l, const taut_net_lines *lines, int family,
+                         const taut_trace_seed *seed, taut_arena *arena, double *worst)
 {
     const double whole = l->sum[l->count], part = whole / (seed->count + 1);
-    double worst = 0;
+    int count = 0;
+    const double *crossings = find_crossings(l, lines, family, arena, &count);
 
+    *worst = 0;
+    if (crossings == NULL) {
+        return TAUT_NO_MEMORY;
+    }
     for (int k = seed->ends ? 0 : 1; k <= seed->count + (seed->ends ? 1 : 0); k++) {
         double best = INFINITY;
         if (!(part > 0) || !is_wanted(l, family, reach(l, k * part))) {
             continue;
         }
-        for (int i = 0; i < lines->count; i++) {
-            if (lines->lines[i].family == family) {
-                best = fmin(best, nearest_crossing(l, &lines->lines[i], k * part));
-            }
+        for (int i = 0; i < count; i++) {
+            best = fmin(best, fabs(crossings[i] - k * part));
         }
-        worst = fmax(worst, best / part);
+        *worst = fmax(*worst, best / part);
     }
-    return worst;
+    return TAUT_OK;
 }
 
 static line line_of(const taut_surface *surface, const taut_trace_problem *problem,
@@ -260,7 +285,11 @@ taut_status taut_net_spacing(const taut_net_lines *lines, const taut_surface *su
             return TAUT_NO_MEMORY;
         }
         for (int family = 0; family < 2; family++) {
-            const double here = families & (1 << family) ? judge(&l, lines, family, seed) : -1;
+            double here = -1;
+            if (families & (1 << family) &&
+                judge(&l, lines, family, seed, arena, &here) != TAUT_OK) {
+                return TAUT_NO_MEMORY;
+            }
             if (here > *residual) {
                 *residual = here;
                 *where = k;
