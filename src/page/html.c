@@ -1,7 +1,7 @@
 /* html.c -- the format `html`: a page to turn the model in, one file that asks for no other.
  *
  * src/page/viewer/page.html with its places filled: @name@ for the file of that name, @data@ for the
- * numbers and names of the model as JSON (html_data.c). In that every < is written \u003c, which
+ * numbers and names of the model as JSON (html_data.c), @document@ for the model's document. In these every < is written \u003c, which
  * within a JSON text can only stand in a string and means the same there: so no name, however
  * hostile, ends the element that holds it. The page's scripts put text into the page as text only.
  */
@@ -11,6 +11,7 @@
 #include "io/mesh/out.h"
 #include "page/html_page.h"
 #include "page/viewer_files.h"
+#include "taut/write.h"
 
 #include <string.h>
 
@@ -37,10 +38,31 @@ static void put_data(taut_sink *sink, const char *data, size_t length)
     taut_sink_bytes(sink, data + from, length - from);
 }
 
-/* The template, its places filled. A place stands alone between two @ without blanks. */
-static void put_page(taut_sink *sink, const char *data, size_t data_length)
+enum { DOCUMENT_MOST = 1 << 20 }; /* bytes of the model in its page */
+
+/* JSON that the page carries: its text, or of no length. */
+typedef struct json_text {
+    const char *name; /* of its place */
+    char *text;
+    size_t length;
+} json_text;
+
+static void put_place(taut_sink *sink, const char *name, size_t length, const json_text texts[2])
 {
-    static const char data_place[] = "data";
+    const taut_viewer_file *file = find_file(name, length);
+    if (file != NULL) {
+        taut_sink_bytes(sink, file->text, file->length);
+    }
+    for (int k = 0; file == NULL && k < 2; k++) {
+        if (length == strlen(texts[k].name) && memcmp(name, texts[k].name, length) == 0) {
+            put_data(sink, texts[k].text, texts[k].length);
+        }
+    }
+}
+
+/* The template, its places filled. A place stands alone between two @ without blanks. */
+static void put_page(taut_sink *sink, const json_text texts[2])
+{
     const taut_viewer_file *page = find_file("page.html", strlen("page.html"));
     const char *at = page->text, *end = page->text + page->length;
 
@@ -51,32 +73,42 @@ static void put_page(taut_sink *sink, const char *data, size_t data_length)
             taut_sink_bytes(sink, at, (size_t)(end - at));
             return;
         }
-        const size_t length = (size_t)(close - mark - 1);
-        const taut_viewer_file *file = find_file(mark + 1, length);
         taut_sink_bytes(sink, at, (size_t)(mark - at));
-        if (file != NULL) {
-            taut_sink_bytes(sink, file->text, file->length);
-        } else if (length == strlen(data_place) && memcmp(mark + 1, data_place, length) == 0) {
-            put_data(sink, data, data_length);
-        }
+        put_place(sink, mark + 1, (size_t)(close - mark - 1), texts);
         at = close + 1;
     }
+}
+
+/* The model itself, that the page can give it away: of no length where it is too large for that. */
+static taut_status document_text(const taut_model *model, const taut_write_options *options,
+                                 json_text *document, taut_error *error)
+{
+    const taut_write_options only = {.surface = options->surface};
+    const taut_status status =
+        taut_model_write_text(model, "json", &only, &document->text, &document->length, error);
+
+    if (status == TAUT_OK && document->length > DOCUMENT_MOST) {
+        document->length = 0;
+    }
+    return status;
 }
 
 static taut_status write_html(const taut_model *model, const taut_write_options *options, FILE *out,
                               taut_error *error)
 {
-    char *data = NULL;
-    size_t length = 0;
-    taut_status status = taut_html_data(model, options, &data, &length, error);
+    json_text texts[2] = {{.name = "data"}, {.name = "document"}};
+    taut_status status = taut_html_data(model, options, &texts[0].text, &texts[0].length, error);
 
-    if (status != TAUT_OK) {
-        return status;
+    if (status == TAUT_OK) {
+        status = document_text(model, options, &texts[1], error);
     }
-    taut_sink sink = taut_sink_to(out);
-    put_page(&sink, data, length);
-    status = taut_mesh_out_finish(&sink, error);
-    taut_free(data);
+    if (status == TAUT_OK) {
+        taut_sink sink = taut_sink_to(out);
+        put_page(&sink, texts);
+        status = taut_mesh_out_finish(&sink, error);
+    }
+    taut_free(texts[0].text);
+    taut_text_free(texts[1].text);
     return status;
 }
 

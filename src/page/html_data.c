@@ -103,6 +103,8 @@ static void put_lines(taut_json_out *out, const char *key, const taut_page_lines
     taut_json_open_inline(out, '{');
     put_number(out, "count", lines->count);
     put_shorts(out, "at", (size_t)lines->count, s.shorts, s.text);
+    taut_json_key(out, "range");
+    taut_json_put_numbers(out, 2, (const double[]){low, high});
     taut_json_key(out, "knots");
     taut_json_open_inline(out, '[');
     for (int i = 0; i < lines->count; i++) {

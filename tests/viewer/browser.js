@@ -60,7 +60,8 @@ class Browser {
 
 /* A page, everything it complains of and every address it asks for. */
 class Page {
-    static async open(browser, file, width, height) {
+    /* wishes: what the person set, such as [{ name: 'prefers-color-scheme', value: 'dark' }] */
+    static async open(browser, file, width, height, wishes) {
         const page = new Page();
         const { targetId } = await browser.send('Target.createTarget', { url: 'about:blank' });
         const { sessionId } = await browser.send('Target.attachToTarget', { targetId, flatten: true });
@@ -74,6 +75,7 @@ class Page {
             await page.send(domain + '.enable');
         }
         await page.resize(width, height);
+        await page.send('Emulation.setEmulatedMedia', { features: wishes || [] });
         await page.send('Page.navigate', { url: 'file://' + path.resolve(file) });
         await page.until('document.readyState === "complete"');
         return page;

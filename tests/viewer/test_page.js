@@ -1,13 +1,15 @@
-/* test_page.js TAUT FOLDER [PICTURES] -- the pages of `taut view` in Chromium: they load without a complaint and without
+/* test_page.js TAUT FOLDER AXE [PICTURES] -- the pages of `taut view` in Chromium: they load without a complaint and without
  * asking for any other address, something is drawn, every control and key acts, they work at the width of a phone, and
- * names that are markup stay text. With PICTURES, every state is written there as PNG, to be looked at. */
+ * names that are markup stay text; a point that is picked is where the surface has it, by formulas; axe (the file of axe-core,
+ * or -) finds nothing serious. With PICTURES, every state is written there as PNG, to be looked at. */
 'use strict';
 const { execFileSync } = require('node:child_process');
 const fs = require('node:fs');
 const path = require('node:path');
 const { Browser, Page, decode, inked, differs } = require('./browser.js');
+const { placeOf } = require('../../src/page/viewer/script/place.js');
 
-const [taut, folder, pictures] = process.argv.slice(2);
+const [taut, folder, axe, pictures] = process.argv.slice(2);
 let failures = 0;
 
 function check(holds, what) {
@@ -117,10 +119,10 @@ async function testControls(browser) {
     await page.evaluate('document.getElementById("canvas").focus()');
     await page.key('0'); /* the first key shows the ring of focus */
     page.seen = null;
-    for (const key of ['ArrowLeft', 'ArrowUp', '+', '-', 'ArrowDown', 'ArrowRight', 'n', 'c', 'r', 'l', 'p']) {
+    for (const key of ['ArrowLeft', 'ArrowUp', '+', '-', 'ArrowDown', 'ArrowRight', 'n', 'c', 'r', 'l', 'p', '1', '2', '3', '4', 'x', 'd']) {
         await mustChange(page, 'key-' + key, () => page.key(key));
     }
-    for (const key of ['p', 'l', 'r', 'n', 'c', 'c', 'c', '0']) {
+    for (const key of ['p', 'l', 'r', 'n', 'c', 'c', 'c', 'x', 'x', 'x', 'd', '0']) {
         await page.key(key);
     }
     await page.evaluate('document.activeElement.blur()');
@@ -129,6 +131,203 @@ async function testControls(browser) {
         e.labels && e.labels.length > 0 || e.getAttribute('aria-label') || e.textContent.trim() || e.closest('[hidden]'))`), 'something has no name');
     quiet(page, 'one surface');
     await page.close();
+}
+
+/* x = u, y = v, z = u v / 4 over [0, 2] x [0, 3], in metres; its normal, H and K at (u, v). */
+const sheet = { name: 'sheet', u: { type: 'bspline', degree: 1, knots: [0, 0, 2, 2] }, v: { type: 'bspline', degree: 1, knots: [0, 0, 3, 3] },
+    points: [[[0, 0, 0], [0, 3, 0]], [[2, 0, 0], [2, 3, 1.5]]] };
+function sheetAt(u, v) {
+    const size = Math.sqrt(1 + (u * u + v * v) / 16);
+    return { x: u, y: v, z: u * v / 4, H: -u * v / 64 / size ** 3, K: -1 / 16 / size ** 4, normal: [-v / 4 / size, -u / 4 / size, 1 / size] };
+}
+
+const numberIn = (text) => Number(/[-−]?[\d.]+(e[-−]?\d+)?/.exec(text)[0].replaceAll('−', '-'));
+
+/* What the box at the upper left says, by name. */
+async function probed(page) {
+    await page.settled();
+    return page.evaluate(`document.getElementById('probe').hidden ? null : Object.fromEntries([...document.querySelectorAll('#probe dt')]
+        .map((e) => [e.textContent, e.nextSibling.textContent]).concat([['name', document.getElementById('probe-name').textContent]]))`);
+}
+
+async function clickAt(page, x, y) {
+    await page.mouse('mousePressed', x, y);
+    await page.mouse('mouseReleased', x, y);
+}
+
+/* A point, by formulas; from point to point; the name under the pointer; the section; keys. */
+async function testPicks(browser) {
+    const line = { name: 'mast', t: { type: 'bezier', degree: 1 }, points: [[0, 0, 1], [2, 3, 3]] };
+    const page = await Page.open(browser, makePage('sheet', { taut: 1, unit: 'm', surfaces: [sheet], curves: [line] }, '--view', '-60,50'), 1000, 600);
+    await page.until(drawn);
+    let before = null;
+    for (const [x, y] of [[260, 330], [330, 400]]) {
+        await clickAt(page, x, y);
+        const seen = await probed(page);
+        const [u, v] = [numberIn(seen.u), numberIn(seen.v)];
+        const exact = sheetAt(u, v);
+        const off = (name) => Math.abs(numberIn(seen[name]) - exact[name]);
+        check(seen.name === 'sheet', 'the surface has a name where it is picked');
+        /* numbers of a page: points to 2^-15 of its size, 3.4 m; straight between samples that are 1/100 apart */
+        check(off('x') < 5e-4 && off('y') < 5e-4 && off('z') < 2e-3, 'a picked point is not on the surface: ' + JSON.stringify(seen));
+        check(off('H') < 2e-3 && off('K') < 2e-3, 'the curvatures of a picked point are wrong: ' + JSON.stringify([seen, exact]));
+        check(seen.x.endsWith(' m') && seen.H.endsWith(' 1/m') && seen.K.endsWith(' 1/m²'), 'a picked point has no units');
+        const normal = seen.normal.replaceAll('−', '-').split(' ').map(Number);
+        check(exact.normal.every((n, c) => Math.abs(n - normal[c]) < 3e-3), 'the normal of a picked point is wrong');
+        before = before || [exact, seen];
+    }
+    await page.click('#measure'); /* from the point that was picked last */
+    await clickAt(page, 260, 330);
+    const measured = await probed(page);
+    const [, from] = before;
+    const last = await page.evaluate('document.querySelectorAll("#probe dd").length');
+    check(last === 4 && measured.name.startsWith('from'), 'nothing is measured');
+    await page.click('#measure');
+    await clickAt(page, 330, 400);
+    const to = await probed(page);
+    const far = Math.hypot(...['x', 'y', 'z'].map((c) => numberIn(from[c]) - numberIn(to[c])));
+    check(Math.abs(numberIn(measured.distance) - far) < 1e-3, 'the distance is ' + measured.distance + ', not ' + far);
+    snap(await page.picture(), 'picked');
+
+    await page.mouse('mouseMoved', 330, 401, { button: 'none', buttons: 0 });
+    await page.until('document.getElementById("hover").textContent === "sheet" && !document.getElementById("hover").hidden');
+    await page.evaluate('document.getElementById("probe-close").click()');
+    check((await probed(page)) === null, 'a picked point cannot be let go');
+    await clickAt(page, 20, 20);
+    check((await probed(page)) === null, 'nothing is picked where nothing is');
+    await page.evaluate('document.getElementById("canvas").focus()');
+    await page.key('Enter');
+    check((await probed(page)).name === 'sheet', 'Enter picks nothing');
+    await page.key('Escape');
+    check((await probed(page)) === null, 'Escape does not let go');
+
+    /* All beyond the section is gone, and cannot be picked; the bar of the scale is as long as it says. */
+    await page.evaluate(`(() => { const s = document.getElementById('section'); s.value = '2'; s.dispatchEvent(new Event('change')); })()`);
+    await page.evaluate(`(() => { const s = document.getElementById('section-at'); s.value = '-0.8'; s.dispatchEvent(new Event('input')); })()`);
+    const height = numberIn(await page.evaluate('document.getElementById("section-number").textContent'));
+    for (let x = 120; x < 560; x += 60) {
+        await clickAt(page, x, 380);
+        const seen = await probed(page);
+        check(seen === null || numberIn(seen.z) <= height + 2e-3, 'a point is picked that is cut away');
+    }
+    snap(await page.picture(), 'section');
+    await page.evaluate(`(() => { const s = document.getElementById('section'); s.value = '-1'; s.dispatchEvent(new Event('change')); })()`);
+    await page.click('[data-view=top]'); /* x to the right, y up: from corner to corner of the sheet is 2 by 3 m */
+    const [length, pixels] = await page.evaluate(`[document.querySelector('#scale span').textContent, document.querySelector('#scale i').getBoundingClientRect().width]`);
+    const image = decode(await page.picture('#stage'));
+    const inkedColumns = Array.from({ length: image.width }, (_, x) => Array.from({ length: 300 }, (_, y) => image.at(x, y + 80)).filter((p) => p.some((c) => c < 250)).length);
+    const wide = inkedColumns.map((n, x) => n > 200 ? x : -1).filter((x) => x >= 0);
+    check(Math.abs((wide[wide.length - 1] - wide[0]) / pixels * numberIn(length) - 2) < 0.03, 'the scale bar is wrong: ' + length + ' in ' + pixels);
+    check(await page.evaluate('[...document.querySelectorAll("#cross line")].map((l) => [l.getAttribute("x2"), l.getAttribute("y2")].map(Number)).every(([x, y], c) => Math.abs(x - [24, 0, 0][c]) < 0.1 && Math.abs(y - [0, -24, 0][c]) < 0.1)'), 'the cross of the axes is wrong from above');
+    quiet(page, 'the picks');
+    await page.close();
+}
+
+/* The picture and the model out of the page, full screen, on paper, in the dark. */
+async function testSaving(browser) {
+    const page = await Page.open(browser, path.join(folder, 'sheet.html'), 1000, 600);
+    await page.until(drawn);
+    const saved = fs.mkdtempSync(path.join(folder, 'saved-'));
+    await browser.send('Browser.setDownloadBehavior', { behavior: 'allow', downloadPath: saved, eventsEnabled: true });
+    const arrived = async (ending) => {
+        for (let tries = 0; tries < 200; tries++) {
+            const name = fs.readdirSync(saved).find((n) => n.endsWith(ending));
+            if (name && fs.statSync(path.join(saved, name)).size > 0) {
+                return path.join(saved, name);
+            }
+            await new Promise((resolve) => setTimeout(resolve, 50));
+        }
+        throw new Error('nothing is saved as ' + ending);
+    };
+    await page.click('[name=colour][value=K]');
+    await page.click('#save');
+    const picture = decode(fs.readFileSync(await arrived('.png')));
+    check(inked(picture) > 0.05 && picture.width > 400, 'the picture that is saved is blank');
+    await page.click('#download');
+    const given = fs.readFileSync(await arrived('.json'), 'utf8');
+    const own = path.join(folder, 'own.json');
+    execFileSync(taut, ['convert', path.join(folder, 'sheet.json'), '-o', own]);
+    check(given === fs.readFileSync(own, 'utf8'), 'the model that is saved is not that of the program, byte by byte');
+    await page.click('#full');
+    await page.until('document.fullscreenElement !== null');
+    await page.evaluate('document.exitFullscreen()');
+    const light = decode(await page.picture('#stage'));
+    await page.click('#dark');
+    const dark = snap(await page.picture(), 'dark');
+    check(light.at(5, 5)[0] > 250 && dark.at(5, 5)[0] < 40 && dark.at(990, 590)[0] < 60, 'the dark is not dark');
+    const { data } = await page.send('Page.printToPDF', {});
+    check(data.length > 20000 && await page.evaluate('document.getElementById("paper").src.length > 5000'), 'paper is blank');
+    check(await page.evaluate('document.documentElement.classList.contains("dark")'), 'printing turns the light on');
+    quiet(page, 'saving');
+    await page.close();
+    await browser.send('Browser.setDownloadBehavior', { behavior: 'default' });
+
+    const asked = await Page.open(browser, path.join(folder, 'frames.html'), 800, 420, [{ name: 'prefers-color-scheme', value: 'dark' }, { name: 'prefers-reduced-motion', value: 'reduce' }]);
+    await asked.until(drawn);
+    check(await asked.evaluate('document.documentElement.classList.contains("dark")'), 'the dark that a person wants is not there');
+    await asked.click('#play');
+    await asked.evaluate('new Promise((r) => setTimeout(r, 400))');
+    check(await asked.evaluate('document.getElementById("frame").value === "0"'), 'frames hurry where a person wants less motion');
+    await asked.close();
+}
+
+/* A click on a claim shows where; numbers stay on their line; a pipe shows no net at first; axe. */
+async function testClaims(browser) {
+    for (const example of ['bonnet-roof', 'pipe-run']) {
+        const file = path.join(folder, example + '.json');
+        execFileSync(taut, ['make', path.join(__dirname, '../../examples/' + example + '.json'), '-o', file, '--quiet']);
+        const page = await Page.open(browser, makePage(example, JSON.parse(fs.readFileSync(file, 'utf8'))), 1000, 600);
+        await page.until(drawn);
+        check(await page.evaluate('document.getElementById("net").checked') === (example !== 'pipe-run'), 'the net of ' + example + ' at first');
+        const count = await page.evaluate('document.querySelectorAll(".place").length');
+        check(count >= 3, example + ' shows the places of ' + count + ' claims');
+        for (let k = 0; k < count; k++) {
+            const before = decode(await page.picture('#stage'));
+            await page.evaluate(`document.querySelectorAll('.place')[${k}].click()`);
+            check(differs(before, snap(await page.picture('#stage'), example + '-claim-' + k)) > 1e-4, 'a claim of ' + example + ' has no place in the picture');
+            check((await probed(page)).where.length > 0 && await page.evaluate(`document.querySelectorAll('.place')[${k}].getAttribute('aria-pressed')`) === 'true', 'a place is not said');
+        }
+        await page.evaluate(`document.querySelectorAll('.place')[${count - 1}].click()`);
+        check((await probed(page)) === null, 'a place cannot be let go');
+        check(await page.evaluate(`[...document.querySelectorAll('.number')].filter((e) => e.offsetHeight > 0).every((e) => e.getClientRects().length === 1 && (() => {
+            const r = document.createRange(); r.selectNodeContents(e); return r.getClientRects().length <= 1; })())`), 'a number of ' + example + ' is broken over two lines');
+        await testAxe(page, example);
+        await page.click('#dark');
+        await testAxe(page, example + ' in the dark');
+        quiet(page, example);
+        await page.close();
+    }
+}
+
+/* Words as certificates have them, and what they mean. */
+function testPlaces() {
+    const surfaces = ['blend1', 'blend10', 'v1', 'pipe.2'].map((name) => ({ name }));
+    const curves = [{ name: 'B9' }];
+    const cases = [
+        ['blend1 at (0.6, -1.6e-2)', surfaces, { kind: 'surface', index: 0, u: 0.6, v: -0.016 }],
+        ['blend10, u = 0.484863, v = 0.492188', surfaces, { kind: 'surface', index: 1, u: 0.484863, v: 0.492188 }],
+        ['the curvature of blend1, t = 0.5', surfaces, { kind: 'surface', index: 0, t: 0.5 }],
+        ['blend10.u1, blend1.u0', surfaces, { kind: 'surface', index: 1, edge: 'u1' }],
+        ['/surfaces/3/points/2/1', surfaces, { kind: 'surface', index: 3, point: [2, 1] }],
+        ['/surfaces/9/points/2/1', surfaces, null],
+        ['B9 at 0.08', surfaces, { kind: 'curve', index: 0, t: 0.08 }],
+        ['pipeX2', surfaces, null],
+        ['v1, t = 0.25; on no edge above 2e-14', surfaces.slice(0, 1), { kind: 'surface', index: 0, t: 0.25, edge: 'v1' }],
+        ['derivatives across', surfaces.slice(0, 1), null],
+        ['', surfaces, null]
+    ];
+    for (const [words, list, place] of cases) {
+        check(JSON.stringify(placeOf(words, list, curves)) === JSON.stringify(place), 'the place of "' + words + '" is ' + JSON.stringify(placeOf(words, list, curves)));
+    }
+}
+
+async function testAxe(page, what) {
+    if (axe === '-') {
+        return;
+    }
+    await page.evaluate(fs.readFileSync(axe, 'utf8') + '; 0');
+    const found = await page.evaluate(`axe.run().then((r) => r.violations.map((v) => v.impact + ' ' + v.id + ': ' + v.nodes.map((n) => n.html.slice(0, 100)).join(' | ')))`);
+    check(found.length === 0, 'axe finds in ' + what + ': ' + found.join('; '));
 }
 
 async function testFrames(browser) {
@@ -211,10 +410,14 @@ async function testFarNet(browser) {
 }
 
 async function main() {
+    testPlaces();
     const browser = new Browser(process.env.CHROMIUM || 'chromium');
     try {
         await testControls(browser);
         await testFrames(browser);
+        await testPicks(browser);
+        await testSaving(browser);
+        await testClaims(browser);
         await testGap(browser);
         await testPhone(browser);
         await testLarge(browser);

@@ -30,7 +30,7 @@ const SHOWN_MOST = 60; /* entries of one list or claims: more are counted */
 function valueElement(value) {
     if (Array.isArray(value)) {
         if (value.every((x) => x === null || typeof x !== 'object')) {
-            const text = value.slice(0, SHOWN_MOST).map(show).join(', ');
+            const text = value.slice(0, SHOWN_MOST).map((x) => show(x)).join(', ');
             return element('dd', value.length > SHOWN_MOST ? text + ' … (' + value.length + ')' : text);
         }
         const holder = element('dd');
@@ -51,13 +51,32 @@ function valueElement(value) {
         holder.append(list);
         return holder;
     }
-    return element('dd', show(value));
+    return element('dd', show(value), typeof value === 'number' ? 'number' : '');
 }
 
 function fillList(list, object) {
     for (const [key, value] of Object.entries(object)) {
         list.append(element('dt', key.replaceAll('_', ' ')), valueElement(value));
     }
+}
+
+/* The claim's name; where the picture can show its place, a button that does. */
+function claimHead(claim) {
+    const place = placeOf(claim.where || '', model.surfaces, model.curves);
+    const head = element('th', place ? undefined : claim.claim);
+    head.scope = 'row';
+    if (place) {
+        const button = element('button', claim.claim, 'place');
+        button.type = 'button';
+        button.title = 'show the place: ' + claim.where;
+        button.setAttribute('aria-pressed', 'false');
+        button.addEventListener('click', () => showClaim(button, claim, place));
+        head.append(button);
+    }
+    if (claim.kind) {
+        head.append(element('small', claim.kind));
+    }
+    return head;
 }
 
 function fillCertificate() {
@@ -74,17 +93,16 @@ function fillCertificate() {
         verdict.className = certificate.holds === true && isProved ? 'yes' : certificate.holds === false ? 'no' : '';
         claims.slice(0, SHOWN_MOST).forEach((claim, i) => {
             const line = element('tr');
-            const head = element('th', claim.claim);
-            head.scope = 'row';
-            line.append(head, element('td', claim.kind || ''), element('td', show(claim.residual)), element('td', show(claim.limit)),
-                element('td', verdictText(claim.holds, saved.has(i)), claim.holds === false ? 'no' : saved.has(i) ? '' : 'yes'));
+            const head = claimHead(claim);
+            line.append(head, element('td', show(claim.residual, 3), 'number'), element('td', show(claim.limit, 3), 'number'),
+                element('td', verdictText(claim.holds, saved.has(i)), claim.holds === false ? 'no' : claim.holds === true && !saved.has(i) ? 'yes' : ''));
             line.title = claim.where || '';
             body.append(line);
         });
         if (claims.length > SHOWN_MOST) {
             const cell = element('td', '… ' + claims.length + ' claims in all; the model’s file has them.');
             const line = element('tr');
-            cell.colSpan = 5;
+            cell.colSpan = 4;
             line.append(cell);
             body.append(line);
         }
@@ -97,6 +115,9 @@ function fillCertificate() {
     if (model.details) {
         document.getElementById('details-title').hidden = false;
         fillList(document.getElementById('details'), model.details);
+    }
+    if (documentText() === '') {
+        model.dropped.push('The model is too large to be carried by its page; its file has it.');
     }
     model.dropped.forEach((text) => document.getElementById('dropped').append(element('li', text)));
 }

@@ -15,6 +15,11 @@ function tickStep(limit) {
     return power * (first < 2 ? 0.5 : first < 5 ? 1 : 2);
 }
 
+/* The colours of the scale, from its upper end. */
+function legendColours() {
+    return model.map.slice(shown.colour === 'I' || shown.colour === 'G' ? 16 : 0).reverse();
+}
+
 function fillLegend() {
     const legend = byId('legend');
     legend.hidden = shown.colour === 'plain' || model.surfaces.length === 0;
@@ -25,7 +30,7 @@ function fillLegend() {
     const limit = model.limits[k];
     const from = shown.colour === 'I' || shown.colour === 'G' ? 0 : -1;
     const [name, over, power] = headings[shown.colour];
-    const colours = model.map.slice(from === 0 ? 16 : 0).map(css).reverse();
+    const colours = legendColours().map(css);
     const title = name + (over ? ', ' + over + model.unit + power : '') + (model.cut[k] ? '; ends: beyond' : '');
     byId('legend-title').textContent = title;
     byId('legend-bar').style.background = 'linear-gradient(' + colours.join(',') + ')';
@@ -58,7 +63,25 @@ function fillFrame() {
     byId('frame-name').textContent = (shown.frame + 1) + ' / ' + count + (packed && packed.name ? ' ' + packed.name : '');
 }
 
+/* Where the section is, said in the model's unit. */
+function fillSection() {
+    byId('section').disabled = shown.layout === 'apart';
+    byId('section').value = shown.section;
+    byId('section-at').hidden = byId('section-number').hidden = shown.section < 0 || shown.layout === 'apart';
+    byId('section-at').value = shown.sectionAt;
+    if (shown.section >= 0) {
+        const text = 'xyz'[shown.section] + ' = ' + showLength(model.centre[shown.section] + model.half * shown.sectionAt) + ' ' + model.unit;
+        byId('section-number').textContent = text;
+        byId('section-at').setAttribute('aria-valuetext', text);
+    }
+}
+
+const views = { front: [-90, 0], right: [0, 0], top: [-90, 90], iso: [-45, 35.264] };
+
 function change(values) {
+    if (values.layout !== undefined || values.frame !== undefined) {
+        letGo();
+    }
     Object.assign(shown, values);
     const list = refresh();
     if (values.layout !== undefined) {
@@ -69,6 +92,8 @@ function change(values) {
     byId('reflections').checked = shown.reflections;
     byId('isolines').checked = shown.isolines;
     byId('panels').checked = shown.panels;
+    byId('measure').checked = shown.measure;
+    fillSection();
     document.querySelector('[name=colour][value=' + shown.colour + ']').checked = true;
     document.querySelector('[name=layout][value=' + shown.layout + ']').checked = true;
     byId('list').hidden = byId('list').dataset.any !== '1' || shown.layout !== 'together';
@@ -83,7 +108,7 @@ function change(values) {
 }
 
 let player = 0;
-const FRAME_MS = 80;
+const FRAME_MS = matchMedia('(prefers-reduced-motion: reduce)').matches ? 1000 : 80;
 
 function play(on) {
     clearInterval(player);
@@ -117,6 +142,17 @@ const keys = {
     l: () => change({ isolines: !shown.isolines }),
     p: () => change({ panels: !shown.panels }),
     c: () => change({ colour: colours[(colours.indexOf(shown.colour) + 1) % colours.length] }),
+    1: () => lookFrom(...views.front),
+    2: () => lookFrom(...views.right),
+    3: () => lookFrom(...views.top),
+    4: () => lookFrom(...views.iso),
+    x: () => change({ section: shown.section < 2 ? shown.section + 1 : -1 }),
+    m: () => change({ measure: !shown.measure }),
+    s: savePicture,
+    f: fullScreen,
+    d: () => setDark(!isDark),
+    Enter: () => pickAt(canvas.clientWidth / 2, canvas.clientHeight / 2),
+    Escape: letGo,
     ',': () => step(-1),
     '.': () => step(1),
     ' ': () => { if (shown.layout === 'frames') play(player === 0); }
@@ -148,7 +184,7 @@ function fillParts() {
 }
 
 function setControls() {
-    for (const id of ['net', 'reflections', 'isolines', 'panels']) {
+    for (const id of ['net', 'reflections', 'isolines', 'panels', 'measure']) {
         byId(id).addEventListener('change', (event) => change({ [id]: event.target.checked }));
     }
     for (const name of ['colour', 'layout']) {
@@ -160,6 +196,12 @@ function setControls() {
     byId('frame').addEventListener('input', (event) => { play(false); change({ frame: Number(event.target.value) }); });
     byId('play').addEventListener('click', () => play(player === 0));
     byId('home').addEventListener('click', home);
+    document.querySelectorAll('[data-view]').forEach((button) => button.addEventListener('click', () => lookFrom(...views[button.dataset.view])));
+    byId('section').addEventListener('change', (event) => change({ section: Number(event.target.value) }));
+    byId('section-at').addEventListener('input', (event) => change({ sectionAt: Number(event.target.value) }));
+    byId('dark').addEventListener('click', () => setDark(!isDark));
+    setPicking();
+    setSaving();
     byId('layout').hidden = model.surfaces.length < 2;
     document.querySelectorAll('form').forEach((form) => form.addEventListener('submit', (event) => event.preventDefault()));
     canvas.addEventListener('keydown', (event) => {

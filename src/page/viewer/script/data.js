@@ -69,12 +69,13 @@ function unpackSurface(packed) {
     return packed.grid;
 }
 
-/* A number to four digits, for people. */
-function show(x) {
+/* A number to so many digits, for people. */
+function show(x, digits = 5) {
     if (typeof x !== 'number') {
         return x === null ? '–' : String(x);
     }
     const size = Math.abs(x);
-    const text = x === 0 ? '0' : size >= 1e6 || size < 1e-3 ? x.toExponential(3) : String(Number(x.toPrecision(5)));
-    return text.replace('-', '−').replace('e+', 'e');
+    const text = x === 0 ? '0' : size >= 1e6 || size < 1e-3 ? String(x.toExponential(Math.min(digits, 4) - 1)).replace(/\.?0+e/, 'e')
+        : String(Number(x.toPrecision(digits)));
+    return text.replaceAll('-', '−').replace('e+', 'e');
 }

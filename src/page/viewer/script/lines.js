@@ -4,11 +4,16 @@ function lineMaterial(colour, width) {
     const key = colour + ' ' + width;
     if (!lineMaterials.has(key)) {
         const material = new THREE.LineMaterial({ linewidth: width });
-        const ink = rgb(colour);
-        material.color.setRGB(ink.x, ink.y, ink.z); /* as it is to be seen: not turned to linear light */
+        material.userData.ink = colour;
+        inkLine(material);
         lineMaterials.set(key, material);
     }
     return lineMaterials.get(key);
+}
+
+function inkLine(material) {
+    const ink = inkOf(material.userData.ink);
+    material.color.setRGB(ink.x, ink.y, ink.z); /* as it is to be seen: not turned to linear light */
 }
 
 /* The polyline through points[order[0]], points[order[1]], ... as pairs of ends. */
@@ -43,9 +48,9 @@ function outline(packed) {
     }
     packed.u.knots.forEach((i) => addPolyline(knots, grid.points, row(i, grid.nv)));
     packed.v.knots.forEach((j) => addPolyline(knots, grid.points, column(j, grid.nu, grid.nv)));
-    group.add(lineObject(edges, 0x242a36, 2.2));
+    group.add(lineObject(edges, 'edge', 2.2));
     if (knots.length > 0) {
-        group.add(lineObject(knots, 0x6d7788, 1));
+        group.add(lineObject(knots, 'knot', 1));
     }
     return group;
 }
@@ -56,16 +61,22 @@ function pointMaterial(count) {
     const size = count <= 60 ? 9 : count <= 250 ? 7 : 5;
     return new THREE.ShaderMaterial({
         uniforms: { size: { value: size }, pixels: pointScale },
+        clipping: true,
         vertexShader: `
 uniform float size;
 uniform float pixels;
+#include <clipping_planes_pars_vertex>
 void main() {
-    gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+    vec4 mvPosition = modelViewMatrix * vec4(position, 1.0);
+    #include <clipping_planes_vertex>
+    gl_Position = projectionMatrix * mvPosition;
     gl_Position.z -= 0.0006 * gl_Position.w;
     gl_PointSize = size * pixels;
 }`,
         fragmentShader: `
+#include <clipping_planes_pars_fragment>
 void main() {
+    #include <clipping_planes_fragment>
     float r = 2.0 * length(gl_PointCoord - 0.5);
     if (r > 1.0) discard;
     gl_FragColor = vec4(r > 0.62 ? vec3(0.24, 0.26, 0.32) : vec3(0.98), 1.0);
@@ -87,7 +98,7 @@ function netObject(net) {
     for (let j = 0; net.nu > 1 && j < net.nv; j++) {
         addPolyline(pairs, points, column(j, net.nu, net.nv));
     }
-    group.add(lineObject(pairs, 0x444a5a, net.nu * net.nv <= 100 ? 1.2 : 0.9));
+    group.add(lineObject(pairs, 'net', net.nu * net.nv <= 100 ? 1.2 : 0.9));
     if (net.nu * net.nv <= 1200) {
         const geometry = new THREE.BufferGeometry();
         geometry.setAttribute('position', new THREE.BufferAttribute(points, 3));

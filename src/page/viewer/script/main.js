@@ -4,6 +4,7 @@ fillCertificate();
 try {
     setStage();
     setControls();
+    setDark(matchMedia('(prefers-color-scheme: dark)').matches);
     change({ layout: model.frames ? 'frames' : 'together' });
     canvas.dataset.ready = '1';
 } catch (fault) {

@@ -68,7 +68,7 @@ function panelObject(packed, index, count, colour) {
     geometry.setAttribute('value', new THREE.BufferAttribute(new Float32Array(values), 1));
     geometry.setAttribute('share', new THREE.BufferAttribute(new Float32Array(positions.length / 3 * 2), 2));
     const object = new THREE.Group();
-    object.add(new THREE.Mesh(geometry, surfaceMaterial(index, { isolines: { value: 0 } })), lineObject(pairs, 0x2b3240, 1.4));
+    object.add(new THREE.Mesh(geometry, surfaceMaterial(index, { isolines: { value: 0 } })), lineObject(pairs, 'panel', 1.4));
     return { object: object, worst: worst };
 }
 

@@ -1,7 +1,20 @@
-/* shade.js -- how a surface looks: the colours, the light, isolines and reflections of the figures (src/mesh/colour.c,
+/* shade.js -- how a surface looks: the colours, light or dark paper, the light, isolines and reflections of the figures (src/mesh/colour.c,
  * sheet_corners.c), in a shader. */
 const plainColours = [0xa6c6e6, 0xeece96, 0xaed8b6, 0xe4aeac, 0xc8bae4, 0x9ed6d8, 0xded69e, 0xd2c2b4];
 const curveColours = [0xb02a30, 0x164e8c, 0x1e7040, 0x96540c, 0x683088, 0x146e76];
+
+/* Lines by what they are, on light paper and on dark; curves have colours of their own. */
+const inks = { edge: [0x242a36, 0xdfe3ea], knot: [0x6d7788, 0x515b6c], net: [0x444a5a, 0x98a2b6], panel: [0x2b3240, 0x2b3240], mark: [0xc2185b, 0xff5c9a] };
+const papers = [0xffffff, 0x14171d];
+let isDark = false;
+
+/* The colour of a line: of a name above, or of a curve, which dark paper makes lighter. */
+function inkOf(name) {
+    if (inks[name]) {
+        return rgb(inks[name][isDark ? 1 : 0]);
+    }
+    return isDark ? rgb(name).lerp(new THREE.Vector3(1, 1, 1), 0.45) : rgb(name);
+}
 
 function rgb(hex) {
     return new THREE.Vector3((hex >> 16 & 255) / 255, (hex >> 8 & 255) / 255, (hex & 255) / 255);
@@ -17,11 +30,14 @@ attribute vec2 share;
 varying vec3 vNormal;
 varying float vValue;
 varying vec2 vShare;
+#include <clipping_planes_pars_vertex>
 void main() {
     vNormal = normalMatrix * normal;
     vValue = value;
     vShare = share;
-    gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+    vec4 mvPosition = modelViewMatrix * vec4(position, 1.0);
+    #include <clipping_planes_vertex>
+    gl_Position = projectionMatrix * mvPosition;
 }`;
 
 const fragmentShader = `
@@ -33,6 +49,7 @@ uniform float isolines;
 varying vec3 vNormal;
 varying float vValue;
 varying vec2 vShare;
+#include <clipping_planes_pars_fragment>
 
 vec3 scale(float t) {
     float at = clamp(t, -1.0, 1.0) * 16.0 + 16.0;
@@ -47,6 +64,7 @@ float wholes(float f) {
 }
 
 void main() {
+    #include <clipping_planes_fragment>
     float size = length(vNormal);
     vec3 n = size > 0.1 ? vNormal / size : vec3(0.0, 0.0, 1.0);
     bool back = n.z < 0.0;
@@ -70,6 +88,10 @@ void main() {
                               : max(wholes(vShare.x * (isolines + 1.0)), wholes(vShare.y * (isolines + 1.0)));
         ink = mix(ink, vec3(0.17, 0.19, 0.24), 0.8 * line);
     }
+    #if NUM_CLIPPING_PLANES > 0 /* the section itself is a dark line */
+        float beyond = clippingPlanes[0].w - dot(vClipPosition, clippingPlanes[0].xyz);
+        ink = mix(vec3(0.09, 0.11, 0.16), ink, smoothstep(1.2, 2.4, beyond / max(fwidth(beyond), 1e-9)));
+    #endif
     gl_FragColor = vec4(ink, 1.0);
 }`;
 
@@ -88,6 +110,7 @@ function surfaceMaterial(index, own) {
         fragmentShader: fragmentShader,
         uniforms: Object.assign({ plain: { value: rgb(plainColours[index % plainColours.length]) } }, look, own),
         side: THREE.DoubleSide,
+        clipping: true,
         polygonOffset: true,
         polygonOffsetFactor: 1.5,
         polygonOffsetUnits: 2

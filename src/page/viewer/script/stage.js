@@ -7,14 +7,24 @@ const stage = {
     orbit: null,
     surfaces: [],  /* by index: { mesh, outline, net, panels, group }, made when first shown */
     curves: new THREE.Group(),
+    marks: new THREE.Group(), /* points and lines that say where: of a pick, of a claim (marks.js) */
     reach: [1, 1], /* of what is shown from the start, to the right and up from the middle */
     centre: new THREE.Vector3(),
     asked: false   /* is a picture on its way? */
 };
 
+/* Nets that cover what they belong to are off at first: those of pipes, wide ones, those of many curves. */
+const NET_MOST = 400;
+const sizeOf = ({ net }) => net.nu * net.nv;
+const coversAll = (model.certificate && model.certificate.construct === 'pipe') || model.surfaces.some((s) => sizeOf(s) > NET_MOST)
+    || model.curves.reduce((sum, c) => sum + sizeOf(c), 0) > NET_MOST;
+const KNOTS_MOST = 12; /* lines of knots that are drawn without the net, which they belong to */
+
 const shown = {
-    colour: 'plain', net: true, reflections: false, isolines: false, panels: false, panelCount: 12,
-    layout: 'together', frame: 0, hidden: new Set()
+    colour: 'plain', net: !coversAll, reflections: false, isolines: false, panels: false, panelCount: 12,
+    layout: 'together', frame: 0, hidden: new Set(),
+    section: -1, sectionAt: 0, /* along an axis, 0 to 2, or none; -1 to 1 in the box of the model */
+    measure: false
 };
 
 const LIGHTS = 12;
@@ -34,6 +44,7 @@ function draw() {
 
 function render() {
     stage.renderer.render(stage.scene, stage.camera);
+    drawOverlay();
     canvas.dataset.drawn = Number(canvas.dataset.drawn || 0) + 1;
 }
 
@@ -60,7 +71,7 @@ function resize() {
 /* Azimuth and elevation in degrees, as in figures; z is up. */
 function lookFrom(azimuth, elevation) {
     const a = azimuth * Math.PI / 180;
-    const e = Math.min(Math.max(elevation, -89.9), 89.9) * Math.PI / 180;
+    const e = Math.min(Math.max(elevation, -89.99), 89.99) * Math.PI / 180;
     stage.camera.position.set(Math.cos(e) * Math.cos(a), Math.cos(e) * Math.sin(a), Math.sin(e))
         .multiplyScalar(10).add(stage.centre);
     stage.orbit.target.copy(stage.centre);
@@ -96,7 +107,8 @@ function part(i) {
     if (!stage.surfaces[i]) {
         const packed = model.surfaces[i];
         const made = { group: new THREE.Group(), mesh: surfaceMesh(packed, colourIndex(i)), outline: outline(packed),
-            net: netObject(packed.net), panels: null, panelKey: '', worst: 0 };
+            net: netObject(packed.net), panels: null, panelKey: '', worst: 0,
+            knots: packed.u.knots.length + packed.v.knots.length };
         made.group.add(made.mesh, made.outline, made.net);
         stage.surfaces[i] = made;
     }
@@ -151,7 +163,7 @@ function refresh() {
         const made = part(i);
         colourMesh(made.mesh, model.surfaces[i], shown.colour);
         made.mesh.visible = !shown.panels;
-        made.outline.children.forEach((line, number) => { line.visible = number === 0 || !shown.panels; });
+        made.outline.children.forEach((line, number) => { line.visible = number === 0 || (!shown.panels && (made.knots <= KNOTS_MOST || shown.net)); });
         made.net.visible = shown.net;
         updatePanels(made, i);
         made.group.position.set(0, 0, 0);
@@ -162,6 +174,7 @@ function refresh() {
         }
         stage.scene.add(made.group);
     });
+    cut();
     stage.curves.visible = shown.layout === 'together';
     stage.curves.children.forEach((group, i) => {
         group.visible = !shown.hidden.has('curve ' + i);
@@ -169,6 +182,13 @@ function refresh() {
     });
     draw();
     return list;
+}
+
+/* What lies beyond the section is not drawn; not where surfaces are moved apart. */
+function cut() {
+    const isCut = shown.section >= 0 && shown.layout !== 'apart';
+    const normal = new THREE.Vector3(...[0, 1, 2].map((c) => c === shown.section ? -1 : 0));
+    stage.renderer.clippingPlanes = isCut ? [{ normal: normal, constant: shown.sectionAt }] : [];
 }
 
 /* Right and up on the screen, from the start. */
@@ -219,9 +239,15 @@ function reach(list) {
     }
 }
 
+/* Light or dark, all that is drawn. */
+function setPaper() {
+    stage.renderer.setClearColor(new THREE.Color().setRGB(...rgb(papers[isDark ? 1 : 0]).toArray(), 'srgb-linear'), 1);
+    lineMaterials.forEach(inkLine);
+    draw();
+}
+
 function setStage() {
     stage.renderer = new THREE.WebGLRenderer({ canvas: canvas, antialias: true });
-    stage.renderer.setClearColor(0xffffff, 1);
     stage.renderer.outputColorSpace = 'srgb-linear'; /* the colours are those of the screen already */
     stage.camera.up.set(0, 0, 1);
     stage.orbit = new THREE.OrbitControls(stage.camera, canvas);
@@ -231,7 +257,7 @@ function setStage() {
         group.add(curveObject(curve, i), netObject(curve.net));
         stage.curves.add(group);
     });
-    stage.scene.add(stage.curves);
+    stage.scene.add(stage.curves, stage.marks);
     new ResizeObserver(() => {
         resize();
         render(); /* now: the canvas is white since its size was set, and this frame is about to be shown */
