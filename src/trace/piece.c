@@ -48,8 +48,8 @@ typedef struct builder {
 
 /* ---- axes ---- */
 
-static taut_status make_band(const taut_net *net, const taut_strip *strips, double play,
-                             double sagitta, int index, band *b)
+static taut_status make_band(const taut_net *net, const taut_strip *strips, double sagitta,
+                             int index, band *b)
 {
     const int is_plank = taut_strip_lies(net->problem->laths->strip);
     const size_t most =
@@ -87,7 +87,7 @@ static taut_status make_band(const taut_net *net, const taut_strip *strips, doub
             }
         }
     }
-    const taut_status status = taut_strip_axis(net, play, b->lath, sagitta, b->crossing_count,
+    const taut_status status = taut_strip_axis(net, strip, b->lath, sagitta, b->crossing_count,
                                                stops, &b->axis, &b->axis_count);
     for (int k = 0, i = 0; status == TAUT_OK && i < b->crossing_count; i++) {
         while (k + 1 < b->axis_count && b->axis[k].s < stops[i]) {
@@ -417,7 +417,7 @@ static taut_status place(builder *to, const band *bands, double gap, taut_error 
     return TAUT_OK;
 }
 
-taut_status taut_pieces_new(const taut_net *net, const taut_strip *strips, double play, double gap,
+taut_status taut_pieces_new(const taut_net *net, const taut_strip *strips, double gap,
                             double tolerance, taut_pieces *pieces, taut_error *error)
 {
     const taut_trace_sheet *sheet = net->problem->sheet;
@@ -434,7 +434,7 @@ taut_status taut_pieces_new(const taut_net *net, const taut_strip *strips, doubl
         to.sheet[d] = ldexp(sheet->size[d], -scale);
     }
     for (int k = 0; status == TAUT_OK && k < net->count; k++) {
-        if (make_band(net, strips, play, tolerance * net->carrier->size, k, &bands[k]) != TAUT_OK) {
+        if (make_band(net, strips, tolerance * net->carrier->size, k, &bands[k]) != TAUT_OK) {
             return taut_fail_memory(error);
         }
         status = cut_band(&to, &bands[k], error);

@@ -44,9 +44,9 @@ typedef struct taut_pieces {
     double size[2]; /* of a sheet */
 } taut_pieces;
 
-/* In the net's arena; the laths have a width. play and gap: in the document's unit; tolerance: of curved
+/* In the net's arena; the laths have a width. gap: in the document's unit; tolerance: of curved
  * outlines, over the size. TAUT_NO_MEMORY; TAUT_NO_SOLUTION, reason "sheet". */
-taut_status taut_pieces_new(const taut_net *net, const taut_strip *strips, double play, double gap,
+taut_status taut_pieces_new(const taut_net *net, const taut_strip *strips, double gap,
                             double tolerance, taut_pieces *pieces, taut_error *error);
 
 #endif /* TAUT_TRACE_PIECE_H */

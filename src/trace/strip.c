@@ -1,29 +1,22 @@
 /* strip.c
  *
- *     of each segment: mu, the edge's stretch and the pattern's angle by Gauss's rule, the angle at
- *                      its nodes by the rule again; the largest stress by its samples
- *     of each node: a slot in both laths, its place by the same sums up to there
+ *     of each lath: the axis of its pattern with what the twist stretches (trace/unroll.h), and by samples of its
+ *                   segments the largest stress
+ *     of each node: a slot in both laths, its place on the pattern
  *
- * A fibre at height h of a strip that twists by tau is sqrt(1 + h^2 tau^2) as long as the axis. With
- * y = w tau / 2 the mean over the width is mu = (sqrt(1 + y^2) + asinh(y)/y) / 2: the length of a strip
- * that no force pulls. Its stresses are those of bending, of
- * Saint-Venant's torsion of a thin rectangle, and of the fibres that the twist has made longer than
- * the mean. */
+ * The stresses are those of bending, of Saint-Venant's torsion of a thin rectangle, and of the fibres that
+ * the twist has made longer than the mean. */
 #include "trace/strip.h"
 
 #include "core/constants.h"
 #include "core/fail.h"
 #include "core/vec3.h"
-#include "numeric/quadrature.h"
 #include "trace/bending.h"
 
 #include <math.h>
 #include <string.h>
 
 enum { NODES = TAUT_BENDING_NODES, HEIGHTS = 16, PARTS_MAX = 4096 /* of a segment */ };
-/* From this y on mu - 1 by its closed form loses no more than a digit. */
-static const double closed_form = 0.5;
-
 /* ---- how it is cut ---- */
 
 /* What a strip is, in the carrier's unit. */
@@ -65,68 +58,6 @@ static cut cut_of(const taut_net *net, double play)
 static double flat_curvature(const cut *c, const taut_lath_bending *b)
 {
     return c->is_straight ? 0 : b->value[c->flat];
-}
-
-/* mu - 1. */
-static double mean_stretch(double y)
-{
-    double nodes[2 * NODES], weights[2 * NODES], sum = 0;
-    if (y > closed_form) {
-        const double root = sqrt(1 + y * y);
-        return (root + taut_log(y + root) / y) / 2 - 1;
-    }
-    taut_gauss_rule(2 * NODES, nodes, weights);
-    for (int k = NODES; k < 2 * NODES; k++) {
-        const double x = y * nodes[k];
-        sum += weights[k] * x * x / (1 + sqrt(1 + x * x));
-    }
-    return sum;
-}
-
-/* ---- sums along a lath ---- */
-
-typedef struct sums {
-    double edge,
-        stretch; /* of the twist: what the edge, and the mean, are longer by than the axis */
-    double cut, x, y, theta;
-} sums;
-
-/* The angle that the pattern turns by from `from` to `to` of a segment. */
-static double turn_between(const cut *c, const taut_lath_samples *at, double from, double to)
-{
-    double nodes[NODES], weights[NODES], sum = 0;
-    if (c->is_straight) {
-        return 0;
-    }
-    taut_gauss_rule(NODES, nodes, weights);
-    for (int k = 0; k < NODES; k++) {
-        const taut_lath_bending b = taut_lath_bending_at(at->carrier, at->kind, at->segment,
-                                                         from + (to - from) * (1 + nodes[k]) / 2);
-        sum += weights[k] / 2 * flat_curvature(c, &b);
-    }
-    return sum * (to - from) * (at->segment->to.s - at->segment->from.s);
-}
-
-/* Adds what lies between the beginning of a segment and t. */
-static void add_between(const cut *c, const taut_lath_samples *at, double t, sums *sum)
-{
-    const double length = t * (at->segment->to.s - at->segment->from.s);
-    const double theta = sum->theta;
-    for (int k = 1; k <= NODES; k++) {
-        const double here = t * at->t[k], ds = at->weight[k] * length;
-        const taut_lath_bending b =
-            t == 1 ? at->at[k] : taut_lath_bending_at(at->carrier, at->kind, at->segment, here);
-        const double tau = c->only_bends ? 0 : fabs(b.value[TAUT_TAU_G]);
-        const double y = c->width * tau / 2, more = mean_stretch(y);
-        const double cut_ds = (c->laths->cut == TAUT_TRACE_CUT_AXIS ? 1 : 1 + more) * ds;
-        const double angle = theta + turn_between(c, at, 0, here);
-        sum->edge += y * y / (1 + sqrt(1 + y * y)) * ds;
-        sum->stretch += more * ds;
-        sum->cut += cut_ds;
-        sum->x += taut_cos(angle) * cut_ds;
-        sum->y += taut_sin(angle) * cut_ds;
-    }
-    sum->theta = theta + turn_between(c, at, 0, t);
 }
 
 /* ---- strips that only bend ---- */
@@ -286,13 +217,12 @@ static int parts_of(const cut *c, const taut_lath_samples *at, double sagitta)
     return parts < 1 ? 1 : parts > PARTS_MAX ? PARTS_MAX : (int)parts;
 }
 
-taut_status taut_strip_axis(const taut_net *net, double play, const taut_lath *lath, double sagitta,
-                            int stop_count, const double *stops, taut_axis_point **points,
-                            int *count)
+taut_status taut_strip_axis(const taut_net *net, const taut_strip *strip, const taut_lath *lath,
+                            double sagitta, int stop_count, const double *stops,
+                            taut_axis_point **points, int *count)
 {
-    const cut c = cut_of(net, play);
+    const cut c = cut_of(net, 0);
     const taut_linefield_kind kind = {net->problem->net, lath->family};
-    sums sum = {0};
     size_t most = (size_t)stop_count + 2;
     taut_lath_samples at;
     int stop = 0;
@@ -321,9 +251,8 @@ taut_status taut_strip_axis(const taut_net *net, double play, const taut_lath *l
             const int is_stop = stop < stop_count && stops[stop] <= s;
             const double here = is_stop ? fmax((stops[stop] - from) / length, 0) : t;
             const int is_kept = is_stop || !c.is_straight || k == lath->count - 1;
-            sums there = sum;
-            add_between(&c, &at, here, &there);
             if (is_kept) {
+                const taut_unrolled_point there = taut_unrolled_at(&strip->unrolled, k, here);
                 list[(*count)++] = (taut_axis_point){is_stop ? stops[stop] : s,
                                                      there.cut,
                                                      there.x,
@@ -334,7 +263,6 @@ taut_status taut_strip_axis(const taut_net *net, double play, const taut_lath *l
             stop += is_stop;
             part += !is_stop;
         }
-        add_between(&c, &at, 1, &sum);
     }
     return TAUT_OK;
 }
@@ -426,13 +354,18 @@ static taut_status make_strip(const cut *c, const taut_lath *lath, taut_strip *s
                               taut_error *error)
 {
     const taut_linefield_kind kind = {c->net->problem->net, lath->family};
+    const taut_unroll_rule rule = {.flat = c->is_straight ? -1 : c->flat,
+                                   .width = c->only_bends ? 0 : c->width,
+                                   .is_stretched = c->laths->cut != TAUT_TRACE_CUT_AXIS};
     extremes most = {0};
-    sums sum = {0};
 
+    if (taut_unroll(c->net->arena, c->net->carrier, kind, lath, &rule, &strip->unrolled) !=
+        TAUT_OK) {
+        return taut_fail_memory(error);
+    }
     for (int k = 0; k < lath->count; k++) {
         taut_lath_samples at;
         taut_lath_bending_sample(c->net->carrier, kind, &lath->segments[k], &at);
-        add_between(c, &at, 1, &sum);
         taut_lath_take_most(&at, weak_size, c, 1, &most.weak);
         taut_lath_take_most(&at, flat_size, c, 1, &most.flat);
         taut_lath_take_most(&at, twist_size, c, 1, &most.twist);
@@ -449,12 +382,15 @@ static taut_status make_strip(const cut *c, const taut_lath *lath, taut_strip *s
             lath->name, ldexp(most.flat.at, scale), c->laths->width,
             ldexp(1 / most.flat.value, scale));
     }
-    strip->edge_length = lath->length + sum.edge;
-    strip->mean_stretch = sum.stretch;
-    strip->cut_length = sum.cut;
-    strip->end[0] = sum.x;
-    strip->end[1] = sum.y;
-    strip->end[2] = sum.theta;
+    const taut_unrolled_point end = lath->count > 0
+                                        ? taut_unrolled_at(&strip->unrolled, lath->count - 1, 1)
+                                        : (taut_unrolled_point){0};
+    strip->edge_length = lath->length + end.edge;
+    strip->mean_stretch = end.stretch;
+    strip->cut_length = end.cut;
+    strip->end[0] = end.x;
+    strip->end[1] = end.y;
+    strip->end[2] = end.theta;
     if (c->only_bends) {
         return make_ruled(c, lath, strip, error);
     }
@@ -514,17 +450,15 @@ double taut_slot_twisted(const taut_net *net, const taut_node *node, int side, d
 }
 
 /* How far along the pattern s of the lath is. */
-static double place_on(const cut *c, const taut_lath *lath, double s)
+static double place_on(const taut_strip *strip, const taut_lath *lath, double s)
 {
-    const taut_linefield_kind kind = {c->net->problem->net, lath->family};
-    sums sum = {0};
-    for (int k = 0; k < lath->count && lath->segments[k].from.s < s; k++) {
-        const taut_segment *on = &lath->segments[k];
-        taut_lath_samples at;
-        taut_lath_bending_sample(c->net->carrier, kind, on, &at);
-        add_between(c, &at, s < on->to.s ? (s - on->from.s) / (on->to.s - on->from.s) : 1, &sum);
+    int k = 0;
+    while (k + 1 < lath->count && lath->segments[k].to.s < s) {
+        k++;
     }
-    return sum.cut;
+    const taut_segment *on = &lath->segments[k];
+    const double t = (s - on->from.s) / (on->to.s - on->from.s);
+    return taut_unrolled_at(&strip->unrolled, k, fmin(fmax(t, 0), 1)).cut;
 }
 
 static taut_status add_slot(const cut *c, int index, int side, taut_strip *strip, taut_error *error)
@@ -548,7 +482,7 @@ static taut_status add_slot(const cut *c, int index, int side, taut_strip *strip
     strip->slots[k] = (taut_slot){.node = index,
                                   .side = side,
                                   .s = node->s[side],
-                                  .at = place_on(c, lath, node->s[side]),
+                                  .at = place_on(strip, lath, node->s[side]),
                                   .width = twisted * c->thickness + c->play,
                                   .depth = c->width / 2};
     strip->slot_count++;

@@ -13,6 +13,7 @@
 #define TAUT_TRACE_STRIP_H
 
 #include "trace/net.h"
+#include "trace/unroll.h"
 
 typedef struct taut_slot {
     int node;                /* of the net's */
@@ -35,6 +36,7 @@ typedef struct taut_strip {
     taut_strip_stress stress;
     taut_slot *slots; /* along the lath */
     int slot_count;
+    taut_unrolled unrolled; /* the axis of its pattern */
 } taut_strip;
 
 /* A point of the pattern's axis. */
@@ -48,9 +50,9 @@ typedef struct taut_axis_point {
 
 /* The axis of a lath's pattern, in the net's arena: its ends, the places `stops` (rising), and so many
  * between that a polyline at half the width to both sides is within `sagitta` of the band's edges. */
-taut_status taut_strip_axis(const taut_net *net, double play, const taut_lath *lath, double sagitta,
-                            int stop_count, const double *stops, taut_axis_point **points,
-                            int *count);
+taut_status taut_strip_axis(const taut_net *net, const taut_strip *strip, const taut_lath *lath,
+                            double sagitta, int stop_count, const double *stops,
+                            taut_axis_point **points, int *count);
 
 /* A strip a lath, in the net's arena; play: of the slots, in the document's unit. TAUT_NO_MEMORY;
  * TAUT_NO_SOLUTION, reasons "folds", "developable" and "slots". */

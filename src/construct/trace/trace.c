@@ -199,7 +199,7 @@ static taut_status add_pieces(const request *r, const taut_net *net, const taut_
         return TAUT_OK;
     }
     const taut_status status =
-        taut_pieces_new(net, strips, play_of(r), gap, net->options.tolerance, &pieces, error);
+        taut_pieces_new(net, strips, gap, net->options.tolerance, &pieces, error);
     if (status == TAUT_OK) {
         taut_trace_describe_flat(net, &pieces, details);
     }
