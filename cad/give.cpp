@@ -205,6 +205,10 @@ static Handle(Geom_BSplineSurface) convert_surface(const TopoDS_Face &face, int 
 {
     const Handle(Geom_Surface) surface = surface_under(face);
     Handle(Geom_BSplineSurface) made = Handle(Geom_BSplineSurface)::DownCast(surface);
+    const Handle(Geom_BSplineSurface) disc = occt_disc(face, surface);
+    if (!disc.IsNull()) {
+        return disc;
+    }
     const face_box box = box_of(face, surface);
     bool whole = !is_trimmed(face, box);
     if (!made.IsNull()) {

@@ -4,7 +4,9 @@
 
 #include "io/cad/wire.h"
 
+#include <Geom_BSplineSurface.hxx>
 #include <Interface_InterfaceModel.hxx>
+#include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 
 #include <map>
@@ -56,6 +58,10 @@ TopoDS_Shape occt_read_iges(const taut_cad_job &job, const occt_sink &sink, occt
  * be done without. */
 void occt_check_loaded(const Handle(Interface_InterfaceModel) & model,
                        const Handle(Standard_Type) & needed);
+
+/* A plane within one circle, or between two about one centre, as a surface; null where the face is no such one. */
+Handle(Geom_BSplineSurface)
+    occt_disc(const TopoDS_Face &face, const Handle(Geom_Surface) & surface);
 
 /* Every face and every edge that bounds no face, as items, in the order of the shape. */
 void occt_give(const TopoDS_Shape &shape, const occt_names &names, const occt_sink &sink);

@@ -14,6 +14,9 @@ run 0 make ring-problem.json --quiet -o ring.json -o ring.step
 run 0 make extension-problem.json --quiet -o extension.step
 contains capped.step '^#[0-9]*=MANIFOLD_SOLID_BREP'
 contains capped.step "^FILE_SCHEMA..'AP242_MANAGED_MODEL_BASED_3D_ENGINEERING_MIM_LF"
+for form in PLANE CYLINDRICAL_SURFACE; do # two straight pipes, two caps, and they come back as the discs that they are
+    [ "$(grep -c "=$form(" capped.step)" = 2 ] || complain "capped.step has $(grep -c "=$form(" capped.step) of $form"
+done
 contains capped.step "^#[0-9]*=PRODUCT.'pipe'"
 for file in open.step extension.step; do
     ! grep -q MANIFOLD_SOLID_BREP $file || complain "$file holds a solid"
@@ -40,6 +43,8 @@ if "$PROBE"; then
     contains probe.txt '^ring.step read 1 valid 1 closed 1 solids 1 shells 1 faces 10 .* free 0 colours 10 '
     contains probe.txt '^open.step read 1 valid 1 closed 0 solids 0 shells 1 faces 3 .* free 2 colours 3 '
     contains probe.txt '^extension.step read 1 valid 1 closed 0 solids 0 shells 1 faces 2 '
+    run 0 convert capped.step -o back.json
+    [ ! -s err.txt ] || complain "read back: $(cat err.txt)"
     for name in capped ring; do
         near "$(sed -n "s/^$name.step.* volume \([-+.e0-9]*\) .*/\1/p" probe.txt)" "$(figure $name.json)" 1e-5 "$name.step, OpenCASCADE"
     done

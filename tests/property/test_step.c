@@ -7,6 +7,9 @@
 #include "probe.h"
 #include "shapes.h"
 
+#include "io/step/elementary.h"
+
+#include "taut/measure.h"
 #include "taut/operations.h"
 #include "taut/read.h"
 #include "taut/write.h"
@@ -420,6 +423,209 @@ static void test_round(void)
     }
 }
 
+enum { DISC, WASHER, CYLINDER, BEND, FORMS };
+static const char *const form_names[FORMS] = {"=PLANE(", "=PLANE(", "=CYLINDRICAL_SURFACE(",
+                                              "=TOROIDAL_SURFACE("};
+
+/* Points of a circle of this radius about (far, 0, high), in the plane of x and z turned by an angle about z. */
+static void put_ring(double radius, double far, double high, double angle, double stretch,
+                     double ring[9][3])
+{
+    static const double circle[9][2] = {{1, 0},   {1, 1},  {0, 1},  {-1, 1}, {-1, 0},
+                                        {-1, -1}, {0, -1}, {1, -1}, {1, 0}};
+    for (int j = 0; j < 9; j++) {
+        const double x = stretch * (far + radius * circle[j][0]);
+        ring[j][0] = x * cos(angle);
+        ring[j][1] = x * sin(angle);
+        ring[j][2] = high + radius * circle[j][1];
+    }
+}
+
+/* Along u the form is drawn, around goes v; a and b are its radii, `more` a length or an angle. */
+static taut_surface *new_form(int kind, double a, double b, double more)
+{
+    const double pieces = kind == BEND && more > 1.6 ? 2 : 1, step = more / (2 * pieces);
+    const int rows = kind == BEND ? 2 * (int)pieces + 1 : 2;
+    double points[5][9][3], weights[5][9];
+    for (int i = 0; i < rows; i++) {
+        const double inner = kind == DISC ? 0 : b;
+        if (kind == BEND) {
+            put_ring(a, b, 0, i * step, i % 2 == 1 ? 1 / cos(step) : 1, points[i]);
+        } else if (kind == CYLINDER) {
+            put_ring(a, 0, 0, 0, 1, points[i]);
+            for (int j = 0; j < 9; j++) {
+                points[i][j][1] = i * more;
+            }
+        } else {
+            put_ring(i == 0 ? inner : a, 0, more, 0, 1, points[i]);
+        }
+        for (int j = 0; j < 9; j++) {
+            weights[i][j] =
+                (j % 2 == 1 ? sqrt(0.5) : 1) * (kind == BEND && i % 2 == 1 ? cos(step) : 1);
+        }
+    }
+    const double knots[2][8] = {{0, 0, 0, 1, 1, 1}, {0, 0, 0, 1, 1, 2, 2, 2}};
+    const taut_basis_spec arc = {.type = "bspline",
+                                 .degree = 2,
+                                 .knot_count = pieces > 1 ? 8 : 6,
+                                 .knots = knots[pieces > 1]};
+    const double around[12] = {0, 0, 0, 1, 1, 3, 3, 4, 4, 5, 5, 5};
+    const taut_basis_spec ring = {
+        .type = "bspline", .degree = 2, .knot_count = 12, .knots = around};
+    taut_basis *u = NULL, *v = NULL;
+    CHECK(taut_basis_new(&ring, 9, &v, NULL) == TAUT_OK, "ring");
+    if (kind == BEND) {
+        CHECK(taut_basis_new(&arc, rows, &u, NULL) == TAUT_OK, "arc");
+    } else {
+        u = shape_bezier(1, 0, 1);
+    }
+    return shape_surface(u, v, points[0][0], weights[0]);
+}
+
+/* Moved anywhere. */
+static taut_surface *moved(taut_surface *surface, double size)
+{
+    double rotation[3][3], shift[3];
+    shape_rotation(rotation);
+    for (int k = 0; k < 3; k++) {
+        shift[k] = random_in(-5, 5) * size;
+    }
+    taut_surface *made = shape_moved(surface, 1, (const double(*)[3])rotation, shift);
+    taut_surface_free(surface);
+    return made;
+}
+
+static double area_back(const char *path)
+{
+    taut_model *back = NULL;
+    taut_error error = {.status = TAUT_OK};
+    taut_surface_measure measure = {.area = 0};
+    CHECK(taut_model_read(path, &back, &error) == TAUT_OK, "%s: %s", path, error.message);
+    if (back != NULL) {
+        CHECK(taut_measure_surface(taut_model_surface(back, 0), NULL, &measure, NULL) == TAUT_OK,
+              "measure");
+    }
+    taut_model_free(back);
+    return measure.area;
+}
+
+/* As it is drawn, du x dv points outwards, or along the axis that the ring goes about; what each turn does to that. */
+static void check_sense(const taut_surface *surface, int kind, int way)
+{
+    const int is_plane = kind == DISC || kind == WASHER;
+    taut_step_form form;
+    taut_step_recognise(surface, &form);
+    CHECK(form.inwards == (((way >> 0) ^ (is_plane ? 0 : way >> 1) ^ (way >> 2)) & 1),
+          "form %d, turned %d: inwards %d", kind, way, form.inwards);
+}
+
+/* What CAD systems have names for is written by these: their areas in closed form, and back. */
+static void test_forms(void)
+{
+    const double pi = 3.14159265358979323846;
+    for (int trial = 0; trial < random_trials(40); trial++) {
+        const int kind = trial % FORMS;
+        const double a = random_log(1e-2, 1e4), more = kind == BEND       ? random_in(0.05, 2.9)
+                                                       : kind == CYLINDER ? a * random_log(0.1, 50)
+                                                                          : 0;
+        const double b = kind == BEND ? a * random_in(1.2, 8) : a * random_in(0.1, 0.9);
+        const double area = kind == DISC       ? pi * a * a
+                            : kind == WASHER   ? pi * (a * a - b * b)
+                            : kind == CYLINDER ? 2 * pi * a * more
+                                               : more * b * 2 * pi * a;
+        const char *path = in_folder("form.step");
+        taut_model *model = new_model("mm");
+        step_probe found;
+        const int way = random_int(0, 7);
+        taut_surface *form = turned(new_form(kind, a, b, more), way);
+        check_sense(form, kind, way);
+        add(model, moved(form, a));
+        write_model(model, path);
+        step_probe_file(path, &found);
+        CHECK(found.is_read && found.valid && found.faces == 1 && found.solids == 0 &&
+                  found.free_edges == (kind == DISC ? 1 : 2),
+              "form %d, %g, %g, %g: valid %d, %d free", kind, a, b, more, found.valid,
+              found.free_edges);
+        CHECK(found.tolerance <= fmax(1.01e-7, 1e-9 * a), "tolerance %g of %g", found.tolerance, a);
+        CHECK_NEAR(found.area, area, 1e-9 * area, "form %d, %g, %g, %g", kind, a, b, more);
+        CHECK_NEAR(area_back(path), area, 1e-9 * area, "form %d, back", kind);
+        char *text = file_bytes(path, NULL);
+        CHECK(strstr(text, form_names[kind]) != NULL && strstr(text, "B_SPLINE") == NULL,
+              "form %d, %g, %g, %g", kind, a, b, more);
+        free(text);
+        taut_model_free(model);
+    }
+}
+
+/* A disc on the ring that a form has at its last row or its first. */
+static taut_surface *new_cap(const taut_surface *form, int last)
+{
+    const int row = last ? taut_basis_count(taut_surface_u(form)) - 1 : 0;
+    double points[2][9][3], weights[2][9];
+    taut_basis *v = NULL;
+    memcpy(points[1], taut_surface_points(form) + (size_t)row * 27, sizeof points[1]);
+    for (int j = 0; j < 9; j++) {
+        for (int k = 0; k < 3; k++) {
+            points[0][j][k] = 0.5 * (points[1][0][k] + points[1][4][k]);
+        }
+        weights[0][j] = weights[1][j] = j % 2 == 1 ? sqrt(0.5) : 1;
+    }
+    CHECK(taut_basis_copy(taut_surface_v(form), &v) == TAUT_OK, "copy");
+    return shape_surface(shape_bezier(1, 0, 1), v, points[0][0], weights[0]);
+}
+
+/* Bends and cylinders with caps, in any sense of u and v: bodies that show their outside. */
+static void test_capped(void)
+{
+    const double pi = 3.14159265358979323846;
+    for (int trial = 0; trial < random_trials(32); trial++) {
+        const int kind = trial % 2 == 0 ? BEND : CYLINDER;
+        const double a = random_log(1e-2, 1e3), b = a * random_in(1.2, 8);
+        const double more = kind == BEND ? random_in(0.05, 2.9) : a * random_log(0.1, 50);
+        const double volume = pi * a * a * more * (kind == BEND ? b : 1);
+        const char *path = in_folder("body.step");
+        taut_surface *form = new_form(kind, a, b, more);
+        taut_model *model = new_model("mm");
+        step_probe found;
+        add(model, turned(new_cap(form, 0), random_int(0, 7)));
+        add(model, turned(new_cap(form, 1), random_int(0, 7)));
+        add(model, turned(form, random_int(0, 7)));
+        write_model(model, path);
+        step_probe_file(path, &found);
+        CHECK(found.is_read && found.valid && found.closed && found.solids == 1 && found.faces == 3,
+              "kind %d: valid %d, closed %d, %d solids", kind, found.valid, found.closed,
+              found.solids);
+        CHECK_NEAR(found.volume, volume, 1e-9 * volume, "kind %d, %g, %g, %g", kind, a, b, more);
+        taut_model_free(model);
+    }
+}
+
+/* A net that is off by more than rounding stays what it is. */
+static void test_no_form(void)
+{
+    for (int kind = 0; kind < FORMS; kind++) {
+        const char *path = in_folder("form.step");
+        taut_surface *form = new_form(kind, 1, kind == BEND ? 3 : 0.5, kind == DISC ? 0 : 1);
+        taut_surface *made = NULL;
+        const size_t count = (size_t)taut_basis_count(taut_surface_u(form)) * 9;
+        double points[5 * 9 * 3];
+        taut_model *model = new_model("mm");
+        memcpy(points, taut_surface_points(form), 3 * count * sizeof *points);
+        points[3 * (count - 5) + 1] += 1e-11;
+        CHECK(taut_surface_new("off", taut_surface_u(form), taut_surface_v(form), points,
+                               taut_surface_weights(form), &made, NULL) == TAUT_OK,
+              "off");
+        taut_surface_free(form);
+        add(model, made);
+        write_model(model, path);
+        char *text = file_bytes(path, NULL);
+        CHECK(strstr(text, form_names[kind]) == NULL, "form %d is taken for one", kind);
+        free(text);
+        check_back(model, path);
+        taut_model_free(model);
+    }
+}
+
 /* What a sheet and its copy are written as: two faces, and no body. */
 static void test_no_body(void)
 {
@@ -448,6 +654,9 @@ int main(void)
     test_boxes();
     test_quilts();
     test_round();
+    test_forms();
+    test_capped();
+    test_no_form();
     test_no_body();
     folder_remove();
     return check_failures != 0;

@@ -83,17 +83,21 @@ static taut_status check_degrees(const taut_model *nurbs, taut_error *error)
     return status;
 }
 
+void taut_cad_say_bound(const char *unit, taut_cad_facts *facts)
+{
+    if (facts->bound > 0) {
+        snprintf(facts->exact, sizeof facts->exact,
+                 "proved to lie within %.3g %s of the exact model", facts->bound, unit);
+    } else {
+        snprintf(facts->exact, sizeof facts->exact, "the exact model");
+    }
+}
+
 static void fill_facts(const taut_model *nurbs, taut_cad_facts *facts)
 {
     write_date(facts->date);
     snprintf(facts->made, sizeof facts->made, "NURBS by taut %s", TAUT_VERSION);
-    if (facts->bound > 0) {
-        snprintf(facts->exact, sizeof facts->exact,
-                 "proved to lie within %.3g %s of the exact model", facts->bound,
-                 taut_model_unit(nurbs));
-    } else {
-        snprintf(facts->exact, sizeof facts->exact, "the exact model");
-    }
+    taut_cad_say_bound(taut_model_unit(nurbs), facts);
     facts->precision =
         fmin(largest_precision,
              fmax(fmax(facts->bound, precision_of_size * size_of(nurbs)), least_precision));

@@ -18,4 +18,7 @@ typedef struct taut_cad_facts {
 taut_status taut_cad_prepare(const taut_model *model, const taut_write_options *options,
                              taut_model **nurbs, taut_cad_facts *facts, taut_error *error);
 
+/* facts->exact, of facts->bound. */
+void taut_cad_say_bound(const char *unit, taut_cad_facts *facts);
+
 #endif /* TAUT_IO_CAD_PREPARE_H */

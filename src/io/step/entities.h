@@ -3,6 +3,7 @@
 #define TAUT_IO_STEP_ENTITIES_H
 
 #include "core/arena.h"
+#include "io/step/elementary.h"
 #include "io/step/part21.h"
 #include "shell/shell.h"
 #include "taut/model.h"
@@ -29,16 +30,18 @@ void taut_step_put_product(taut_part21 *out, const char *name, const taut_step_s
                            taut_step_content *content);
 
 /* geometry.c: a surface, whose points have numbers from *points on, u slowest; a curve of its own;
- * the curve that is edge 0..3 of a surface, on the surface's points. */
+ * the curve that is edge 0..3 of a surface, on the surface's points from `points` on, or, where that is 0,
+ * points of its own. */
 size_t taut_step_put_surface(taut_part21 *out, const taut_surface *surface, size_t *points);
 size_t taut_step_put_curve(taut_part21 *out, const taut_curve *curve);
 size_t taut_step_put_edge(taut_part21 *out, const taut_surface *surface, size_t points, int edge);
 
-/* topology.c: all faces as solids and surface models, which enter `content` with their styles.
+/* topology.c: all faces, of these forms, as solids and surface models, which enter `content` with their styles.
  * TAUT_NO_MEMORY. */
 taut_status taut_step_put_faces(taut_part21 *out, const taut_model *model,
-                                const taut_shells *shells, const taut_step_spaces *spaces,
-                                taut_arena *arena, taut_step_content *content);
+                                const taut_shells *shells, const taut_step_form *forms,
+                                const taut_step_spaces *spaces, taut_arena *arena,
+                                taut_step_content *content);
 
 /* style.c: what gives an item the i-th colour of surfaces or of curves, as figures and pages have
  * them; style[i % TAUT_STEP_COLOURS] keeps the number of what was written, at first 0. */

@@ -72,12 +72,10 @@ size_t taut_step_put_surface(taut_part21 *out, const taut_surface *surface, size
                     TAUT_KNOTS(v.knot_count, v.knots), table);
 }
 
-/* A curve on points with numbers from `first` on by `step`, with every step-th weight. */
-static size_t put_spline(taut_part21 *out, const char *name, const direction *t, size_t first,
-                         size_t step, int closed, const double *weights)
+/* A curve on a run of points, with every step-th weight. */
+static size_t put_spline(taut_part21 *out, const char *name, const direction *t,
+                         taut_part21_value run, int closed, const double *weights, size_t step)
 {
-    const taut_part21_value run = {
-        .kind = PART21_RUN, .ref = first, .step = step, .count = t->count};
     if (weights == NULL) {
         return TAUT_NEW(out,
                         "B_SPLINE_CURVE_WITH_KNOTS(%,%,%,.UNSPECIFIED.,%,.U.,%,%,.UNSPECIFIED.)",
@@ -98,9 +96,10 @@ size_t taut_step_put_curve(taut_part21 *out, const taut_curve *curve)
 {
     const direction t = direction_of(taut_curve_t(curve));
     const double *points = taut_curve_points(curve);
-    const size_t first = put_points(out, t.count, points);
-    return put_spline(out, taut_curve_name(curve), &t, first, 1,
-                      are_equal(points, 1, 1, t.count - 1), taut_curve_weights(curve));
+    const taut_part21_value run = {
+        .kind = PART21_RUN, .ref = put_points(out, t.count, points), .step = 1, .count = t.count};
+    return put_spline(out, taut_curve_name(curve), &t, run, are_equal(points, 1, 1, t.count - 1),
+                      taut_curve_weights(curve), 1);
 }
 
 size_t taut_step_put_edge(taut_part21 *out, const taut_surface *surface, size_t points, int edge)
@@ -112,10 +111,16 @@ size_t taut_step_put_edge(taut_part21 *out, const taut_surface *surface, size_t 
     const size_t first = edge == TAUT_EDGE_U1   ? (u.count - 1) * v.count
                          : edge == TAUT_EDGE_V1 ? v.count - 1
                                                 : 0;
-    const double *weights = taut_surface_weights(surface);
+    const double *weights = taut_surface_weights(surface), *net = taut_surface_points(surface);
     const direction *t = along_v ? &v : &u;
-    return put_spline(
-        out, "", t, points + first, step,
-        are_equal(taut_surface_points(surface) + 3 * first, 1, 1, (t->count - 1) * step),
-        weights != NULL ? weights + first : NULL);
+    const int closed = are_equal(net + 3 * first, 1, 1, (t->count - 1) * step);
+    const size_t own = out->count + 1;
+    for (size_t i = 0; points == 0 && i < t->count; i++) {
+        TAUT_NEW(out, "CARTESIAN_POINT('',%)", TAUT_REALS(3, net + 3 * (first + i * step), 1));
+    }
+    const taut_part21_value run = {.kind = PART21_RUN,
+                                   .ref = points == 0 ? own : points + first,
+                                   .step = points == 0 ? 1 : step,
+                                   .count = t->count};
+    return put_spline(out, "", t, run, closed, weights != NULL ? weights + first : NULL, step);
 }

@@ -98,11 +98,40 @@ static taut_status take_content(const taut_model *nurbs, taut_arena *arena,
     return taut_arena_status(arena);
 }
 
+/* Which faces are planes, cylinders and tori: with rings that close, once around in the shell too. */
+static taut_status find_forms(const taut_model *nurbs, const taut_shells *shells, taut_arena *arena,
+                              taut_step_form **forms)
+{
+    *forms = taut_arena_take(arena, (size_t)shells->face_count, sizeof **forms);
+    for (int f = 0; *forms != NULL && f < shells->face_count; f++) {
+        taut_step_form *form = &(*forms)[f];
+        taut_step_recognise(taut_model_surface(nurbs, f), form);
+        const int *seam = shells->faces[f].edge + 2 * (form->around == 1);
+        if (seam[0] < 0 || seam[0] != seam[1]) {
+            *form = (taut_step_form){.kind = TAUT_STEP_SPLINE};
+        }
+    }
+    return *forms != NULL ? TAUT_OK : TAUT_NO_MEMORY;
+}
+
+/* What the forms are off by counts as well. */
+static void add_distances(const taut_model *nurbs, const taut_step_form *forms,
+                          taut_cad_facts *facts)
+{
+    double most = 0;
+    for (int f = 0; f < taut_model_surface_count(nurbs); f++) {
+        most = fmax(most, forms[f].distance);
+    }
+    facts->bound += most;
+    taut_cad_say_bound(taut_model_unit(nurbs), facts);
+}
+
 /* All between the header and the end. */
-static taut_status put_data(taut_part21 *out, const taut_model *nurbs, const taut_cad_facts *facts,
+static taut_status put_data(taut_part21 *out, const taut_model *nurbs, taut_cad_facts *facts,
                             const char *name, taut_arena *arena)
 {
     taut_shells shells;
+    taut_step_form *forms = NULL;
     taut_step_content content;
     taut_step_spaces spaces;
     taut_status status = take_content(nurbs, arena, &content);
@@ -110,19 +139,23 @@ static taut_status put_data(taut_part21 *out, const taut_model *nurbs, const tau
     if (status == TAUT_OK) {
         status = find_shells(nurbs, facts->bound, arena, &shells);
     }
+    if (status == TAUT_OK) {
+        status = find_forms(nurbs, &shells, arena, &forms);
+    }
     if (status != TAUT_OK) {
         return status;
     }
+    add_distances(nurbs, forms, facts);
     put_header(out, facts, name);
     taut_step_put_spaces(out, taut_model_unit(nurbs), fmax(facts->precision, shells.gap), &spaces);
-    status = taut_step_put_faces(out, nurbs, &shells, &spaces, arena, &content);
+    status = taut_step_put_faces(out, nurbs, &shells, forms, &spaces, arena, &content);
     put_curves(out, nurbs, &content);
     taut_step_put_product(out, name, &spaces, &content);
     taut_part21_put(out, "ENDSEC;\nEND-ISO-10303-21;\n", NULL);
     return status;
 }
 
-static taut_status put_file(const taut_model *nurbs, const taut_cad_facts *facts, const char *name,
+static taut_status put_file(const taut_model *nurbs, taut_cad_facts *facts, const char *name,
                             FILE *file, taut_error *error)
 {
     taut_part21 out = {.sink = taut_sink_to(file)};
