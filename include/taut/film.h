@@ -96,6 +96,32 @@ typedef struct taut_film_seam {
     taut_film_edge edge; /* a cable where one runs along the seam, or all zero */
 } taut_film_seam;
 
+/* One side of a patch: the one that x_u x x_v points to, or, reversed, the other. */
+typedef struct taut_film_face {
+    int patch;
+    unsigned char reversed;
+} taut_film_face;
+
+/* The most cells of a film. */
+enum { TAUT_FILM_CELLS_MAX = 64 };
+
+/* What lies on one side of sheets and is under pressure: a bubble, a cushion.
+ *
+ *     V = 1/3 sum over sides of +-iint (x - from) . (x_u x x_v) du dv
+ *
+ * E becomes E - p V; a pressure above 0 pushes a side along its x_u x x_v, a reversed one against it. Of a closed cell `from`
+ * does not matter; of an open one it lies in the planes that its moving edges are kept in. */
+typedef struct taut_film_cell {
+    const char *name; /* NULL: "cell-0", ... */
+    int count;        /* of sides */
+    const taut_film_face *sides;
+    unsigned char
+        has_volume; /* nonzero: `volume` is given and the pressure found; else `pressure` is given */
+    double volume;  /* not 0 */
+    double pressure; /* a force per area */
+    double from[3];
+} taut_film_cell;
+
 typedef struct taut_film_problem taut_film_problem;
 
 /* How a film is found. */
@@ -138,6 +164,9 @@ typedef struct taut_film_problem {
     const taut_film_problem *patches;
     int seam_count;
     const taut_film_seam *seams;
+    /* Of films of one patch too, with cables of force, the method full, and without start, refine, updates and threads. */
+    int cell_count;
+    const taut_film_cell *cells;
 } taut_film_problem;
 
 /* Reasons: word, meaning, remedy. */
@@ -178,6 +207,12 @@ typedef struct taut_film_problem {
       "give the cables the force that the message names, or more")                                 \
     X("cable-too-short", "a cable is not longer than the chord it has to span",                    \
       "give it more length, or draw the corners together")                                         \
+    X("cell-sides", "a side of a patch bounds two cells",                                          \
+      "name each side once, the other one with a minus sign")                                      \
+    X("open-cell", "a cell has an edge that moves, and its cone is not flat there",                \
+      "close the cell, or give it a `from` in the plane of that edge")                             \
+    X("pressure-too-high", "no film holds this pressure",                                          \
+      "lower the pressure to what the message names, or give a volume")                            \
     X("unstable", "the start lies at a film that is no minimum",                                   \
       "begin elsewhere, or accept what is stationary")                                             \
     X("folds", "the film folds on its way to the least energy",                                    \

@@ -137,8 +137,8 @@ def film(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None, v: 
         unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, name: str | None = None,
         corners: Mapping[str, Union[npt.ArrayLike, None, Mapping[str, npt.ArrayLike], Mapping[str, Any]]] | None = None,
         edges: Mapping[str, Union[Literal["fixed"], Mapping[str, Union[CurveLike, Union[Mapping[str, npt.ArrayLike], Mapping[str, Mapping[str, Any]]]]], Mapping[str, Any], Mapping[str, Mapping[str, npt.ArrayLike]], Mapping[str, None]]] | None = None,
-        seams: Sequence[Any] | None = None, patches: Sequence[Any] | None = None, tension: float | None = None,
-        force_density: npt.ArrayLike | None = None, prestress: npt.ArrayLike | None = None,
+        seams: Sequence[Any] | None = None, patches: Sequence[Any] | None = None, cells: Sequence[Any] | None = None,
+        tension: float | None = None, force_density: npt.ArrayLike | None = None, prestress: npt.ArrayLike | None = None,
         reference: SurfaceLike | None = None, updates: int | None = None, tolerance: float | None = None,
         max_iterations: int | None = None, equilibrium: float | None = None,
         method: Literal["full", "normal"] | None = None, accept: Literal["minimum", "stationary"] | None = None,
@@ -158,6 +158,7 @@ def film(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None, v: 
     seams                  of one patch a ring: the two edges, u0 and u1 or v0 and v1, are one curve inside the film,
                            which goes around; of many, edges that are one
     patches                in place of u, v, corners, edges and tension: a film of many patches
+    cells                  what sides of the film bound, each under a pressure or of a volume
     tension                of the film: a force per length; above 0; 1 if not given
     force_density          in place of a tension: along the threads, u and v over [0, 1]
     prestress              in place of a tension: forces per width along u and v on the reference
@@ -176,10 +177,10 @@ def film(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None, v: 
     known                  (nu, nv) of truth values: which points are given
     """
     said: dict[str, Any] = {"points": points, "u": u, "v": v, "unit": unit, "name": name, "corners": corners,
-        "edges": edges, "seams": seams, "patches": patches, "tension": tension, "force_density": force_density,
-        "prestress": prestress, "reference": reference, "updates": updates, "tolerance": tolerance,
-        "max_iterations": max_iterations, "equilibrium": equilibrium, "method": method, "accept": accept, "least": least,
-        "start": start, "refine": refine}
+        "edges": edges, "seams": seams, "patches": patches, "cells": cells, "tension": tension,
+        "force_density": force_density, "prestress": prestress, "reference": reference, "updates": updates,
+        "tolerance": tolerance, "max_iterations": max_iterations, "equilibrium": equilibrium, "method": method,
+        "accept": accept, "least": least, "start": start, "refine": refine}
     return made_of("film", said, known, threads=threads, progress=progress, strict=strict)
 
 

@@ -170,6 +170,15 @@
     X(taut_family_member, shift, "double[2]") \
     X(taut_family_member, motion, "double[3][4]")
 
+#define TAUT_ABI_MEMBERS_taut_film_cell(X) \
+    X(taut_film_cell, name, "const char *") \
+    X(taut_film_cell, count, "int") \
+    X(taut_film_cell, sides, "const taut_film_face *") \
+    X(taut_film_cell, has_volume, "unsigned char") \
+    X(taut_film_cell, volume, "double") \
+    X(taut_film_cell, pressure, "double") \
+    X(taut_film_cell, from, "double[3]")
+
 #define TAUT_ABI_MEMBERS_taut_film_edge(X) \
     X(taut_film_edge, kind, "taut_film_edge_kind") \
     X(taut_film_edge, curve, "const taut_curve *") \
@@ -182,6 +191,10 @@
     X(taut_film_edge, has_plane, "unsigned char") \
     X(taut_film_edge, is_mirror, "unsigned char") \
     X(taut_film_edge, plane, "taut_film_guide")
+
+#define TAUT_ABI_MEMBERS_taut_film_face(X) \
+    X(taut_film_face, patch, "int") \
+    X(taut_film_face, reversed, "unsigned char")
 
 #define TAUT_ABI_MEMBERS_taut_film_guide(X) \
     X(taut_film_guide, point, "double[3]") \
@@ -213,7 +226,9 @@
     X(taut_film_problem, patch_count, "int") \
     X(taut_film_problem, patches, "const taut_film_problem *") \
     X(taut_film_problem, seam_count, "int") \
-    X(taut_film_problem, seams, "const taut_film_seam *")
+    X(taut_film_problem, seams, "const taut_film_seam *") \
+    X(taut_film_problem, cell_count, "int") \
+    X(taut_film_problem, cells, "const taut_film_cell *")
 
 #define TAUT_ABI_MEMBERS_taut_film_seam(X) \
     X(taut_film_seam, count, "int") \
@@ -534,7 +549,9 @@
     X(taut_extension_g1) \
     X(taut_extension_merge) \
     X(taut_family_member) \
+    X(taut_film_cell) \
     X(taut_film_edge) \
+    X(taut_film_face) \
     X(taut_film_guide) \
     X(taut_film_problem) \
     X(taut_film_seam) \
@@ -809,6 +826,7 @@
     X(TAUT_FILM_POINTS_MAX, "TAUT_FILM_POINTS_MAX") \
     X(TAUT_FILM_PATCHES_MAX, "TAUT_FILM_PATCHES_MAX") \
     X(TAUT_FILM_PATCHES_POINTS_MAX, "TAUT_FILM_PATCHES_POINTS_MAX") \
+    X(TAUT_FILM_CELLS_MAX, "TAUT_FILM_CELLS_MAX") \
     X(TAUT_FILM_REFINE_MAX, "TAUT_FILM_REFINE_MAX") \
     X(TAUT_FILM_UPDATES_MAX, "TAUT_FILM_UPDATES_MAX") \
     X(TAUT_DEGREE_MAX, "TAUT_DEGREE_MAX") \

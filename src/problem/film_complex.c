@@ -13,6 +13,52 @@ static const double knots_alike = 1e-12; /* of the range */
 static const double gap_meeting = 1e-9;  /* of the size */
 static const double parallel = 1e-9;     /* sine */
 
+const taut_film_problem *taut_film_complex_of(const taut_film_problem *problem,
+                                              taut_film_lone *room)
+{
+    if (problem->patch_count > 0) {
+        return problem;
+    }
+    room->problem = room->patch = *problem;
+    room->patch.name = problem->name != NULL ? problem->name : "film";
+    room->problem.patch_count = 1;
+    room->problem.patches = &room->patch;
+    if (problem->ring != TAUT_FILM_OPEN) {
+        const int first = problem->ring == TAUT_FILM_RING_U ? 0 : 2;
+        for (int k = 0; k < 2; k++) {
+            room->sides[k] = (taut_film_side){0, first + k, 0};
+        }
+        room->seam = (taut_film_seam){.count = 2, .sides = room->sides};
+        room->problem.seam_count = 1;
+        room->problem.seams = &room->seam;
+    }
+    return &room->problem;
+}
+
+/* Films of many patches have no bases of their own. */
+static int is_lone(const taut_film_problem *problem)
+{
+    return problem->u != NULL;
+}
+
+void taut_film_complex_where(const taut_film_problem *problem, taut_error *error)
+{
+    static const char prefix[] = "/patches/0";
+    const size_t length = sizeof prefix - 1;
+
+    if (is_lone(problem) && error != NULL && strncmp(error->where, prefix, length) == 0) {
+        memmove(error->where, error->where + length, strlen(error->where + length) + 1);
+    }
+}
+
+void taut_film_complex_name(const taut_film_problem *problem, int patch, const char *part,
+                            char name[TAUT_FILM_NAME])
+{
+    snprintf(name, TAUT_FILM_NAME, "%.88s%s%s",
+             is_lone(problem) ? "" : problem->patches[patch].name, is_lone(problem) ? "" : ".",
+             part);
+}
+
 int taut_film_complex_along(const taut_film_problem *patch, int edge)
 {
     return taut_basis_count(edge < 2 ? patch->v : patch->u);
@@ -35,6 +81,19 @@ static int point_of(const taut_film_complex *c, const taut_film_side *side, int 
 int taut_film_complex_node(const taut_film_complex *complex, const taut_film_side *side, int k)
 {
     return complex->node[point_of(complex, side, k)];
+}
+
+int taut_film_edge_corner(int edge, int end)
+{
+    return edge < 2 ? edge + 2 * end : end + 2 * (edge - 2);
+}
+
+int taut_film_complex_corner(const taut_film_complex *complex, int patch, int corner)
+{
+    const taut_film_problem *of = &complex->problem->patches[patch];
+    const int last = taut_film_complex_along(of, corner % 2) - 1;
+    return complex
+        ->node[complex->first[patch] + taut_film_complex_point(of, corner % 2, corner / 2 * last)];
 }
 
 int taut_film_complex_seam(const taut_film_problem *problem, int patch, int edge)
@@ -256,10 +315,7 @@ static taut_status refuse_corner(const taut_film_complex *c, int p, int k, taut_
 {
     char where[64];
     const taut_film_problem *patch = &c->problem->patches[p];
-    const taut_film_hold *hold =
-        &c->holds[c->node[c->first[p] +
-                          taut_film_complex_point(
-                              patch, k % 2, k / 2 * (taut_film_complex_along(patch, k % 2) - 1))]];
+    const taut_film_hold *hold = &c->holds[taut_film_complex_corner(c, p, k)];
     double held[3] = {0, 0, 0}, gap = taut_none;
 
     snprintf(where, sizeof where, "/patches/%d/corners/%s", p, corner_names[k]);
@@ -280,21 +336,12 @@ static void end_of(const taut_curve *curve, int end, double x[3])
     (void)taut_curve_eval(curve, end == 0 ? taut_basis_lo(t) : taut_basis_hi(t), 0, x);
 }
 
-static int corner_node(const taut_film_complex *c, int p, int corner)
-{
-    const taut_film_problem *patch = &c->problem->patches[p];
-    return c
-        ->node[c->first[p] + taut_film_complex_point(
-                                 patch, corner % 2,
-                                 corner / 2 * (taut_film_complex_along(patch, corner % 2) - 1))];
-}
-
 static taut_status hold_corners(taut_film_complex *c, int p, double gap, taut_error *error)
 {
     const taut_film_problem *patch = &c->problem->patches[p];
 
     for (int k = 0; k < 4; k++) {
-        taut_film_hold *hold = &c->holds[corner_node(c, p, k)];
+        taut_film_hold *hold = &c->holds[taut_film_complex_corner(c, p, k)];
         const taut_film_corner_kind kind = patch->corner_kinds[k];
         const int meets = kind == TAUT_FILM_HELD && patch->has_corner[k]
                               ? add_point(hold, patch->corners[k], gap)
@@ -307,10 +354,10 @@ static taut_status hold_corners(taut_film_complex *c, int p, double gap, taut_er
     }
     for (int e = 0; e < 4; e++) {
         for (int end = 0; patch->edges[e].curve != NULL && end < 2; end++) {
-            const int k = e < 2 ? e + 2 * end : end + 2 * (e - 2);
+            const int k = taut_film_edge_corner(e, end);
             double x[3];
             end_of(patch->edges[e].curve, end, x);
-            if (!add_point(&c->holds[corner_node(c, p, k)], x, gap)) {
+            if (!add_point(&c->holds[taut_film_complex_corner(c, p, k)], x, gap)) {
                 char where[64];
                 snprintf(where, sizeof where, "/patches/%d/edges/%s/fixed", p, edge_names[e]);
                 return taut_fail(
@@ -377,7 +424,7 @@ static taut_status mark_fixed(taut_film_complex *c, int p, taut_error *error)
     return TAUT_OK;
 }
 
-static double size_of(const taut_film_problem *problem)
+double taut_film_complex_size(const taut_film_problem *problem)
 {
     const double *first = NULL;
     double size = 0;
@@ -406,7 +453,7 @@ static double size_of(const taut_film_problem *problem)
 static taut_status find_holds(taut_film_complex *c, taut_error *error)
 {
     const taut_film_problem *problem = c->problem;
-    const double gap = gap_meeting * size_of(problem);
+    const double gap = gap_meeting * taut_film_complex_size(problem);
     taut_status status = TAUT_OK;
 
     for (int p = 0; status == TAUT_OK && p < problem->patch_count; p++) {

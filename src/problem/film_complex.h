@@ -51,6 +51,23 @@ typedef struct taut_film_complex {
     taut_film_strand *strands;
 } taut_film_complex;
 
+/* A film of one patch as one of many: what stands here lives as long as it does. */
+typedef struct taut_film_lone {
+    taut_film_problem problem, patch;
+    taut_film_side sides[2];
+    taut_film_seam seam; /* of a ring */
+} taut_film_lone;
+
+/* The problem itself, or one of one patch in its room, whose edges go without the patch's name. */
+const taut_film_problem *taut_film_complex_of(const taut_film_problem *problem,
+                                              taut_film_lone *room);
+/* Where something of a film of one patch is, without "/patches/0". */
+void taut_film_complex_where(const taut_film_problem *problem, taut_error *error);
+/* "NAME.PART", of a film of one patch "PART": an edge, a corner. */
+enum { TAUT_FILM_NAME = 96 };
+void taut_film_complex_name(const taut_film_problem *problem, int patch, const char *part,
+                            char name[TAUT_FILM_NAME]);
+
 /* Point k of an edge among those of its patch. */
 int taut_film_complex_point(const taut_film_problem *patch, int edge, int k);
 /* How many. */
@@ -59,6 +76,13 @@ int taut_film_complex_along(const taut_film_problem *patch, int edge);
 int taut_film_complex_node(const taut_film_complex *complex, const taut_film_side *side, int k);
 /* The seam that an edge is in, or -1. */
 int taut_film_complex_seam(const taut_film_problem *problem, int patch, int edge);
+
+/* The largest distance of given corners and of control points of held curves from the first. */
+double taut_film_complex_size(const taut_film_problem *problem);
+/* The corner at the first (0) or last (1) end of an edge. */
+int taut_film_edge_corner(int edge, int end);
+/* The node of a corner: u0v0, u1v0, u0v1, u1v1. */
+int taut_film_complex_corner(const taut_film_complex *complex, int patch, int corner);
 
 /* One plane more. 0: it does not meet the others, by more than `gap`. */
 int taut_film_hold_add(taut_film_hold *hold, const double normal[3], double offset, double gap);

@@ -78,14 +78,25 @@ taut_status taut_cad_read_step(const char *path, taut_model **model, taut_error 
 }
 
 /* Films of many patches: what nobody drags by hand. */
-static const char no_patches[] =
-    "films of many patches are not made in the browser: let the program `taut make` do it";
+static const char no_patches[] = "films of many patches, or with cells, are not made in the "
+                                 "browser: let the program `taut make` do it";
 
 void taut_film_document_patches(taut_reader *document, taut_problem *problem,
                                 const taut_film_patch_readers *readers, taut_film_problem *data)
 {
     const taut_json at = taut_json_member(document->object, "patches");
     (void)readers;
+    (void)problem;
+    (void)data;
+    if (document->status == TAUT_OK) {
+        document->status = taut_json_fail(&at, document->error, "not-installed", taut_none,
+                                          taut_none, "%s", no_patches);
+    }
+}
+
+void taut_film_document_cells(taut_reader *document, taut_problem *problem, taut_film_problem *data)
+{
+    const taut_json at = taut_json_member(document->object, "cells");
     (void)problem;
     (void)data;
     if (document->status == TAUT_OK) {

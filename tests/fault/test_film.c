@@ -4,6 +4,9 @@
 #include "check.h"
 #include "fault.h"
 #include "sails.h"
+#include "taut/taut.h"
+
+#include <string.h>
 
 static taut_status make(const void *context, void **result, taut_error *error)
 {
@@ -45,10 +48,63 @@ static void run_out(int without_least, int most)
     sail_free(&s);
 }
 
+static taut_status make_any(const void *context, void **result, taut_error *error)
+{
+    taut_model *model = *result;
+    const taut_status status = taut_make(context, NULL, &model, error);
+    *result = model;
+    return status;
+}
+
+typedef struct any_proof {
+    const taut_model *model;
+    const taut_problem *problem;
+} any_proof;
+
+static taut_status prove_any(const void *context, void **result, taut_error *error)
+{
+    const any_proof *p = context;
+    taut_certificate *certificate = *result;
+    const taut_status status = taut_certify(p->model, p->problem, NULL, &certificate, error);
+    *result = certificate;
+    return status;
+}
+
+/* A cap over a square, of two sheets, one with a volume under it. */
+static const char cushion[] =
+    "{\"taut\":1,\"construct\":\"film\",\"patches\":["
+    "{\"name\":\"a\",\"u\":{\"type\":\"bspline\",\"degree\":2,\"count\":4},"
+    "\"v\":{\"type\":\"bspline\",\"degree\":2,\"count\":4},\"corners\":{\"u0v0\":[0,0,0],"
+    "\"u1v0\":[1,0,0],\"u0v1\":[0,1,0],\"u1v1\":[1,1,0]}},"
+    "{\"name\":\"b\",\"u\":{\"type\":\"bspline\",\"degree\":2,\"count\":4},"
+    "\"v\":{\"type\":\"bspline\",\"degree\":2,\"count\":4},\"corners\":{\"u0v0\":[1,0,0],"
+    "\"u1v0\":[2,0,0],\"u0v1\":[1,1,0],\"u1v1\":[2,1,0]},"
+    "\"edges\":{\"u1\":{\"cable\":{\"force\":3},\"plane\":{\"point\":[0,0,0],\"normal\":[0,0,1]}}}}"
+    "],"
+    "\"seams\":[[\"a.u1\",\"b.u0\"]],"
+    "\"cells\":[{\"sides\":[\"a\",\"b\"],\"volume\":0.1}]}";
+
+static void run_out_of_patches(const char *text)
+{
+    taut_problem *problem = NULL;
+    taut_model *model = NULL;
+
+    CHECK(taut_problem_read_text(text, strlen(text), "text", &problem, NULL) == TAUT_OK, "text");
+    const fault_call making = {"film of patches", make_any, release_model, problem};
+    CHECK(fault_loop_some(&making, 2000) > 100, "a film takes memory");
+    CHECK(taut_make(problem, NULL, &model, NULL) == TAUT_OK, "a film");
+    const any_proof context = {model, problem};
+    const fault_call proving = {"its certificate", prove_any, release_certificate, &context};
+    CHECK(model == NULL || fault_loop_some(&proving, 2000) > 100, "a proof takes memory");
+    taut_model_free(model);
+    taut_problem_free(problem);
+}
+
 int main(void)
 {
     random_seed(7);
     run_out(1, 2000);
     run_out(0, 60);
+    run_out_of_patches(cushion);
     return check_failures != 0;
 }

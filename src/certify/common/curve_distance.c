@@ -11,9 +11,10 @@
 #include <string.h>
 
 enum { CUTS = 14, CHANNELS = 4 /* three of the numerator, the denominator */ };
-static const double bound_near = 1.05;        /* times a distance seen: not made sharper */
-static const double knot_same = 1e-12;        /* of the range: knots nearer to each other are one */
-static const double spline_tolerance = 1e-11; /* of c- and h- curves as splines */
+static const double bound_near = 1.05; /* times a distance seen: not made sharper */
+static const double knot_same = 1e-12; /* of the range: knots nearer to each other are one */
+static const double spline_tolerance =
+    1e-11; /* of c- and h- curves as splines, of their size and how far off they are */
 
 double taut_certify_reach(const taut_curve *curve, const double *x)
 {
@@ -54,8 +55,11 @@ static taut_status convert_to_spline(const taut_curve *curve, double lo, double 
                                      taut_curve **spline, double *bound, taut_error *error)
 {
     taut_curve *made = NULL;
+    const double *first = taut_curve_points(curve);
+    const double size = taut_certify_reach(curve, first) + taut_norm(first);
     double lost = 0;
-    taut_status status = taut_curve_to_nurbs(curve, spline_tolerance, &made, &lost, error);
+    taut_status status =
+        taut_curve_to_nurbs(curve, spline_tolerance * (size > 0 ? size : 1), &made, &lost, error);
 
     if (status != TAUT_OK) {
         return status;

@@ -35,7 +35,7 @@ static const char *const members[] = {
     "seams",         "cables",    "cells",     "images",   "start",          "refine",
     "force_density", "prestress", "reference", "updates",  "through",        NULL};
 static const char *const not_yet[] = {"curves", "boundary", "degree", "count",
-                                      "cables", "cells",    "images", NULL};
+                                      "cables", "images",   NULL};
 static const char *const corner_members[] = {"u0v0", "u1v0", "u0v1", "u1v1", NULL};
 static const char *const edge_members[] = {"u0", "u1", "v0", "v1", NULL};
 static const char *const kind_members[] = {"fixed",  "cable", "plane", "slide",
@@ -667,6 +667,9 @@ static void film_read(taut_reader *document, taut_problem *problem, void *into)
         taut_film_document_patches(document, problem, &readers, data);
     } else {
         read_alone(document, problem, data);
+    }
+    if (taut_reader_has(document, "cells")) {
+        taut_film_document_cells(document, problem, data);
     }
     taut_reader_optional(document, "tolerance", read_tolerance, &data->tolerance);
     taut_reader_optional_integer(document, "max_iterations", 1, 1000000, &data->max_iterations);

@@ -3,17 +3,22 @@
  *     "patches": [PATCH, ..]      PATCH  { "name", "u", "v", "corners", "edges", "tension" }
  *     "seams":   [SEAM, ..]       SEAM   ["a.u1", "-b.v0", ..] | { "edges": [..], "cable": LAW, "plane": PLANE }
  *
+ *     "cells":   [CELL, ..]       CELL   { "name", "sides": ["a", "-b", ..], "pressure": p | "volume": V, "from": P }
+ *
  * An edge runs with its parameter, one with a minus sign backwards.
  */
 #include "io/problem/film_patches.h"
 
 #include "core/fail.h"
+#include "io/problem/member.h"
+#include "io/problem/net_document.h"
 
 #include <stdio.h>
 #include <string.h>
 
 static const char *const patch_members[] = {"name", "u", "v", "corners", "edges", "tension", NULL};
 static const char *const seam_members[] = {"edges", "cable", "plane", NULL};
+static const char *const cell_members[] = {"name", "sides", "pressure", "volume", "from", NULL};
 static const char *const edge_names[4] = {"u0", "u1", "v0", "v1"};
 static const char *const corner_names[4] = {"u0v0", "u1v0", "u0v1", "u1v1"};
 static const char *const of_patches[] = {
@@ -177,4 +182,87 @@ void taut_film_document_patches(taut_reader *document, taut_problem *problem,
                                           read_seam, &r, document->error);
     }
     data->seams = r.seams;
+}
+
+/* ---- cells ---- */
+
+typedef struct cells {
+    taut_problem *problem;
+    taut_film_problem *data;
+    taut_film_cell *made;
+    taut_film_face *sides; /* of the cell being read */
+} cells;
+
+static taut_status read_face(const taut_json *at, void *into, taut_error *error)
+{
+    cells *r = into;
+    taut_film_cell *cell = &r->made[r->data->cell_count];
+    const char *text = taut_json_text_at(at);
+    const char *lone = r->data->name != NULL ? r->data->name : "film";
+    const int count = r->data->patch_count > 0 ? r->data->patch_count : 1;
+
+    for (int p = 0; text != NULL && p < count; p++) {
+        const char *name = r->data->patch_count > 0 ? r->data->patches[p].name : lone;
+        if (strcmp(text + (text[0] == '-'), name) == 0) {
+            r->sides[cell->count++] =
+                (taut_film_face){.patch = p, .reversed = (unsigned char)(text[0] == '-')};
+            return TAUT_OK;
+        }
+    }
+    return taut_json_refuse(at, error, text != NULL ? "name" : "type",
+                            "a side of a patch, such as \"%s\" or \"-%s\"",
+                            r->data->patch_count > 0 ? r->data->patches[0].name : lone,
+                            r->data->patch_count > 0 ? r->data->patches[0].name : lone);
+}
+
+static taut_status read_origin(const taut_json *at, void *value, taut_error *error)
+{
+    return taut_net_document_point(at, value, error);
+}
+
+static taut_status read_cell(const taut_json *at, void *into, taut_error *error)
+{
+    cells *r = into;
+    taut_film_cell *cell = &r->made[r->data->cell_count];
+    taut_reader in = taut_reader_of(at, cell_members, error);
+    const taut_json sides = taut_json_member(at, "sides");
+    const int has_volume = taut_reader_has(&in, "volume"),
+              has_pressure = taut_reader_has(&in, "pressure");
+
+    if (in.status == TAUT_OK && has_volume + has_pressure != 1) {
+        in.status = taut_json_fail(
+            at, error, has_volume ? "conflict" : "missing", has_volume + has_pressure, 1,
+            "found %d of \"pressure\" and \"volume\", expected one", has_volume + has_pressure);
+    }
+    taut_member_name(&in, r->problem->arena, &cell->name);
+    r->sides = taut_arena_take(r->problem->arena, taut_json_count_at(&sides) + 1, sizeof *r->sides);
+    if (in.status == TAUT_OK && r->sides == NULL) {
+        in.status = taut_fail_memory(error);
+    }
+    if (in.status == TAUT_OK) {
+        in.status = taut_json_each(&sides, 1, 2 * (size_t)TAUT_FILM_PATCHES_MAX, "sides", read_face,
+                                   r, error);
+    }
+    cell->sides = r->sides;
+    cell->has_volume = (unsigned char)has_volume;
+    taut_reader_optional_number(&in, "volume", &cell->volume);
+    taut_reader_optional_number(&in, "pressure", &cell->pressure);
+    taut_reader_optional(&in, "from", read_origin, cell->from);
+    r->data->cell_count++;
+    return in.status;
+}
+
+void taut_film_document_cells(taut_reader *document, taut_problem *problem, taut_film_problem *data)
+{
+    const taut_json at = taut_json_member(document->object, "cells");
+    cells r = {.problem = problem, .data = data};
+
+    if (document->status != TAUT_OK || at.value == NULL) {
+        return;
+    }
+    r.made = taut_arena_take(problem->arena, TAUT_FILM_CELLS_MAX + 1, sizeof *r.made);
+    document->status = r.made == NULL ? taut_fail_memory(document->error)
+                                      : taut_json_each(&at, 0, TAUT_FILM_CELLS_MAX, "cells",
+                                                       read_cell, &r, document->error);
+    data->cells = r.made;
 }

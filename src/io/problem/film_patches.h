@@ -1,4 +1,4 @@
-/* film_patches.h -- the members `patches` and `seams` of films. */
+/* film_patches.h -- the members `patches`, `seams` and `cells` of films. */
 #ifndef TAUT_IO_PROBLEM_FILM_PATCHES_H
 #define TAUT_IO_PROBLEM_FILM_PATCHES_H
 
@@ -15,5 +15,9 @@ typedef struct taut_film_patch_readers {
 /* Fills the patches and the seams of data. */
 void taut_film_document_patches(taut_reader *document, taut_problem *problem,
                                 const taut_film_patch_readers *readers, taut_film_problem *data);
+
+/* The cells; data->patches, or the film itself, by name. */
+void taut_film_document_cells(taut_reader *document, taut_problem *problem,
+                              taut_film_problem *data);
 
 #endif /* TAUT_IO_PROBLEM_FILM_PATCHES_H */

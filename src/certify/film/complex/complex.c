@@ -7,7 +7,8 @@
  *   seams       the largest difference of coordinates of points that are one by seams and poles: 0
  *   mirror      of edges in mirrors
  *   cables      how many numbers of the curves differ from the edges they are: 0
- *   stationary  as of one patch, over the nodes
+ *   volume      of cells of given volume: the largest difference from it over it; 1e-10
+ *   stationary  as of one patch, over the nodes, of E - sum p V; pressures that are not given are those that leave the least
  *   stable      lowest eigenvalue of the second variation over the moves, scaled; above 1e-6
  *   least       null: no bound is known of films of many patches
  *   equilibrium where it is asked for: the largest defect
@@ -20,15 +21,17 @@
 #include "core/constants.h"
 #include "core/fail.h"
 #include "core/vec3.h"
+#include "problem/film_cells.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-enum { RULES = 6, SECOND_EXTRA = 1 };
+enum { RULES = 6, SECOND_EXTRA = 1, SECOND_CELLS = 4 /* volumes are of higher degree */ };
 static const int extra_nodes[RULES] = {4, 8, 15, 27, 48, 76};
 static const double tolerance_default = 1e-10, largest_limit = 1e-6, stable_limit = 1e-6,
-                    kept_limit = 0x1p-47; /* 64 2^-53 */
+                    kept_limit = 0x1p-47, /* 64 2^-53 */
+    volume_limit = 1e-10;
 static const char *const edge_names[4] = {"u0", "u1", "v0", "v1"};
 static const char *const corner_names[4] = {"u0v0", "u1v0", "u0v1", "u1v1"};
 
@@ -41,7 +44,9 @@ typedef struct request {
     const taut_surface **surfaces; /* [patch_count] */
     double tolerance, size;
     double residual;
-    int at; /* the node of it */
+    int at;     /* the node of it */
+    double off; /* of given volumes */
+    int off_cell;
     int settled;
     double lowest, lowest_user;
     int below;
@@ -89,10 +94,11 @@ static const double *point_at(const request *r, int p, int k)
     return taut_surface_points(r->surfaces[p]) + 3 * k;
 }
 
-static int corner_at(const taut_film_problem *patch, int c)
+static const double *corner_at(const request *r, int p, int c)
 {
-    return taut_film_complex_point(patch, c % 2,
-                                   c / 2 * (taut_film_complex_along(patch, c % 2) - 1));
+    const taut_film_problem *patch = &r->problem->patches[p];
+    const int last = taut_film_complex_along(patch, c % 2) - 1;
+    return point_at(r, p, taut_film_complex_point(patch, c % 2, c / 2 * last));
 }
 
 static taut_status add(taut_certificate *certificate, const taut_claim *claim, taut_error *error)
@@ -117,7 +123,7 @@ static taut_status check_edge(const request *r, int p, int e, taut_film_boundary
     }
     const taut_status status = taut_film_judge_edge(r->surfaces[p], e, &asked, b, &is_worst, error);
     if (is_worst) {
-        snprintf(where, 96, "%.88s.%s", patch->name, edge_names[e]);
+        taut_film_complex_name(r->problem, p, edge_names[e], where);
     }
     return status;
 }
@@ -152,7 +158,7 @@ static void take_farther(double away, const request *r, int p, const char *what,
 {
     if (!(away <= claim->residual)) {
         claim->residual = away;
-        snprintf(where, 96, "%.88s.%s", r->problem->patches[p].name, what);
+        taut_film_complex_name(r->problem, p, what, where);
     }
 }
 
@@ -187,7 +193,7 @@ static taut_status add_held(const request *r, taut_certificate *certificate, tau
     for (int p = 0; p < r->problem->patch_count; p++) {
         const taut_film_problem *patch = &r->problem->patches[p];
         for (int c = 0; c < 4; c++) {
-            const double *x = point_at(r, p, corner_at(patch, c));
+            const double *x = corner_at(r, p, c);
             const taut_film_corner_kind kind = patch->corner_kinds[c];
             if (kind == TAUT_FILM_HELD && patch->has_corner[c]) {
                 take_farther(taut_distance(x, patch->corners[c]) / r->size, r, p, corner_names[c],
@@ -285,7 +291,7 @@ static taut_status add_mirror(const request *r, taut_certificate *certificate, t
 static void strand_name(const request *r, int k, char name[96])
 {
     const taut_film_side *side = &r->complex.strands[k].side;
-    snprintf(name, 96, "%.88s.%s", r->problem->patches[side->patch].name, edge_names[side->edge]);
+    taut_film_complex_name(r->problem, side->patch, edge_names[side->edge], name);
 }
 
 static int count_differences(const request *r, const taut_curve *curve, const taut_film_side *side)
@@ -359,6 +365,41 @@ static void judge(request *r, const taut_sheets *s)
     }
 }
 
+static void judge_volumes(request *r, const taut_sheets *s)
+{
+    r->off = 0;
+    for (int k = 0; k < r->problem->cell_count; k++) {
+        const taut_film_cell *cell = &r->problem->cells[k];
+        const double off =
+            cell->has_volume ? fabs((s->volumes[k] - cell->volume) / cell->volume) : 0;
+        if (!(off <= r->off)) {
+            r->off = off;
+            r->off_cell = k;
+        }
+    }
+}
+
+static taut_status add_volume(const request *r, taut_certificate *certificate, taut_error *error)
+{
+    char where[TAUT_FILM_NAME] = "";
+    const taut_claim claim = {.claim = "volume",
+                              .kind = TAUT_CHECK,
+                              .residual = r->off,
+                              .limit = volume_limit,
+                              .holds = taut_certify_below(r->off, volume_limit),
+                              .where = where};
+    int given = 0;
+
+    for (int k = 0; k < r->problem->cell_count; k++) {
+        given += r->problem->cells[k].has_volume;
+    }
+    if (given == 0) {
+        return TAUT_OK;
+    }
+    taut_film_cell_name(r->problem, r->off_cell, where);
+    return add(certificate, &claim, error);
+}
+
 static taut_status settle(request *r)
 {
     const double limit = fmin(r->tolerance, largest_limit);
@@ -371,6 +412,7 @@ static taut_status settle(request *r)
             taut_sheets_new(&r->complex, r->surfaces, extra_nodes[rule], arena, &s);
         if (status == TAUT_OK) {
             judge(r, &s);
+            judge_volumes(r, &s);
         }
         taut_arena_free(arena);
         if (status != TAUT_OK) {
@@ -416,7 +458,9 @@ static taut_status find_stability(request *r)
 {
     taut_arena *arena = taut_arena_new();
     taut_sheets s;
-    taut_status status = taut_sheets_new(&r->complex, r->surfaces, SECOND_EXTRA, arena, &s);
+    taut_status status =
+        taut_sheets_new(&r->complex, r->surfaces,
+                        r->problem->cell_count > 0 ? SECOND_CELLS : SECOND_EXTRA, arena, &s);
 
     if (status == TAUT_OK) {
         status = taut_sheets_lowest(&s, stable_limit, &r->lowest, &r->below);
@@ -469,8 +513,7 @@ static void add_reactions(const request *r, const taut_sheets *s, double *forces
     taut_complex_pulls(s, forces);
     for (int k = 0; k < 4 * r->problem->patch_count; k++) {
         const int p = k / 4;
-        const int node =
-            r->complex.node[r->complex.first[p] + corner_at(&r->problem->patches[p], k % 4)];
+        const int node = taut_film_complex_corner(&r->complex, p, k % 4);
         if (r->complex.holds[node].count == 3 && !seen[node]) {
             seen[node] = 1;
             taut_record_add_numbers(reactions, NULL, 3, forces + 3 * node);
@@ -494,6 +537,7 @@ static taut_status fill_figures(const request *r, taut_record *figures,
     const int patches = r->problem->patch_count, strands = r->complex.strand_count;
     taut_sheets s;
     double *numbers = taut_arena_take(r->arena, (size_t)strands, 2 * sizeof(double));
+    double *pressures = taut_arena_take(r->arena, (size_t)r->problem->cell_count, sizeof(double));
     double *forces = taut_arena_take(r->arena, (size_t)r->complex.nodes, 3 * sizeof(double));
     unsigned char *seen = taut_arena_take(r->arena, (size_t)r->complex.nodes, 1);
     double energy = 0, area = 0;
@@ -511,12 +555,22 @@ static taut_status fill_figures(const request *r, taut_record *figures,
         numbers[strands + k] = taut_complex_sag(&s, k);
         energy += numbers[k] * s.lengths[k];
     }
+    for (int k = 0; k < r->problem->cell_count; k++) {
+        const taut_film_cell *cell = &r->problem->cells[k];
+        pressures[k] =
+            cell->has_volume ? ldexp(s.pressures[k], -s.unit) * s.tension : cell->pressure;
+        energy -= cell->has_volume ? 0 : cell->pressure * s.volumes[k];
+    }
     taut_record_add_number(figures, "energy", energy);
     taut_record_add_number(figures, "area", area);
     taut_record_add_numbers(figures, "areas", patches, s.areas);
     taut_record_add_numbers(figures, "lengths", strands, s.lengths);
     taut_record_add_numbers(figures, "tensions", strands, numbers);
     taut_record_add_numbers(figures, "sags", strands, numbers + strands);
+    if (r->problem->cell_count > 0) {
+        taut_record_add_numbers(figures, "volumes", r->problem->cell_count, s.volumes);
+        taut_record_add_numbers(figures, "pressures", r->problem->cell_count, pressures);
+    }
     add_reactions(r, &s, forces, seen, figures);
     if (r->below >= 0) {
         taut_record_add_number(figures, "lowest_eigenvalue", r->lowest_user);
@@ -578,6 +632,9 @@ static taut_status prove(request *r, taut_certificate *certificate, taut_error *
         status = taut_fail_memory(error);
     }
     if (status == TAUT_OK) {
+        status = add_volume(r, certificate, error);
+    }
+    if (status == TAUT_OK) {
         status = add_stationary(r, certificate, error);
     }
     if (status == TAUT_OK) {
@@ -592,28 +649,36 @@ static taut_status prove(request *r, taut_certificate *certificate, taut_error *
 taut_status taut_film_complex_certify(const taut_model *model, const taut_film_problem *problem,
                                       taut_certificate *certificate, taut_error *error)
 {
+    taut_film_lone room;
+    const taut_film_problem *whole = taut_film_complex_of(problem, &room);
     request r = {.model = model,
-                 .problem = problem,
+                 .problem = whole,
                  .arena = taut_arena_new(),
                  .tolerance = problem->tolerance > 0 ? problem->tolerance : tolerance_default,
                  .lowest = NAN,
                  .lowest_user = NAN,
                  .below = -1};
-    taut_status status = taut_film_complex_new(problem, r.arena, &r.complex, error);
+    taut_status status = taut_film_complex_new(whole, r.arena, &r.complex, error);
 
     if (status == TAUT_OK) {
+        status = taut_film_cells_check(&r.complex, error);
+    }
+    if (status == TAUT_OK) {
         r.surfaces =
-            taut_arena_take(r.arena, (size_t)problem->patch_count, sizeof(const taut_surface *));
+            taut_arena_take(r.arena, (size_t)whole->patch_count, sizeof(const taut_surface *));
         status = r.surfaces == NULL ? taut_fail_memory(error) : find_surfaces(&r, error);
     }
     if (status == TAUT_OK) {
         status = prove(&r, certificate, error);
     }
+    if (status != TAUT_OK) {
+        taut_film_complex_where(whole, error);
+    }
     taut_arena_free(r.arena);
     return status;
 }
 
-void taut_film_complex_identify(const taut_film_problem *problem, taut_identity *identity)
+static void identify(const taut_film_problem *problem, taut_identity *identity)
 {
     for (int p = 0; p < problem->patch_count; p++) {
         const taut_film_problem *patch = &problem->patches[p];
@@ -627,10 +692,16 @@ void taut_film_complex_identify(const taut_film_problem *problem, taut_identity 
             const taut_film_edge *edge = s < 0 ? &patch->edges[e] : &problem->seams[s].edge;
             if (speaks && edge->kind == TAUT_FILM_CABLE) {
                 char name[96];
-                snprintf(name, sizeof name, "%.88s.%s", patch->name, edge_names[e]);
+                taut_film_complex_name(problem, p, edge_names[e], name);
                 taut_identity_curve(identity, taut_identity_find_curve(identity, name), name,
                                     e < 2 ? &v : &u);
             }
         }
     }
+}
+
+void taut_film_complex_identify(const taut_film_problem *problem, taut_identity *identity)
+{
+    taut_film_lone room;
+    identify(taut_film_complex_of(problem, &room), identity);
 }

@@ -17,7 +17,7 @@ static void look(const taut_sheets *s, int p, double at_u, double at_v, int orde
         taut_basis_lo(v) + at_v * (taut_basis_hi(v) - taut_basis_lo(v)), order, x[0]);
 }
 
-/* |2 H| at a place. */
+/* 2 H at a place. */
 static double mean_at(const taut_sheets *s, int p, double u, double v)
 {
     double x[TAUT_SURFACE_VECTORS(2)][3], n[3];
@@ -26,8 +26,8 @@ static double mean_at(const taut_sheets *s, int p, double u, double v)
     taut_cross(x[TAUT_XU], x[TAUT_XV], n);
     const double w = taut_norm(n), e = taut_dot(x[TAUT_XU], x[TAUT_XU]),
                  f = taut_dot(x[TAUT_XU], x[TAUT_XV]), g = taut_dot(x[TAUT_XV], x[TAUT_XV]);
-    return fabs(e * taut_dot(x[TAUT_XVV], n) - 2 * f * taut_dot(x[TAUT_XUV], n) +
-                g * taut_dot(x[TAUT_XUU], n)) /
+    return (e * taut_dot(x[TAUT_XVV], n) - 2 * f * taut_dot(x[TAUT_XUV], n) +
+            g * taut_dot(x[TAUT_XUU], n)) /
            (w * w * w);
 }
 
@@ -132,11 +132,11 @@ taut_complex_defects taut_complex_defects_of(const taut_sheets *sheets)
     taut_complex_defects d = {0, 0, 0, 0, 0};
 
     for (int p = 0; p < problem->patch_count; p++) {
+        const double pressure = ldexp(s->pull[p] / s->shares[p], -s->unit);
         for (int k = 0; k < PLACES * PLACES; k++) {
-            d.mean = taut_certify_max(
-                mean_at(s, p, (k / PLACES + 0.5) / PLACES, (k % PLACES + 0.5) / PLACES) *
-                    (2 * s->half),
-                d.mean);
+            const double bend =
+                mean_at(s, p, (k / PLACES + 0.5) / PLACES, (k % PLACES + 0.5) / PLACES);
+            d.mean = taut_certify_max(fabs(bend + pressure) * (2 * s->half), d.mean);
         }
         for (int k = 0; k < 4 * SAMPLES; k++) {
             const taut_film_side side = {p, k / SAMPLES, 0};

@@ -9,7 +9,7 @@
 #include "certify/film/complex/sheets.h"
 
 typedef struct taut_complex_defects {
-    double mean;  /* |2 H| size */
+    double mean;  /* |2 H + p / s| size */
     double seam;  /* |sum s_i nu_i - T c''| / the largest s_i of the seam */
     double slide; /* |nu - (nu . N) N| */
     double

@@ -6,6 +6,7 @@
 #include "geometry/keep.h"
 #include "numeric/quadrature.h"
 #include "numeric/sum.h"
+#include "problem/film_cells.h"
 
 #include <math.h>
 #include <string.h>
@@ -37,7 +38,7 @@ static taut_status make_axis(const taut_basis *basis, int extra, taut_arena *are
 
 /* x_u, x_v at a node of a patch. */
 typedef struct place {
-    double u[3], v[3], normal[3]; /* x_u, x_v, x_u x x_v */
+    double x[3], u[3], v[3], normal[3]; /* x, x_u, x_v, x_u x x_v */
     double e, f, g, w, weight;
 } place;
 
@@ -49,11 +50,13 @@ static void find_place(const taut_sheets *s, int p, int a, int b, place *at)
     const double *nv0 = taut_table_row(v, b, 0), *nv1 = taut_table_row(v, b, 1);
     const double *points = s->points + 3 * s->complex->first[p];
 
+    memset(at->x, 0, sizeof at->x);
     memset(at->u, 0, sizeof at->u);
     memset(at->v, 0, sizeof at->v);
     for (int i = 0; i < u->local; i++) {
         for (int j = 0; j < v->local; j++) {
             const double *x = points + 3 * ((u->first[a] + i) * nv + v->first[b] + j);
+            taut_add_scaled(nu0[i] * nv0[j], x, at->x);
             taut_add_scaled(nu1[i] * nv0[j], x, at->u);
             taut_add_scaled(nu0[i] * nv1[j], x, at->v);
         }
@@ -66,6 +69,14 @@ static void find_place(const taut_sheets *s, int p, int a, int b, place *at)
     at->weight = s->axes[2 * p].weights[a] * s->axes[2 * p + 1].weights[b];
 }
 
+static void scale_point(const taut_sheets *s, const double from[3], double to[3])
+{
+    const double *origin = taut_surface_points(s->surfaces[0]);
+    for (int k = 0; k < 3; k++) {
+        to[k] = (from[k] / 2 - origin[k] / 2) * taut_half_factor(s->unit);
+    }
+}
+
 /* What one patch adds; its own derivatives and moments in local[points of the patch][6]. */
 static void add_patch(taut_sheets *s, int p, double *local)
 {
@@ -73,7 +84,8 @@ static void add_patch(taut_sheets *s, int p, double *local)
     const taut_table *u = s->axes[2 * p].table, *v = s->axes[2 * p + 1].table;
     const int nv = taut_basis_count(c->problem->patches[p].v);
     const int count = c->first[p + 1] - c->first[p];
-    taut_sum area = {0, 0};
+    taut_sum area = {0, 0}, cone = {0, 0};
+    double whole[3] = {0, 0, 0}; /* iint x_u x x_v */
 
     memset(local, 0, (size_t)count * 6 * sizeof(double));
     for (int a = 0; a < u->count; a++) {
@@ -82,6 +94,8 @@ static void add_patch(taut_sheets *s, int p, double *local)
             double du[3], dv[3];
             find_place(s, p, a, b, &at);
             taut_sum_add(&area, at.weight * at.w);
+            taut_sum_add(&cone, at.weight * taut_dot(at.x, at.normal) / 3);
+            taut_add_scaled(at.weight / 3, at.normal, whole);
             const double share = at.w > 0 ? s->shares[p] * at.weight / at.w : 0;
             for (int k = 0; k < 3; k++) {
                 du[k] = share * (at.g * at.u[k] - at.f * at.v[k]);
@@ -105,6 +119,16 @@ static void add_patch(taut_sheets *s, int p, double *local)
         taut_add_scaled(1, g, s->gradient + 3 * node);
         taut_add_scaled(taut_dot(n, s->moments + 3 * node) < 0 ? -1 : 1, n, s->moments + 3 * node);
         s->largest = taut_certify_max(taut_largest_coordinate(g), s->largest);
+    }
+    for (int k = 0; k < c->problem->cell_count; k++) {
+        const int turn = taut_film_cell_turn(&c->problem->cells[k], p);
+        double from[3];
+        scale_point(s, c->problem->cells[k].from, from);
+        s->volumes[k] += turn * ldexp(taut_sum_total(&cone) - taut_dot(from, whole), 3 * s->unit);
+        for (int i = 0; i < count; i++) {
+            taut_add_scaled(turn, local + 6 * i + 3,
+                            s->swells + 3 * (k * c->nodes + c->node[c->first[p] + i]));
+        }
     }
 }
 
@@ -238,6 +262,105 @@ static taut_status find_moves(taut_sheets *s)
     return TAUT_OK;
 }
 
+/* ---- pressures ---- */
+
+/* s[m][m] = L D L': how many of D are above 0. */
+static int factor_small(int m, double *s)
+{
+    int positive = 0;
+
+    for (int i = 0; i < m; i++) {
+        for (int j = 0; j <= i; j++) {
+            double sum = s[i * m + j];
+            for (int k = 0; k < j; k++) {
+                sum -= s[i * m + k] * s[j * m + k] * s[k * m + k];
+            }
+            s[i * m + j] = i == j ? sum : sum / s[j * m + j];
+        }
+        positive += s[i * m + i] > 0;
+    }
+    return positive;
+}
+
+static void solve_small(int m, const double *s, double *x)
+{
+    for (int i = 0; i < m; i++) {
+        for (int k = 0; k < i; k++) {
+            x[i] -= s[i * m + k] * x[k];
+        }
+    }
+    for (int i = m - 1; i >= 0; i--) {
+        x[i] /= s[i * m + i];
+        for (int k = i + 1; k < m; k++) {
+            x[i] -= s[k * m + i] * x[k];
+        }
+    }
+}
+
+/* Cells of given volume: cell[..]; how many. */
+static int find_given(const taut_film_problem *problem, int cell[TAUT_FILM_CELLS_MAX])
+{
+    int count = 0;
+    for (int k = 0; k < problem->cell_count; k++) {
+        if (problem->cells[k].has_volume) {
+            cell[count++] = k;
+        }
+    }
+    return count;
+}
+
+static double swell_along(const taut_sheets *s, int cell, int node, int move)
+{
+    return taut_dot(s->way + 3 * move, s->swells + 3 * (cell * s->complex->nodes + node));
+}
+
+/* Least squares of the derivatives along moves, g - sum p dV. */
+static taut_status find_pressures(taut_sheets *s)
+{
+    const taut_film_complex *c = s->complex;
+    int cell[TAUT_FILM_CELLS_MAX];
+    const int m = find_given(c->problem, cell);
+    double p[TAUT_FILM_CELLS_MAX] = {0};
+    double *square = taut_arena_take(s->arena, (size_t)m * (size_t)m, sizeof(double));
+
+    if (taut_arena_status(s->arena) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    for (int k = 0; k < c->problem->cell_count; k++) {
+        const taut_film_cell *given = &c->problem->cells[k];
+        s->pressures[k] = given->has_volume ? 0 : ldexp(given->pressure / s->tension, s->unit);
+        for (int i = 0; i < 3 * c->nodes; i++) {
+            s->gradient[i] -= s->pressures[k] * s->swells[3 * k * c->nodes + i];
+        }
+    }
+    for (int a = 0; a < c->nodes; a++) {
+        for (int move = s->first[a]; move < s->first[a + 1]; move++) {
+            const double g = taut_dot(s->way + 3 * move, s->gradient + 3 * a);
+            for (int i = 0; i < m; i++) {
+                const double along = swell_along(s, cell[i], a, move);
+                p[i] += along * g;
+                for (int j = 0; j <= i; j++) {
+                    square[i * m + j] += along * swell_along(s, cell[j], a, move);
+                }
+            }
+        }
+    }
+    (void)factor_small(m, square);
+    solve_small(m, square, p);
+    for (int i = 0; i < m; i++) {
+        s->pressures[cell[i]] = p[i];
+        for (int k = 0; k < 3 * c->nodes; k++) {
+            s->gradient[k] -= p[i] * s->swells[3 * cell[i] * c->nodes + k];
+        }
+    }
+    for (int q = 0; q < c->problem->patch_count; q++) {
+        for (int k = 0; k < c->problem->cell_count; k++) {
+            s->pull[q] += taut_film_cell_turn(&c->problem->cells[k], q) * s->pressures[k];
+        }
+    }
+    return TAUT_OK;
+}
+
 static void scale_points(taut_sheets *s)
 {
     const taut_film_complex *c = s->complex;
@@ -271,6 +394,11 @@ taut_status taut_sheets_new(const taut_film_complex *complex, const taut_surface
     s->axes = taut_arena_take(arena, patches, 2 * sizeof *s->axes);
     s->gradient = taut_arena_take(arena, nodes, 3 * sizeof(double));
     s->moments = taut_arena_take(arena, nodes, 3 * sizeof(double));
+    const size_t cells = (size_t)complex->problem->cell_count;
+    s->swells = taut_arena_take(arena, cells * nodes, 3 * sizeof(double));
+    s->volumes = taut_arena_take(arena, cells, sizeof(double));
+    s->pressures = taut_arena_take(arena, cells, sizeof(double));
+    s->pull = taut_arena_take(arena, patches, sizeof(double));
     s->areas = taut_arena_take(arena, patches, sizeof(double));
     s->lengths = taut_arena_take(arena, strands, sizeof(double));
     double *local = taut_arena_take(arena, (size_t)complex->points, 6 * sizeof(double));
@@ -294,7 +422,8 @@ taut_status taut_sheets_new(const taut_film_complex *complex, const taut_surface
         s->ratios[k] = ldexp(complex->strands[k].edge->force / s->tension, -s->unit);
         add_strand(s, (int)k);
     }
-    return find_moves(s);
+    status = find_moves(s);
+    return status == TAUT_OK && cells > 0 ? find_pressures(s) : status;
 }
 
 /* ---- the second variation ---- */
@@ -492,7 +621,10 @@ static void add_node(const taut_sheets *s, int p, int a, int b, const cell *at, 
             const double *mj = s->way + 3 * at->moves[j];
             const double k =
                 along[j] * (fu * du[j] + fv * dv[j]) +
-                share * (du[i] * dv[j] - du[j] * dv[i]) * taut_det(mi, mj, x.normal) / x.w;
+                share * (du[i] * dv[j] - du[j] * dv[i]) * taut_det(mi, mj, x.normal) / x.w -
+                0.5 * x.weight * s->pull[p] *
+                    (taut_det(mi, mj, x.v) * (still[i] * du[j] - still[j] * du[i]) +
+                     taut_det(mi, mj, x.u) * (still[j] * dv[i] - still[i] * dv[j]));
             const double m = x.weight * x.w * along[i] * along[j] * still[i] * still[j];
             /* two functions at one node that is a pole: both ways fall on one entry */
             const double often = i != j && at->moves[i] == at->moves[j] ? 2 : 1;
@@ -631,8 +763,72 @@ static double dot(int n, const double *x, const double *y)
     return sum;
 }
 
+/* What given volumes hold: rows of dV in the order of the envelope, and what the last factor makes of them. */
+typedef struct border {
+    int count;
+    double *c; /* [count][rows] */
+    double *z; /* [count][rows]: (K - shift M)^-1 c */
+    double *s; /* [count][count]: c z, factored */
+} border;
+
+static taut_status make_border(const taut_sheets *s, const envelope *e, taut_arena *arena,
+                               border *b)
+{
+    int given[TAUT_FILM_CELLS_MAX];
+    const size_t rows = (size_t)e->rows;
+    b->count = find_given(s->complex->problem, given);
+    const size_t count = (size_t)b->count;
+
+    b->c = taut_arena_take(arena, count * rows, sizeof(double));
+    b->z = taut_arena_take(arena, count * rows, sizeof(double));
+    b->s = taut_arena_take(arena, count * count, sizeof(double));
+    if (taut_arena_status(arena) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    for (int a = 0; a < s->complex->nodes; a++) {
+        for (int move = s->first[a]; move < s->first[a + 1]; move++) {
+            for (int i = 0; i < b->count; i++) {
+                b->c[(size_t)i * rows + (size_t)e->row[move]] = swell_along(s, given[i], a, move);
+            }
+        }
+    }
+    return TAUT_OK;
+}
+
+/* As factor, of what volumes leave: negative pivots there are fewer by as many as volumes take (Haynsworth). */
+static int factor_held(const envelope *e, const border *b, double shift)
+{
+    const int negative = factor(e, shift);
+
+    for (int i = 0; i < b->count; i++) {
+        double *z = b->z + (size_t)i * (size_t)e->rows;
+        memcpy(z, b->c + (size_t)i * (size_t)e->rows, (size_t)e->rows * sizeof(double));
+        solve(e, z);
+        for (int j = 0; j <= i; j++) {
+            b->s[i * b->count + j] = dot(e->rows, b->c + (size_t)j * (size_t)e->rows, z);
+        }
+    }
+    return negative + factor_small(b->count, b->s) - b->count;
+}
+
+/* x is made one that keeps volumes, by what (K - shift M)^-1 does to them. */
+static void hold_volumes(const envelope *e, const border *b, double *x)
+{
+    double p[TAUT_FILM_CELLS_MAX];
+
+    for (int i = 0; i < b->count; i++) {
+        p[i] = dot(e->rows, b->c + (size_t)i * (size_t)e->rows, x);
+    }
+    solve_small(b->count, b->s, p);
+    for (int i = 0; i < b->count; i++) {
+        for (int k = 0; k < e->rows; k++) {
+            x[k] -= p[i] * b->z[(size_t)i * (size_t)e->rows + (size_t)k];
+        }
+    }
+}
+
 /* Shifts fall until nothing lies below; then powers of (K - shift M)^-1 M. */
-static taut_status iterate(const envelope *e, taut_arena *arena, double *lowest)
+static taut_status iterate(const envelope *e, const border *b, taut_arena *arena, double *lowest)
 {
     enum { STEPS = 400, FALLS = 60 };
     const size_t rows = (size_t)e->rows;
@@ -643,7 +839,7 @@ static taut_status iterate(const envelope *e, taut_arena *arena, double *lowest)
     if (taut_arena_status(arena) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
-    for (int k = 0; factor(e, shift) > 0; k++) {
+    for (int k = 0; factor_held(e, b, shift) > 0; k++) {
         if (k == FALLS) {
             return TAUT_NOT_CONVERGED;
         }
@@ -655,6 +851,7 @@ static taut_status iterate(const envelope *e, taut_arena *arena, double *lowest)
     for (int k = 0; k < STEPS; k++) {
         multiply(e, e->m, x, y);
         solve(e, y);
+        hold_volumes(e, b, y);
         memcpy(x, y, rows * sizeof(double));
         multiply(e, e->m, x, y);
         const double mass = dot(e->rows, x, y);
@@ -681,6 +878,7 @@ taut_status taut_sheets_lowest(const taut_sheets *sheets, double limit, double *
     const taut_sheets *s = sheets;
     taut_arena *arena = taut_arena_new();
     envelope e = {.rows = 0};
+    border held = {.count = 0};
     cell *at = taut_arena_take(arena, 1, sizeof *at);
     taut_status status = taut_arena_status(arena);
 
@@ -712,9 +910,12 @@ taut_status taut_sheets_lowest(const taut_sheets *sheets, double limit, double *
         }
         add_lines(s, &e);
         const double size = 2 * s->half * taut_half_factor(s->unit) / 2;
-        *below = factor(&e, limit / (size * size));
-        status = iterate(&e, arena, lowest);
-        *lowest *= size * size;
+        status = make_border(s, &e, arena, &held);
+        if (status == TAUT_OK) {
+            *below = factor_held(&e, &held, limit / (size * size));
+            status = iterate(&e, &held, arena, lowest);
+            *lowest *= size * size;
+        }
     }
     taut_arena_free(arena);
     return status;

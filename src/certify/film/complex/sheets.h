@@ -2,6 +2,10 @@
  * complex (problem/film_complex.h), the moves that it sees, and the second variation over these.
  *
  *     E / s    = sum (s_i / s) A_i + sum r_k L_k,      s the tension of the first patch
+ *     V        = 1/3 iint (x - from) . (x_u x x_v),    by parts dV = iint d . (x_u x x_v) along all that is free, since cells
+ *                are closed or their rims held or in planes through `from` (problem/film_cells.h)
+ *     pressure given, or that which leaves the least of the derivatives of E along moves
+ *     gradient of E - sum p V
  *     inside   one move, along sum over sheets of n_a = iint N_a x_u x x_v, each sheet's turned to the side of the first one's
  *     line     across the tangent at the Greville abscissa, as far as planes leave it
  *     vertex   all that planes leave
@@ -31,7 +35,11 @@ typedef struct taut_sheets {
     double *ratios;                      /* [strand_count] */
     double tension;                      /* of the first patch */
     taut_sheet_axis *axes;               /* [patch_count][2] */
-    double *gradient;                    /* [nodes][3] */
+    double *gradient;                    /* [nodes][3]: of E - sum p V */
+    double *swells;                      /* [cell_count][nodes][3]: dV */
+    double *volumes;                     /* [cell_count], unscaled */
+    double *pressures;                   /* [cell_count], over s, scaled */
+    double *pull;                        /* [patch_count]: sum of +-p, the same */
     double *moments;                     /* [nodes][3] */
     double *areas, *lengths;             /* unscaled */
     double
@@ -45,7 +53,7 @@ typedef struct taut_sheets {
 taut_status taut_sheets_new(const taut_film_complex *complex, const taut_surface *const *surfaces,
                             int extra, taut_arena *arena, taut_sheets *sheets);
 
-/* The lowest eigenvalue of K x = lambda M x, in tension over length squared times size^2, and how many are not above `limit`.
+/* The lowest eigenvalue of K x = lambda M x where given volumes stay, in tension over length squared times size^2, and how many are not above `limit`.
  * TAUT_NO_MEMORY; TAUT_NOT_CONVERGED: too large, or no eigenvalue is found: *below is -1. */
 taut_status taut_sheets_lowest(const taut_sheets *sheets, double limit, double *lowest, int *below);
 

@@ -11,6 +11,7 @@
 #include "construct/film/complex/solve.h"
 #include "core/fail.h"
 #include "core/vec3.h"
+#include "problem/film_cells.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -94,11 +95,74 @@ static taut_status check_patch(const taut_film_problem *problem, int p, taut_err
                : status;
 }
 
+static taut_status check_cell(const taut_film_problem *problem, int c, taut_error *error)
+{
+    const taut_film_cell *cell = &problem->cells[c];
+    const double given = cell->has_volume ? cell->volume : cell->pressure;
+    char where[48];
+
+    snprintf(where, sizeof where, "/cells/%d/%s", c, cell->has_volume ? "volume" : "pressure");
+    if (!isfinite(given) || (cell->has_volume && given == 0)) {
+        return taut_fail(error, TAUT_BAD_INPUT, "value", where, given, taut_none,
+                         "found %.17g, expected a finite number%s", given,
+                         cell->has_volume ? " that is not 0" : "");
+    }
+    snprintf(where, sizeof where, "/cells/%d/from", c);
+    if (!isfinite(taut_norm(cell->from))) {
+        return taut_fail(error, TAUT_BAD_INPUT, "value", where, taut_none, taut_none,
+                         "expected a point of finite numbers");
+    }
+    for (int other = 0; other < c; other++) {
+        char names[2][TAUT_FILM_NAME];
+        taut_film_cell_name(problem, other, names[0]);
+        taut_film_cell_name(problem, c, names[1]);
+        snprintf(where, sizeof where, "/cells/%d/name", c);
+        if (strcmp(names[0], names[1]) == 0) {
+            return taut_fail(error, TAUT_BAD_INPUT, "name", where, other, c,
+                             "cells %d and %d are both called %s: give each a name of its own",
+                             other, c, names[0]);
+        }
+    }
+    return TAUT_OK;
+}
+
+/* What a film of one patch may have, but not with cells. */
+static taut_status check_lone(const taut_film_problem *problem, taut_error *error)
+{
+    const struct {
+        const char *where;
+        int is_there;
+    } rows[] = {{"/start", problem->start != NULL},
+                {"/refine", problem->refine > 0},
+                {"/method", problem->method != TAUT_FILM_FULL},
+                {"/updates", problem->updates > 0},
+                {"/prestress", problem->prestress[0] != 0},
+                {"/force_density", problem->force_density[0] != 0}};
+
+    for (size_t k = 0; problem->u != NULL && k < sizeof rows / sizeof *rows; k++) {
+        if (rows[k].is_there) {
+            return taut_fail(error, TAUT_BAD_INPUT, "not-yet", rows[k].where, taut_none, taut_none,
+                             "films with cells cannot have \"%s\" in this version: leave it out",
+                             rows[k].where + 1);
+        }
+    }
+    return TAUT_OK;
+}
+
 static taut_status check_problem(const taut_film_problem *problem, taut_error *error)
 {
     double points = 0;
-    taut_status status = TAUT_OK;
+    taut_status status = check_lone(problem, error);
 
+    if (status != TAUT_OK) {
+        return status;
+    }
+    if (problem->cell_count < 0 || problem->cell_count > TAUT_FILM_CELLS_MAX ||
+        (problem->cell_count > 0 && problem->cells == NULL)) {
+        return taut_fail(error, TAUT_BAD_INPUT, "size", "/cells", problem->cell_count,
+                         TAUT_FILM_CELLS_MAX, "%d cells, expected 0 to %d", problem->cell_count,
+                         TAUT_FILM_CELLS_MAX);
+    }
     if (problem->patch_count > TAUT_FILM_PATCHES_MAX || problem->patches == NULL) {
         return taut_fail(error, TAUT_BAD_INPUT, "size", "/patches", problem->patch_count,
                          TAUT_FILM_PATCHES_MAX, "%d patches, expected 1 to %d",
@@ -120,6 +184,9 @@ static taut_status check_problem(const taut_film_problem *problem, taut_error *e
                          "%.0f control points, expected at most %d: give fewer to the bases",
                          points, TAUT_FILM_PATCHES_POINTS_MAX);
     }
+    for (int c = 0; status == TAUT_OK && c < problem->cell_count; c++) {
+        status = check_cell(problem, c, error);
+    }
     for (int s = 0; status == TAUT_OK && s < problem->seam_count; s++) {
         char where[32];
         snprintf(where, sizeof where, "/seams/%d", s);
@@ -134,12 +201,6 @@ static taut_status check_problem(const taut_film_problem *problem, taut_error *e
 }
 
 /* ---- the model ---- */
-
-static void strand_name(const taut_film_complex *c, int k, char name[96])
-{
-    const taut_film_side *side = &c->strands[k].side;
-    snprintf(name, 96, "%.88s.%s", c->problem->patches[side->patch].name, edge_names[side->edge]);
-}
 
 static taut_status add_patch(const taut_film_complex *c, int p, const double *points,
                              taut_arena *arena, taut_model *model, taut_error *error)
@@ -169,7 +230,7 @@ static taut_status add_strand(const taut_film_complex *c, int k, const double *p
     const int count = taut_basis_count(basis);
     double *row = taut_arena_take(arena, (size_t)count, 3 * sizeof(double));
     taut_curve *curve = NULL;
-    char name[96];
+    char name[TAUT_FILM_NAME];
 
     if (row == NULL) {
         return taut_fail_memory(error);
@@ -177,7 +238,7 @@ static taut_status add_strand(const taut_film_complex *c, int k, const double *p
     for (int i = 0; i < count; i++) {
         memcpy(row + 3 * i, points + 3 * taut_film_complex_node(c, side, i), 3 * sizeof(double));
     }
-    strand_name(c, k, name);
+    taut_film_complex_name(c->problem, side->patch, edge_names[side->edge], name);
     const taut_status status = taut_curve_new(name, basis, row, NULL, &curve, error);
     return status == TAUT_OK ? taut_construct_add_curve(model, curve, error) : status;
 }
@@ -189,14 +250,11 @@ static void add_supports(const taut_film_complex *c, taut_record *details, unsig
 
     for (int p = 0; p < c->problem->patch_count; p++) {
         for (int k = 0; k < 4; k++) {
-            const taut_film_problem *patch = &c->problem->patches[p];
-            const taut_film_side side = {p, k % 2, 0};
-            const int node = taut_film_complex_node(
-                c, &side, k / 2 * (taut_film_complex_along(patch, k % 2) - 1));
-            char name[96];
+            const int node = taut_film_complex_corner(c, p, k);
+            char name[TAUT_FILM_NAME];
             if (c->holds[node].count == 3 && !seen[node]) {
                 seen[node] = 1;
-                snprintf(name, sizeof name, "%.88s.%s", patch->name, corner_names[k]);
+                taut_film_complex_name(c->problem, p, corner_names[k], name);
                 taut_record_add_text(supports, NULL, name);
             }
         }
@@ -217,11 +275,22 @@ static taut_record *details_of(const taut_film_layout *l, const taut_film_rest *
     taut_record_add_number(details, "residual", rest->residual);
     taut_record *cables = taut_record_add_list(details, "cables");
     for (int k = 0; k < c->strand_count; k++) {
-        char name[96];
+        char name[TAUT_FILM_NAME];
         taut_record *cable = taut_record_add_object(cables, NULL);
-        strand_name(c, k, name);
+        taut_film_complex_name(c->problem, c->strands[k].side.patch,
+                               edge_names[c->strands[k].side.edge], name);
         taut_record_add_text(cable, "edge", name);
         taut_record_add_number(cable, "force", c->strands[k].edge->force);
+    }
+    if (c->problem->cell_count > 0) {
+        taut_record *cells = taut_record_add_list(details, "cells");
+        for (int k = 0; k < c->problem->cell_count; k++) {
+            char name[TAUT_FILM_NAME];
+            taut_record *cell = taut_record_add_object(cells, NULL);
+            taut_film_cell_name(c->problem, k, name);
+            taut_record_add_text(cell, "name", name);
+            taut_record_add_number(cell, "pressure", rest->pressures[k]);
+        }
     }
     if (seen == NULL) {
         taut_record_free(details);
@@ -273,16 +342,20 @@ taut_status taut_film_complex_make(const taut_film_problem *problem,
                                    taut_error *error)
 {
     static const taut_make_options none;
-    request r = {.problem = problem,
+    taut_film_lone room;
+    request r = {.problem = taut_film_complex_of(problem, &room),
                  .monitor = options != NULL ? &options->monitor : &none.monitor};
-    const taut_status status = check_problem(problem, error);
+    taut_status status = check_problem(r.problem, error);
 
-    if (status != TAUT_OK) {
-        return status;
-    }
-    if (model == NULL) {
+    if (status == TAUT_OK && model == NULL) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "taut_film_make needs a place for the model");
     }
-    return taut_construct_build(build, &r, model, error);
+    if (status == TAUT_OK) {
+        status = taut_construct_build(build, &r, model, error);
+    }
+    if (status != TAUT_OK) {
+        taut_film_complex_where(r.problem, error);
+    }
+    return status;
 }

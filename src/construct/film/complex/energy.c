@@ -1,8 +1,11 @@
 #include "construct/film/complex/energy.h"
 
+#include "construct/film/complex/volume.h"
+#include "construct/film/complex/ways.h"
 #include "core/memory.h"
 #include "core/vec3.h"
 #include "numeric/sum.h"
+#include "problem/film_cells.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -141,29 +144,6 @@ static taut_status find_rows(taut_film_energy *e, taut_arena *scratch, const cli
     return TAUT_OK;
 }
 
-/* What a node's planes leave: unit vectors, orthogonal. */
-static void find_free(taut_film_energy *e, int a)
-{
-    const taut_film_complex *c = &e->layout->complex;
-    taut_film_hold hold = c->holds[a];
-    int count = 0;
-
-    for (int k = 0; c->kind[a] != TAUT_FILM_NODE_HELD && hold.count < 3 && k < 3; k++) {
-        const double axis[3] = {k == 0, k == 1, k == 2};
-        double left[3] = {axis[0], axis[1], axis[2]};
-        const int before = hold.count;
-        for (int n = 0; n < before; n++) {
-            taut_add_scaled(-taut_dot(left, hold.normals[n]), hold.normals[n], left);
-        }
-        if (taut_norm(left) < 0.3) { /* another axis is farther from them */
-            continue;
-        }
-        (void)taut_film_hold_add(&hold, axis, 0, INFINITY);
-        memcpy(e->free + 9 * a + 3 * count++, hold.normals[before], 3 * sizeof(double));
-    }
-    e->size[a] = (unsigned char)count;
-}
-
 static taut_status connect(taut_film_energy *e)
 {
     const taut_film_complex *c = &e->layout->complex;
@@ -176,12 +156,50 @@ static taut_status connect(taut_film_energy *e)
     }
     if (status == TAUT_OK) {
         for (int a = 0; a < c->nodes; a++) {
-            find_free(e, a);
+            e->all_size[a] = (unsigned char)taut_film_ways_all(c, a, e->all_free + 9 * a);
         }
-        status =
-            taut_sparse_new(c->nodes, e->size, made.count, made.first, made.members, &e->sparse);
+        status = taut_sparse_new(c->nodes, e->all_size, made.count, made.first, made.members,
+                                 &e->all_sparse);
     }
+    e->size = e->all_size;
+    e->free = e->all_free;
+    e->sparse = e->all_sparse;
     taut_arena_free(scratch);
+    return status;
+}
+
+static int bounds_cell(const taut_film_problem *problem, int p)
+{
+    for (int k = 0; k < problem->cell_count; k++) {
+        if (taut_film_cell_turn(&problem->cells[k], p) != 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+taut_status taut_film_energy_narrow(taut_film_energy *energy, int narrow)
+{
+    const taut_film_complex *c = &energy->layout->complex;
+    taut_status status = TAUT_OK;
+
+    if (narrow) {
+        taut_film_ways_seen(energy, energy->moments, energy->bulge, energy->seen_size,
+                            energy->seen_free);
+    }
+    if (narrow && energy->seen_sparse == NULL) {
+        taut_arena *scratch = taut_arena_new();
+        cliques made = {.count = 0};
+        status = find_cliques(energy, scratch, &made);
+        if (status == TAUT_OK) {
+            status = taut_sparse_new(c->nodes, energy->seen_size, made.count, made.first,
+                                     made.members, &energy->seen_sparse);
+        }
+        taut_arena_free(scratch);
+    }
+    energy->size = narrow ? energy->seen_size : energy->all_size;
+    energy->free = narrow ? energy->seen_free : energy->all_free;
+    energy->sparse = narrow ? energy->seen_sparse : energy->all_sparse;
     return status;
 }
 
@@ -194,6 +212,12 @@ static taut_status make_parts(taut_film_energy *e, int extra)
         const taut_film_problem *patch = &c->problem->patches[p];
         status = taut_area_functional_new(patch->u, patch->v, NULL, extra, &e->areas[p]);
         e->shares[p] = e->layout->tensions[p] / e->layout->tensions[0];
+        e->in_cells[p] = (unsigned char)bounds_cell(c->problem, p);
+        if (status == TAUT_OK) {
+            const size_t nodes = (size_t)e->areas[p]->u.count * (size_t)e->areas[p]->v.count;
+            e->places[p] = taut_arena_take(e->arena, nodes, TAUT_VOLUME_PLACE * sizeof(double));
+            status = e->places[p] == NULL ? TAUT_NO_MEMORY : TAUT_OK;
+        }
     }
     for (int k = 0; status == TAUT_OK && k < c->strand_count; k++) {
         const taut_film_side *side = &c->strands[k].side;
@@ -223,11 +247,29 @@ taut_status taut_film_energy_new(const taut_film_layout *layout, int extra,
     e->areas = taut_arena_take(e->arena, patches, sizeof *e->areas);
     e->shares = taut_arena_take(e->arena, patches, sizeof(double));
     e->cables = taut_arena_take(e->arena, (size_t)c->strand_count, sizeof *e->cables);
+    const size_t cells = (size_t)c->problem->cell_count;
+    int wide = 0;
+    for (size_t p = 0; p < patches; p++) {
+        const int nv = taut_basis_count(c->problem->patches[p].v);
+        wide = nv > wide ? nv : wide;
+    }
+    e->pressures = taut_arena_copy(e->arena, layout->pressures, cells, sizeof(double));
+    e->volumes = taut_arena_take(e->arena, cells, sizeof(double));
+    e->swells = taut_arena_take(e->arena, cells * (size_t)c->nodes, 3 * sizeof(double));
+    e->places = taut_arena_take(e->arena, patches, sizeof *e->places);
+    e->pull = taut_arena_take(e->arena, patches, sizeof(double));
+    e->lever = taut_arena_take(e->arena, patches, 3 * sizeof(double));
+    e->rows = taut_arena_take(e->arena, (size_t)wide, 6 * sizeof(double));
+    e->in_cells = taut_arena_take(e->arena, patches, 1);
+    e->moments = taut_arena_take(e->arena, (size_t)c->nodes, 3 * sizeof(double));
     e->element = taut_arena_take(e->arena, layout->pairs, ELEMENT * sizeof(double));
     e->net = taut_arena_take(e->arena, (size_t)c->points, 3 * sizeof(double));
     e->slopes = taut_arena_take(e->arena, (size_t)c->points, 3 * sizeof(double));
-    e->size = taut_arena_take(e->arena, (size_t)c->nodes, 1);
-    e->free = taut_arena_take(e->arena, (size_t)c->nodes, 9 * sizeof(double));
+    e->bulge = taut_arena_take(e->arena, (size_t)c->points, 3 * sizeof(double));
+    e->all_size = taut_arena_take(e->arena, (size_t)c->nodes, 1);
+    e->all_free = taut_arena_take(e->arena, (size_t)c->nodes, 9 * sizeof(double));
+    e->seen_size = taut_arena_take(e->arena, (size_t)c->nodes, 1);
+    e->seen_free = taut_arena_take(e->arena, (size_t)c->nodes, 9 * sizeof(double));
     taut_status status = taut_arena_status(e->arena);
     if (status == TAUT_OK) {
         status = make_parts(e, extra);
@@ -252,12 +294,47 @@ void taut_film_energy_free(taut_film_energy *energy)
          p++) {
         taut_area_functional_free(energy->areas[p]);
     }
-    taut_sparse_free(energy->sparse);
+    taut_sparse_free(energy->all_sparse);
+    taut_sparse_free(energy->seen_sparse);
     taut_arena_free(energy->arena);
     taut_free(energy);
 }
 
 /* ---- the first derivative ---- */
+
+/* Volumes and swells; what given pressures store is added to the sum. */
+static void add_cells(taut_film_energy *e, int with_gradient, taut_sum *sum)
+{
+    const taut_film_complex *c = &e->layout->complex;
+    const taut_film_problem *problem = c->problem;
+
+    for (int p = 0; p < problem->patch_count; p++) {
+        if (e->in_cells[p]) {
+            taut_volume_places(e->areas[p], e->net + 3 * c->first[p], e->rows, e->places[p]);
+        }
+    }
+    for (int k = 0; k < problem->cell_count; k++) {
+        double *swell = e->swells + 3 * (size_t)k * (size_t)c->nodes;
+        const double *from = e->layout->from + 3 * k;
+        e->volumes[k] = 0;
+        memset(swell, 0, 3 * (size_t)c->nodes * sizeof(double));
+        for (int p = 0; p < problem->patch_count; p++) {
+            const int turn = taut_film_cell_turn(&problem->cells[k], p), first = c->first[p];
+            if (turn == 0) {
+                continue;
+            }
+            memset(e->bulge, 0, 3 * (size_t)(c->first[p + 1] - first) * sizeof(double));
+            e->volumes[k] += turn * taut_volume_patch(e->areas[p], e->places[p], from, turn,
+                                                      with_gradient ? e->bulge : NULL);
+            for (int i = first; with_gradient && i < c->first[p + 1]; i++) {
+                taut_add_scaled(1, e->bulge + 3 * (i - first), swell + 3 * c->node[i]);
+            }
+        }
+        if (!problem->cells[k].has_volume) {
+            taut_sum_add(sum, -e->pressures[k] * e->volumes[k]);
+        }
+    }
+}
 
 double taut_film_energy_value(taut_film_energy *energy, const double *x, double *gradient,
                               double *largest)
@@ -292,10 +369,17 @@ double taut_film_energy_value(taut_film_energy *energy, const double *x, double 
                                   : taut_area_cable_length(cable, energy->net);
         taut_sum_add(&sum, taut_area_cable_energy(cable, length));
     }
+    add_cells(energy, gradient != NULL, &sum);
     if (gradient != NULL) {
         memset(gradient, 0, 3 * (size_t)c->nodes * sizeof(double));
         for (int k = 0; k < c->points; k++) {
             taut_add_scaled(1, energy->slopes + 3 * k, gradient + 3 * c->node[k]);
+        }
+        for (int k = 0; k < c->problem->cell_count; k++) {
+            const double *swell = energy->swells + 3 * (size_t)k * (size_t)c->nodes;
+            for (int i = 0; !c->problem->cells[k].has_volume && i < 3 * c->nodes; i++) {
+                gradient[i] -= energy->pressures[k] * swell[i];
+            }
         }
     }
     return taut_sum_total(&sum);
@@ -333,13 +417,42 @@ static void add_block(taut_film_energy *e, int a, int b, int same, const double 
     e->metric[at] += twice ? 2 * metric : metric;
 }
 
-/* element[pair][ELEMENT]: s n n^T in six numbers, t n in three, s; pairs (p, q), q <= p. */
-static void add_node(const taut_area_functional *area, int line, int k, double *element)
+/* What - p V adds to element, in the place of t n. */
+static void add_pressure(const taut_film_energy *e, int p, int line, int k, double *element)
 {
+    const taut_area_functional *area = e->areas[p];
+    const taut_area_axis *u = &area->u, *v = &area->v;
+    const int local = u->local * v->local;
+    const double weight = u->weights[line] * v->weights[k];
+    const double *place =
+        e->places[p] + ((size_t)line * (size_t)v->count + (size_t)k) * TAUT_VOLUME_PLACE;
+    const double lever[3] = {weight * e->lever[3 * p], weight * e->lever[3 * p + 1],
+                             weight * e->lever[3 * p + 2]};
+    taut_volume_pair of[LOCAL_MAX * LOCAL_MAX];
+
+    for (int i = 0; i < local; i++) {
+        const int a = line * u->local + i / v->local, b = k * v->local + i % v->local;
+        of[i] = (taut_volume_pair){u->value[a] * v->value[b], u->slope[a] * v->value[b],
+                                   u->value[a] * v->slope[b]};
+    }
+    for (int a = 0; a < local; a++) {
+        for (int b = 0; b <= a; b++, element += ELEMENT) {
+            double t[3] = {0, 0, 0};
+            taut_volume_pair_add(place, weight * e->pull[p], lever, &of[a], &of[b], t);
+            taut_add_scaled(-1, t, element + 6); /* - p (- [t]) against - [t n] */
+        }
+    }
+}
+
+/* element[pair][ELEMENT]: s n n^T in six numbers, t n in three, s; pairs (p, q), q <= p. */
+static void add_node(const taut_film_energy *energy, int patch, int line, int k, double *element)
+{
+    const taut_area_functional *area = energy->areas[patch];
     const taut_area_axis *u = &area->u, *v = &area->v;
     const int local = u->local * v->local;
     double state[TAUT_AREA_STATE], pu[LOCAL_MAX * LOCAL_MAX], pv[LOCAL_MAX * LOCAL_MAX];
 
+    double *const first = element;
     taut_area_functional_state(area, line, k, state);
     const double *n = state, e = state[3], f = state[4], g = state[5], w = state[6];
     for (int i = 0; i < u->local; i++) {
@@ -364,6 +477,9 @@ static void add_node(const taut_area_functional *area, int line, int k, double *
             element[8] += t * n[2];
             element[9] += s;
         }
+    }
+    if (energy->in_cells[patch]) {
+        add_pressure(energy, patch, line, k, first);
     }
 }
 
@@ -407,6 +523,22 @@ static void add_cable(taut_film_energy *e, int k)
     }
 }
 
+static void find_pulls(taut_film_energy *e)
+{
+    const taut_film_problem *problem = e->layout->complex.problem;
+
+    for (int p = 0; p < problem->patch_count; p++) {
+        e->pull[p] = 0;
+        memset(e->lever + 3 * p, 0, 3 * sizeof(double));
+        for (int k = 0; k < problem->cell_count; k++) {
+            const double pressure =
+                taut_film_cell_turn(&problem->cells[k], p) * e->pressures[k] / e->shares[p];
+            e->pull[p] += pressure;
+            taut_add_scaled(pressure, e->layout->from + 3 * k, e->lever + 3 * p);
+        }
+    }
+}
+
 void taut_film_energy_second(taut_film_energy *energy)
 {
     const taut_film_complex *c = &energy->layout->complex;
@@ -415,6 +547,7 @@ void taut_film_energy_second(taut_film_energy *energy)
 
     memset(energy->second, 0, blocks * 9 * sizeof(double));
     memset(energy->metric, 0, blocks * sizeof(double));
+    find_pulls(energy);
     for (int p = 0; p < c->problem->patch_count; p++) {
         const taut_area_functional *area = energy->areas[p];
         const int cu = cells_of(&area->u), cv = cells_of(&area->v);
@@ -424,8 +557,8 @@ void taut_film_energy_second(taut_film_energy *energy)
                    (size_t)count * (size_t)(count + 1) / 2 * ELEMENT * sizeof(double));
             for (int i = 0; i < area->u.nodes; i++) {
                 for (int j = 0; j < area->v.nodes; j++) {
-                    add_node(area, cell / cv * area->u.nodes + i, cell % cv * area->v.nodes + j,
-                             energy->element);
+                    add_node(energy, p, cell / cv * area->u.nodes + i,
+                             cell % cv * area->v.nodes + j, energy->element);
                 }
             }
             scatter(energy, p, nodes, count, energy->element);
@@ -470,15 +603,15 @@ taut_status taut_film_energy_factor(taut_film_energy *energy, double theta, int 
     return taut_sparse_factor(energy->sparse, block_of, energy, negative);
 }
 
-void taut_film_energy_step(const taut_film_energy *energy, const double *gradient, double *right,
-                           double *d)
+void taut_film_energy_solve(const taut_film_energy *energy, const double *c, double *right,
+                            double *d)
 {
     const int nodes = energy->layout->complex.nodes;
 
     for (int a = 0; a < nodes; a++) {
         for (int k = 0; k < energy->size[a]; k++) {
             right[taut_sparse_row(energy->sparse, a) + k] =
-                -taut_dot(gradient + 3 * a, energy->free + 9 * a + 3 * k);
+                taut_dot(c + 3 * a, energy->free + 9 * a + 3 * k);
         }
     }
     taut_sparse_solve(energy->sparse, right);

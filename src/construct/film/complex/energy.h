@@ -1,6 +1,7 @@
 /* energy.h -- the energy of a film of many patches, and its first and second derivatives by nodes.
  *
- *     E / s = sum (s_i / s) A_i + sum r_k L_k,    s the tension of the first patch
+ *     E / s = sum (s_i / s) A_i + sum r_k L_k - sum p_c V_c,    s the tension of the first patch; cells of given pressure
+ *     H     is that of E - sum p_c V_c over all cells
  *     B     = (1 - theta) H + theta L             of construct/plateau/area.h and cable.h, summed over the sheets
  *           = H + theta diag(L)                   of theta up to 1e-3: a shift that turns no move within a sheet into one across it
  */
@@ -17,12 +18,25 @@ typedef struct taut_film_energy {
     taut_area_functional **areas; /* [patch_count] */
     double *shares;               /* [patch_count]: s_i / s */
     taut_area_cable *cables;      /* [strand_count] */
-    double *net, *slopes;         /* [points][3]: patch by patch */
-    unsigned char *size;          /* [nodes]: how many directions are free */
-    double *free;                 /* [nodes][3][3]: these, unit and orthogonal */
-    int *start, *column;          /* blocks (a, b), b <= a, of row a: column[start[a]] .. */
-    double *second, *metric;      /* [blocks][9], [blocks] */
-    double *element;              /* scratch: of the pairs of a cell */
+    double *pressures;            /* [cell_count]: of given volumes what H is to take */
+    double *volumes;              /* [cell_count]: of the last value */
+    double *swells;               /* [cell_count][nodes][3]: dV of the last gradient */
+    double **
+        places; /* [patch_count]: construct/film/complex/volume.h; of sides of cells those of the last value */
+    unsigned char *in_cells; /* [patch_count]: is it a side? */
+    double *pull,
+        *lever; /* [patch_count], [patch_count][3]: sum of +-p_c / share, +-p_c from_c / share */
+    double *rows, *bulge, *moments; /* scratch */
+    double *net, *slopes;           /* [points][3]: patch by patch */
+    unsigned char *size;            /* [nodes]: how many directions are free */
+    double *free;                   /* [nodes][3][3]: these, unit and orthogonal */
+    unsigned char *all_size,
+        *seen_size; /* what size, free and sparse are: all, or what is seen (ways.h) */
+    double *all_free, *seen_free;
+    taut_sparse *all_sparse, *seen_sparse;
+    int *start, *column;     /* blocks (a, b), b <= a, of row a: column[start[a]] .. */
+    double *second, *metric; /* [blocks][9], [blocks] */
+    double *element;         /* scratch: of the pairs of a cell */
     taut_sparse *sparse;
     double theta;
     double least; /* of the last value: smallest W over its mean, of all patches */
@@ -39,10 +53,12 @@ double taut_film_energy_value(taut_film_energy *energy, const double *x, double 
                               double *largest);
 /* H and L at the x of the last gradient. */
 void taut_film_energy_second(taut_film_energy *energy);
+/* From now on all that is free counts, or, narrow, the moves that are seen at the x of the last value alone. TAUT_NO_MEMORY. */
+taut_status taut_film_energy_narrow(taut_film_energy *energy, int narrow);
 /* The factor of B; *negative as of taut_sparse_factor. */
 taut_status taut_film_energy_factor(taut_film_energy *energy, double theta, int *negative);
-/* d = - B^-1 g along what is free. d double[nodes][3]. right: scratch of as many rows as B has. */
-void taut_film_energy_step(const taut_film_energy *energy, const double *gradient, double *right,
-                           double *d);
+/* d = B^-1 c along what is free. c, d double[nodes][3]. right: scratch of as many rows as B has. */
+void taut_film_energy_solve(const taut_film_energy *energy, const double *c, double *right,
+                            double *d);
 
 #endif /* TAUT_CONSTRUCT_FILM_COMPLEX_ENERGY_H */

@@ -4,18 +4,11 @@
 #include "construct/film/greville.h"
 #include "core/fail.h"
 #include "core/vec3.h"
+#include "problem/film_cells.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-
-static int corner_node(const taut_film_complex *c, int p, int corner)
-{
-    const taut_film_problem *patch = &c->problem->patches[p];
-    const taut_film_side side = {p, corner % 2, 0};
-    return taut_film_complex_node(c, &side,
-                                  corner / 2 * (taut_film_complex_along(patch, corner % 2) - 1));
-}
 
 /* ---- corners ---- */
 
@@ -27,7 +20,7 @@ static void take_given(taut_film_layout *l, unsigned char *is_set)
     for (int p = 0; p < c->problem->patch_count; p++) {
         const taut_film_problem *patch = &c->problem->patches[p];
         for (int k = 0; k < 4; k++) {
-            const int node = corner_node(c, p, k);
+            const int node = taut_film_complex_corner(c, p, k);
             if (c->holds[node].count == 3) {
                 taut_film_hold_onto(&c->holds[node], l->points + 3 * node);
                 is_set[node] = 1;
@@ -49,9 +42,9 @@ static int take_means(taut_film_layout *l, unsigned char *is_set, double *sums, 
     memset(counts, 0, (size_t)c->nodes * sizeof(int));
     for (int p = 0; p < c->problem->patch_count; p++) {
         for (int k = 0; k < 4; k++) {
-            const int node = corner_node(c, p, k);
+            const int node = taut_film_complex_corner(c, p, k);
             for (int way = 1; way <= 2; way++) {
-                const int other = corner_node(c, p, k ^ way);
+                const int other = taut_film_complex_corner(c, p, k ^ way);
                 if (!is_set[node] && is_set[other]) {
                     taut_add_scaled(1, l->points + 3 * other, sums + 3 * node);
                     counts[node]++;
@@ -71,6 +64,33 @@ static int take_means(taut_film_layout *l, unsigned char *is_set, double *sums, 
     return set;
 }
 
+static int is_closed(const taut_film_complex *c, int p, int e)
+{
+    return taut_film_complex_corner(c, p, taut_film_edge_corner(e, 0)) ==
+           taut_film_complex_corner(c, p, taut_film_edge_corner(e, 1));
+}
+
+/* Poles of rings of one patch, whose corners are all one with the ends of the curve. */
+static void take_poles(taut_film_layout *l, unsigned char *is_set)
+{
+    const taut_film_complex *c = &l->complex;
+
+    for (int k = 0; k < 4 * c->problem->patch_count; k++) {
+        const int p = k / 4, e = k % 4;
+        const int node = taut_film_complex_corner(c, p, taut_film_edge_corner(e, 0));
+        const taut_curve *curve = c->problem->patches[p].edges[e ^ 1].curve;
+        const int n = curve != NULL ? taut_basis_count(taut_curve_t(curve)) : 0;
+        if (c->problem->patches[p].edges[e].kind != TAUT_FILM_POLE || is_set[node] ||
+            !is_closed(c, p, e ^ 1)) {
+            continue;
+        }
+        for (int i = 0; i < n; i++) {
+            taut_add_scaled(1.0 / n, taut_curve_points(curve) + 3 * i, l->points + 3 * node);
+        }
+        is_set[node] = 1;
+    }
+}
+
 static taut_status lay_corners(taut_film_layout *l, taut_arena *arena, taut_error *error)
 {
     const taut_film_complex *c = &l->complex;
@@ -82,11 +102,12 @@ static taut_status lay_corners(taut_film_layout *l, taut_arena *arena, taut_erro
         return taut_fail_memory(error);
     }
     take_given(l, is_set);
+    take_poles(l, is_set);
     while (take_means(l, is_set, sums, counts) > 0) {
     }
     for (int p = 0; p < c->problem->patch_count; p++) {
         for (int k = 0; k < 4; k++) {
-            const int node = corner_node(c, p, k);
+            const int node = taut_film_complex_corner(c, p, k);
             taut_film_hold_onto(&c->holds[node], l->points + 3 * node);
         }
     }
@@ -124,6 +145,14 @@ static taut_status fit_edge(taut_film_layout *l, const taut_film_side *side,
                            c->problem->patches[side->patch].name);
 }
 
+/* Does a closed edge begin as the one opposite to it? */
+static int has_model(const taut_film_complex *c, int p, int e)
+{
+    const taut_film_problem *patch = &c->problem->patches[p];
+    return patch->edges[e].curve == NULL && patch->edges[e].kind != TAUT_FILM_POLE &&
+           patch->edges[e ^ 1].curve != NULL && is_closed(c, p, e);
+}
+
 static taut_status lay_edge(taut_film_layout *l, int p, int e, taut_arena *arena, taut_error *error)
 {
     const taut_film_complex *c = &l->complex;
@@ -137,7 +166,13 @@ static taut_status lay_edge(taut_film_layout *l, int p, int e, taut_arena *arena
     if (taut_arena_status(arena) != TAUT_OK) {
         return taut_fail_memory(error);
     }
-    if (patch->edges[e].curve != NULL) {
+    if (has_model(c, p, e)) {
+        const taut_film_side model = {p, e ^ 1, 0};
+        for (int k = 0; k < n; k++) {
+            memcpy(row + 3 * k, l->points + 3 * taut_film_complex_node(c, &model, k),
+                   3 * sizeof(double));
+        }
+    } else if (patch->edges[e].curve != NULL) {
         const taut_status status = fit_edge(l, &side, basis, row, error);
         if (status != TAUT_OK) {
             return status;
@@ -231,6 +266,32 @@ static taut_status take_forces(taut_film_layout *l, taut_error *error)
     return TAUT_OK;
 }
 
+static taut_status take_cells(taut_film_layout *l, taut_error *error)
+{
+    const taut_film_problem *problem = l->complex.problem;
+    const int unit = l->scaling.outer + l->scaling.inner;
+
+    for (int k = 0; k < problem->cell_count; k++) {
+        const taut_film_cell *cell = &problem->cells[k];
+        const double given = cell->has_volume ? ldexp(cell->volume, -3 * unit)
+                                              : ldexp(cell->pressure / l->tensions[0], unit);
+        char where[48];
+        taut_scaling_apply(&l->scaling, 1, cell->from, NULL, l->from + 3 * k);
+        (cell->has_volume ? l->volumes : l->pressures)[k] = given;
+        snprintf(where, sizeof where, "/cells/%d/%s", k, cell->has_volume ? "volume" : "pressure");
+        if (fabs(given) > TAUT_FILM_FORCE_MAX ||
+            (cell->has_volume && fabs(given) < 1 / TAUT_FILM_FORCE_MAX) ||
+            !(taut_norm(l->from + 3 * k) <= TAUT_FILM_FORCE_MAX)) {
+            return taut_fail(error, TAUT_BAD_INPUT, "value", where, given, taut_none,
+                             "the %s of a cell is %.3g in the film's %s, or its \"from\" is far "
+                             "from the film: expected 1e-6 to 1e6",
+                             cell->has_volume ? "volume" : "pressure", given,
+                             cell->has_volume ? "size cubed" : "tension over its size");
+        }
+    }
+    return TAUT_OK;
+}
+
 static taut_status check_area(const taut_film_layout *l, taut_error *error)
 {
     const taut_film_complex *c = &l->complex;
@@ -239,15 +300,16 @@ static taut_status check_area(const taut_film_layout *l, taut_error *error)
         int equal = 0;
         double size = 0;
         for (int k = 0; k < 4; k++) {
-            size = fmax(size, taut_distance(l->points + 3 * corner_node(c, p, k),
-                                            l->points + 3 * corner_node(c, p, k ^ 3)));
+            size = fmax(size, taut_distance(l->points + 3 * taut_film_complex_corner(c, p, k),
+                                            l->points + 3 * taut_film_complex_corner(c, p, k ^ 3)));
         }
         for (int e = 0; e < 4; e++) {
-            const int a = e < 2 ? e : 2 * (e - 2), b = e < 2 ? e + 2 : a + 1;
-            equal += c->problem->patches[p].edges[e].kind != TAUT_FILM_POLE &&
-                     c->problem->patches[p].edges[e].curve == NULL &&
-                     !(taut_distance(l->points + 3 * corner_node(c, p, a),
-                                     l->points + 3 * corner_node(c, p, b)) > 1e-9 * size);
+            const int a = taut_film_edge_corner(e, 0), b = taut_film_edge_corner(e, 1);
+            equal +=
+                c->problem->patches[p].edges[e].kind != TAUT_FILM_POLE &&
+                c->problem->patches[p].edges[e].curve == NULL && !has_model(c, p, e) &&
+                !(taut_distance(l->points + 3 * taut_film_complex_corner(c, p, a),
+                                l->points + 3 * taut_film_complex_corner(c, p, b)) > 1e-9 * size);
         }
         if (equal > 0 || size == 0) {
             char where[64];
@@ -270,6 +332,9 @@ taut_status taut_film_layout_new(const taut_film_problem *problem, taut_arena *a
     taut_status status = taut_film_complex_new(problem, arena, &l->complex, error);
     const taut_film_complex *c = &l->complex;
 
+    if (status == TAUT_OK) {
+        status = taut_film_cells_check(c, error);
+    }
     if (status != TAUT_OK) {
         return status;
     }
@@ -278,12 +343,18 @@ taut_status taut_film_layout_new(const taut_film_problem *problem, taut_arena *a
     l->start = taut_arena_take(arena, (size_t)c->nodes, 3 * sizeof(double));
     l->tensions = taut_arena_take(arena, (size_t)problem->patch_count, sizeof(double));
     l->ratios = taut_arena_take(arena, (size_t)c->strand_count, sizeof(double));
+    l->pressures = taut_arena_take(arena, (size_t)problem->cell_count, sizeof(double));
+    l->volumes = taut_arena_take(arena, (size_t)problem->cell_count, sizeof(double));
+    l->from = taut_arena_take(arena, (size_t)problem->cell_count, 3 * sizeof(double));
     if (taut_arena_status(arena) != TAUT_OK) {
         return taut_fail_memory(error);
     }
     status = lay_corners(l, arena, error);
-    for (int k = 0; status == TAUT_OK && k < 4 * problem->patch_count; k++) {
-        status = lay_edge(l, k / 4, k % 4, arena, error);
+    for (int k = 0; status == TAUT_OK && k < 8 * problem->patch_count; k++) {
+        const int p = k / 4 % problem->patch_count, with_model = k >= 4 * problem->patch_count;
+        if (has_model(c, p, k % 4) == with_model) {
+            status = lay_edge(l, p, k % 4, arena, error);
+        }
     }
     for (int p = 0; status == TAUT_OK && p < problem->patch_count; p++) {
         const taut_film_problem *patch = &problem->patches[p];
@@ -308,5 +379,6 @@ taut_status taut_film_layout_new(const taut_film_problem *problem, taut_arena *a
     }
     l->scaling = taut_scaling_of((size_t)c->nodes, l->points, all);
     taut_scaling_apply(&l->scaling, (size_t)c->nodes, l->points, NULL, l->start);
-    return take_forces(l, error);
+    status = take_forces(l, error);
+    return status == TAUT_OK ? take_cells(l, error) : status;
 }

@@ -1,7 +1,8 @@
 /* layout.h -- a film of many patches before it is solved: its nodes, what is held, where the rest starts.
  *
- *     corners   held, or near where they are said to be, or at the mean of those their edges lead to
- *     edges     held curves fitted by their moments, straight lines for the rest
+ *     corners   held, or near where they are said to be, or at the mean of those their edges lead to; a pole opposite to a curve
+ *               at the mean of its control points
+ *     edges     held curves fitted by their moments; straight lines for the rest, or, closed, what is opposite, moved onto planes
  *     inside    the net of Coons of the four edges
  */
 #ifndef TAUT_CONSTRUCT_FILM_COMPLEX_LAYOUT_H
@@ -18,6 +19,10 @@ typedef struct taut_film_layout {
     double *start;    /* [nodes][3], scaled */
     double *tensions; /* [patch_count] */
     double *ratios;   /* [strand_count]: force over the tension of the first patch, scaled */
+    double *
+        pressures; /* [cell_count]: given ones over the first tension, scaled; 0 of given volumes */
+    double *volumes;  /* [cell_count]: given ones, scaled; 0 of given pressures */
+    double *from;     /* [cell_count][3], scaled */
     double deviation; /* of fitted curves */
     int fitted;       /* how many of these */
     size_t pairs;     /* of functions of a cell, at most */

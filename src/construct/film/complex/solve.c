@@ -2,43 +2,60 @@
  *
  *     theta = 1
  *     until the free derivatives are below the aim, or no step lowers energy or derivatives any more:
- *         d = - B(theta)^-1 g;  theta is raised eightfold while B has negative pivots
+ *         d, p by the border (border.h), of B(theta);  theta is raised eightfold while B leads down where volumes stay
  *         d is cut to a share of the size
- *         taken where E falls by a tenth of what d promises, or, where that is lost in rounding, the derivatives
- *         get less; then theta / 8, else theta * 8
- *     the same with more Gauss nodes, until these leave the derivatives below the aim
+ *         taken where phi falls by a tenth of what d promises, or, where that is lost in rounding, the derivatives
+ *         get less; then theta / 8, else theta * 8, and at theta = 1 half of d
+ *     the same in the moves that are seen alone (ways.h), once a step promises little: there it converges to rounding
+ *     both with more Gauss nodes, until these leave the derivatives below the aim
  *
- * At theta = 1 every step lowers E: L is above H (construct/plateau/area.h). Moves within the sheets, which E does not see, are held back by
- * theta alone. Where it is at rest the film is looked at with theta = 1e-5: negative pivots there are a saddle.
+ *     phi = E - sum p_c (V_c - V_c0) + mu / 2 sum (V_c - V_c0)^2        with the step's p
+ *
+ * At theta = 1 every step without pressure lowers E: L is above H (construct/plateau/area.h). Moves within the sheets, which E
+ * does not see, are held back by theta alone. Pivots that lead down where it is at rest are a saddle.
+ *
+ * A pressure that leads to no film is followed from 0, by halved steps, to name the last one that a film was found for.
  */
 #include "construct/film/complex/solve.h"
 
+#include "construct/film/complex/border.h"
 #include "construct/film/complex/energy.h"
+#include "construct/film/complex/pressure.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
-enum { RULES = 5, ITERATIONS = 200, STALLS = 4 };
+enum { RULES = 5, ITERATIONS = 200, STALLS = 4, HALVINGS = 6, LED = 60 };
 static const int extra_nodes[RULES] = {2, 4, 8, 15, 27};
-static const double theta_least = 1e-9, theta_saddle = 1e-5;
+static const double theta_least = 1e-9;
 static const double theta_rounding =
     1e-6; /* where energies tell nothing any more: moves within sheets are let be */
 static const double longest_step = 0.15; /* of the size, which scaled is between 1 and 2 */
 static const double fold = 0.02; /* least area element over its mean, or over what it began with */
 static const double share_promised = 0.1, rounding = 1e-13;
 static const double aim_share = 0.1; /* of the tolerance */
+static const double gain_least = 1e-11,
+                    residual_all = 3e-7; /* of E; of all coordinates: their end */
+static const double blown = 10;          /* times the size */
+static const double led_least = 1e-3;    /* the least step of pressures that are led */
 
 typedef struct work {
     const taut_film_layout *layout;
     const taut_monitor *monitor;
     taut_error *error;
     taut_film_energy *energy;
+    taut_film_border border;
     size_t nodes;
     double *x, *next, *gradient, *after, *d, *right;
-    double value, largest, residual, theta, least_start, aim;
+    double *pressures; /* [cell_count] */
+    double led;        /* share of the given pressures */
+    double *led_from;  /* [nodes][3] */
+    double value, largest, residual, theta, least_start, aim, mu;
     int iterations, most;
+    int narrow; /* the moves that are seen alone */
 } work;
 
 static int must_stop(const work *w)
@@ -47,74 +64,135 @@ static int must_stop(const work *w)
            w->monitor->progress(w->monitor->context, taut_none, "film") != TAUT_GO_ON;
 }
 
-/* The largest derivative along what is free, over the largest. */
-static double residual_of(const work *w, const double *gradient, double largest)
+/* The largest derivative of E - sum p V along what is free, over the largest; of given volumes what they are off by if that is more. */
+static double residual_of(work *w, const double *gradient, const double *p)
 {
+    const double off = taut_film_border_look(&w->border, w->energy);
     double most = 0;
 
     for (size_t a = 0; a < w->nodes; a++) {
+        double g[3] = {gradient[3 * a], gradient[3 * a + 1], gradient[3 * a + 2]};
+        for (int i = 0; i < w->border.count; i++) {
+            taut_add_scaled(-p[i],
+                            w->energy->swells + 3 * ((size_t)w->border.cell[i] * w->nodes + a), g);
+        }
         for (int k = 0; k < w->energy->size[a]; k++) {
-            most = fmax(most,
-                        fabs(taut_dot(gradient + 3 * a, w->energy->free + 9 * a + 3 * (size_t)k)));
+            most = fmax(most, fabs(taut_dot(g, w->energy->free + 9 * a + 3 * (size_t)k)));
         }
     }
-    return most / largest;
+    return fmax(most / w->largest, off);
 }
 
-static void look(work *w)
+/* phi of the last value, with the p of the last step. */
+static double merit(const work *w, double energy)
 {
+    for (int i = 0; i < w->border.count; i++) {
+        const double excess = w->border.excess[i];
+        energy += (0.5 * w->mu * excess - w->border.p[i]) * excess;
+    }
+    return energy;
+}
+
+static taut_status look(work *w)
+{
+    for (int i = 0; i < w->layout->complex.problem->cell_count; i++) {
+        w->energy->pressures[i] = w->layout->complex.problem->cells[i].has_volume
+                                      ? w->pressures[i]
+                                      : w->led * w->layout->pressures[i];
+    }
     w->value = taut_film_energy_value(w->energy, w->x, w->gradient, &w->largest);
     for (int k = 0; k < w->layout->complex.strand_count; k++) {
         w->largest = fmax(w->largest, w->layout->ratios[k]);
     }
-    w->residual = residual_of(w, w->gradient, w->largest);
+    double p[TAUT_FILM_CELLS_MAX];
+    for (int i = 0; i < w->border.count; i++) {
+        p[i] = w->pressures[w->border.cell[i]];
+    }
+    const taut_status status = taut_film_energy_narrow(w->energy, w->narrow);
+    w->residual = status == TAUT_OK ? residual_of(w, w->gradient, p) : NAN;
+    return status;
 }
 
-/* d by the least theta from here on whose pivots are positive. */
+/* d by the least theta from here on that leads down nowhere; what phi promises to fall by. */
 static taut_status find_step(work *w, double *promised)
 {
-    int negative = 1;
+    int down = 1;
 
-    while (negative > 0) {
+    while (down != 0) {
+        int negative = 0;
         const taut_status status = taut_film_energy_factor(w->energy, w->theta, &negative);
         if (status != TAUT_OK) {
             return status;
         }
-        if (negative > 0 && w->theta >= 1) {
+        down = negative > w->border.count
+                   ? negative
+                   : taut_film_border_factor(&w->border, w->energy, negative, w->right);
+        if (down != 0 && w->theta >= 1) {
             return TAUT_NOT_CONVERGED;
         }
-        w->theta = negative > 0 ? fmin(1, 8 * w->theta) : w->theta;
+        w->theta = down != 0 ? fmin(1, 8 * w->theta) : w->theta;
     }
-    taut_film_energy_step(w->energy, w->gradient, w->right, w->d);
+    taut_film_border_step(&w->border, w->energy, w->gradient, w->right, w->d);
     double longest = 0;
     for (size_t a = 0; a < w->nodes; a++) {
         longest = fmax(longest, taut_norm(w->d + 3 * a));
     }
     const double cut = longest > longest_step ? longest_step / longest : 1;
+    w->mu = 1;
+    for (int i = 0; i < w->border.count; i++) {
+        w->mu = fmax(w->mu, 10 * fabs(w->border.p[i]));
+    }
     *promised = 0;
     for (size_t k = 0; k < 3 * w->nodes; k++) {
+        double slope = w->gradient[k];
+        for (int i = 0; i < w->border.count; i++) {
+            slope += (w->mu * w->border.excess[i] - w->border.p[i]) *
+                     w->energy->swells[3 * (size_t)w->border.cell[i] * w->nodes + k];
+        }
         w->d[k] *= cut;
-        *promised -= w->gradient[k] * w->d[k];
+        *promised -= slope * w->d[k];
     }
     return isfinite(longest) ? TAUT_OK : TAUT_NOT_CONVERGED;
 }
 
-/* Is x + d better? Then it is x. */
-static int try_step(work *w, double promised)
+/* Is x + share d better? Then it is x. */
+static int try_step(work *w, double share, double promised)
 {
     double largest = 0;
 
     for (size_t k = 0; k < 3 * w->nodes; k++) {
-        w->next[k] = w->x[k] + w->d[k];
+        w->next[k] = w->x[k] + share * w->d[k];
     }
-    const int by_energy = promised > rounding * w->value;
-    const double value = taut_film_energy_value(w->energy, w->next, w->after, &largest);
-    const int better = by_energy ? value <= w->value - share_promised * promised
-                                 : residual_of(w, w->after, w->largest) < w->residual;
+    const double before = merit(w, w->value), residual = w->residual;
+    const int by_energy = promised > rounding * fabs(w->value);
+    const double energy = taut_film_energy_value(w->energy, w->next, w->after, &largest);
+    const double after = residual_of(w, w->after, w->border.p); /* of V - V_0 too */
+    const int better = by_energy ? merit(w, energy) <= before - share * share_promised * promised
+                                 : after < residual;
     if (better) {
         memcpy(w->x, w->next, 3 * w->nodes * sizeof(double));
+        for (int i = 0; i < w->border.count; i++) {
+            w->pressures[w->border.cell[i]] = w->border.p[i];
+        }
     }
     return better;
+}
+
+/* After a try that was not taken: what belongs to x. */
+static void look_back(work *w)
+{
+    (void)taut_film_energy_value(w->energy, w->x, w->gradient, NULL);
+    (void)taut_film_border_look(&w->border, w->energy);
+}
+
+static int is_blown(const work *w)
+{
+    for (size_t k = 0; k < 3 * w->nodes; k++) {
+        if (!(fabs(w->x[k]) <= blown)) {
+            return 1;
+        }
+    }
+    return 0;
 }
 
 static taut_status refuse_fold(const work *w)
@@ -126,14 +204,57 @@ static taut_status refuse_fold(const work *w)
                      w->iterations, w->energy->least);
 }
 
-/* With this rule; TAUT_NOT_CONVERGED without a reason: no step is better. */
+/* One step, by the least theta that makes one; *taken: 0 where none is better. */
+static taut_status make_step(work *w, double *promised, int *taken)
+{
+    taut_film_energy_second(w->energy);
+    *taken = 0;
+    while (!*taken) {
+        taut_status status = find_step(w, promised);
+        if (status == TAUT_NO_MEMORY) {
+            return status;
+        }
+        const int lost = *promised <= rounding * fabs(w->value);
+        if (status == TAUT_OK && !w->narrow && lost && w->theta < theta_rounding) {
+            w->theta = theta_rounding;
+            continue;
+        }
+        *taken = status == TAUT_OK && try_step(w, 1, *promised);
+        for (int k = 1; !*taken && status == TAUT_OK && w->theta >= 1 && k <= HALVINGS; k++) {
+            look_back(w);
+            *taken = try_step(w, ldexp(1, -k), *promised);
+        }
+        if (!*taken) {
+            look_back(w);
+        }
+        if (!*taken && w->theta >= 1) {
+            return TAUT_OK;
+        }
+        w->theta = *taken ? fmax(theta_least, w->theta / 8) : fmin(1, 8 * w->theta);
+    }
+    return TAUT_OK;
+}
+
+static taut_status check_step(const work *w)
+{
+    if (w->energy->least < fold * fmin(1, w->least_start)) {
+        return refuse_fold(w);
+    }
+    return is_blown(w) ? taut_fail(w->error, TAUT_NO_SOLUTION, "pressure-too-high", "/cells", blown,
+                                   blown, "the film grows to %g times its size", blown)
+                       : TAUT_OK;
+}
+
+/* With this rule, in these moves, until a step promises next to nothing, none is better, or the aim is reached. */
 static taut_status descend(work *w)
 {
-    int stalls = 0;
+    int stalls = 0, is_done = 0;
+    taut_status status = look(w);
 
-    look(w);
-    while (w->residual > w->aim && stalls < STALLS) {
+    while (status == TAUT_OK && w->residual > w->aim && stalls < STALLS && !is_done) {
+        const double before = w->residual;
         double promised = 0;
+        int taken = 0;
         if (w->iterations >= w->most) {
             return taut_fail(w->error, TAUT_NOT_CONVERGED, "not-converged", "/max_iterations",
                              w->residual, w->aim,
@@ -145,35 +266,37 @@ static taut_status descend(work *w)
             return taut_fail(w->error, TAUT_INTERRUPTED, "interrupted", NULL, taut_none, taut_none,
                              "stopped before the film was at rest");
         }
-        taut_film_energy_second(w->energy);
-        int taken = 0;
-        const double before = w->residual;
-        while (!taken) {
-            const taut_status status = find_step(w, &promised);
-            if (status == TAUT_NO_MEMORY) {
-                return status;
-            }
-            if (status == TAUT_OK && promised <= rounding * w->value && w->theta < theta_rounding) {
-                w->theta = theta_rounding;
-                continue;
-            }
-            taken = status == TAUT_OK && try_step(w, promised);
-            if (!taken && w->theta >= 1) {
-                break;
-            }
-            w->theta = taken ? fmax(theta_least, w->theta / 8) : fmin(1, 8 * w->theta);
-        }
+        status = make_step(w, &promised, &taken);
         w->iterations++;
-        look(w);
-        if (w->energy->least < fold * fmin(1, w->least_start)) {
-            return refuse_fold(w);
+        if (status == TAUT_OK) {
+            status = look(w);
         }
-        stalls = !taken                           ? STALLS
-                 : promised > rounding * w->value ? 0
-                 : w->residual > 0.5 * before     ? stalls + 1
-                                                  : 0;
+        if (status == TAUT_OK) {
+            status = check_step(w);
+        }
+        stalls = !taken                                 ? STALLS
+                 : promised > rounding * fabs(w->value) ? 0
+                 : w->residual > 0.5 * before           ? stalls + 1
+                                                        : 0;
+        is_done =
+            !w->narrow && w->residual <= residual_all && promised <= gain_least * fabs(w->value);
     }
-    return TAUT_OK;
+    return status;
+}
+
+/* In all coordinates, then in those that are seen. */
+static taut_status descend_both(work *w)
+{
+    taut_status status = TAUT_OK;
+
+    w->narrow = 0;
+    status = look(w);
+    if (status == TAUT_OK && w->residual > residual_all) {
+        status = descend(w);
+    }
+    w->narrow = 1;
+    w->theta = fmin(w->theta, 1e-6);
+    return status == TAUT_OK ? descend(w) : status;
 }
 
 /* Rules, until a finer one agrees that the film is at rest. */
@@ -185,33 +308,155 @@ static taut_status settle(work *w)
         taut_film_energy_free(w->energy);
         w->energy = NULL;
         status = taut_film_energy_new(w->layout, extra_nodes[rule], &w->energy);
+        if (status == TAUT_OK) {
+            status = look(w);
+        }
         if (status != TAUT_OK) {
             return status;
         }
-        look(w);
         if (rule == 0) {
             w->least_start = w->energy->least;
         } else if (w->residual <= 4 * w->aim) {
             break;
         }
         w->theta = rule == 0 ? 1 : fmin(w->theta, 1e-6);
-        status = descend(w);
+        status = descend_both(w);
     }
     return status;
 }
 
+/* How many ways lead down from where the film is at rest. */
+static taut_status count_down(work *w, int *down)
+{
+    int negative = 0;
+    taut_film_energy_second(w->energy);
+    const taut_status status = taut_film_energy_factor(w->energy, theta_least, &negative);
+
+    if (status == TAUT_OK) {
+        *down = taut_film_border_factor(&w->border, w->energy, negative, w->right);
+    }
+    return status;
+}
+
+/* ---- pressures that are led ---- */
+
+static int has_pressure(const taut_film_layout *l)
+{
+    for (int k = 0; k < l->complex.problem->cell_count; k++) {
+        if (l->pressures[k] != 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* A film under a share of the pressures, from x on, by the first rule. */
+static taut_status find_led(work *w, double share, int *found)
+{
+    const int most = w->most, before = w->iterations;
+    int down = 1;
+
+    w->led = share;
+    w->most = before + LED;
+    w->theta = share == 0 ? 1 : 1e-3;
+    taut_status status = descend_both(w);
+    if (status == TAUT_OK) {
+        status = count_down(w, &down);
+    }
+    *found = status == TAUT_OK && down == 0 && w->residual <= fmax(w->aim, 1e-6);
+    w->most = most;
+    return status == TAUT_NO_MEMORY || status == TAUT_INTERRUPTED ? status : TAUT_OK;
+}
+
+/* From no pressure on; TAUT_OK: x is a film under all of it. */
+static taut_status lead(work *w)
+{
+    const taut_film_problem *problem = w->layout->complex.problem;
+    const size_t bytes = 3 * w->nodes * sizeof(double);
+    double *const last = w->led_from;
+    double at = 0, step = 1;
+    int found = 0;
+
+    memcpy(w->x, w->layout->start, bytes);
+    taut_film_energy_free(w->energy);
+    w->energy = NULL;
+    taut_status status = taut_film_energy_new(w->layout, extra_nodes[0], &w->energy);
+    if (status == TAUT_OK) {
+        status = find_led(w, 0, &found);
+    }
+    if (status != TAUT_OK || !found) {
+        return status != TAUT_OK ? status : TAUT_NOT_CONVERGED;
+    }
+    step = 0.5;
+    while (at < 1) {
+        memcpy(last, w->x, bytes);
+        status = find_led(w, fmin(1, at + step), &found);
+        if (status != TAUT_OK) {
+            return status;
+        }
+        if (found) {
+            at = fmin(1, at + step);
+        } else {
+            memcpy(w->x, last, bytes);
+            step /= 2;
+        }
+        if (step < led_least) {
+            break;
+        }
+    }
+    w->led = 1;
+    int k = 0;
+    while (problem->cells[k].has_volume || problem->cells[k].pressure == 0) {
+        k++;
+    }
+    char where[48];
+    snprintf(where, sizeof where, "/cells/%d/pressure", k);
+    return at >= 1 ? TAUT_OK
+                   : taut_fail(w->error, TAUT_NO_SOLUTION, "pressure-too-high", where,
+                               problem->cells[k].pressure, at * problem->cells[k].pressure,
+                               "no film is found under a pressure of %.6g: raised from 0, the last "
+                               "one that a film is found for is %.6g; lower it, or give a volume",
+                               problem->cells[k].pressure, at * problem->cells[k].pressure);
+}
+
 static taut_status check_saddle(work *w, taut_film_rest *rest)
 {
-    taut_film_energy_second(w->energy);
-    taut_status status = taut_film_energy_factor(w->energy, theta_saddle, &rest->negative);
+    const taut_status status = count_down(w, &rest->negative);
 
-    if (status == TAUT_OK && rest->negative > 0 &&
+    if (status == TAUT_OK && rest->negative != 0 &&
         !w->layout->complex.problem->accepts_stationary) {
-        status =
-            taut_fail(w->error, TAUT_NO_SOLUTION, "unstable", "/patches", rest->negative, 0,
-                      "the film is at rest, and %d ways lead down from it: begin elsewhere, or "
-                      "accept what is stationary",
-                      rest->negative);
+        return taut_fail(w->error, TAUT_NO_SOLUTION, "unstable", "/patches", rest->negative, 0,
+                         "the film is at rest, and %d ways lead down from it: begin elsewhere, or "
+                         "accept what is stationary",
+                         rest->negative);
+    }
+    return status;
+}
+
+/* The film, led to its pressure where the way from the start misses it. */
+static taut_status find_film(work *w, taut_film_rest *rest)
+{
+    taut_status status = settle(w);
+
+    if (status == TAUT_OK) {
+        status = check_saddle(w, rest);
+    }
+    if ((status == TAUT_NO_SOLUTION || status == TAUT_NOT_CONVERGED) && has_pressure(w->layout)) {
+        taut_error first = {.status = TAUT_OK};
+        if (w->error != NULL) {
+            first = *w->error;
+        }
+        const taut_status led = lead(w);
+        if (led == TAUT_NOT_CONVERGED && w->error != NULL) {
+            *w->error = first;
+        }
+        if (led != TAUT_OK) {
+            return led == TAUT_NOT_CONVERGED ? status : led;
+        }
+        status = settle(w);
+        if (status == TAUT_OK) {
+            status = check_saddle(w, rest);
+        }
     }
     return status;
 }
@@ -232,21 +477,35 @@ taut_status taut_film_rest_find(const taut_film_layout *layout, const taut_monit
               .after = taut_arena_take(arena, nodes, bytes),
               .d = taut_arena_take(arena, nodes, bytes),
               .right = taut_arena_take(arena, nodes, bytes),
+              .led_from = taut_arena_take(arena, nodes, bytes),
+              .led = 1,
               .aim = fmin(aim_share * tolerance, 1e-7),
               .most = problem->max_iterations > 0 ? problem->max_iterations : ITERATIONS};
 
     rest->points = taut_arena_take(arena, nodes, bytes);
-    taut_status status = taut_arena_status(arena);
+    w.pressures =
+        taut_arena_copy(arena, layout->pressures, (size_t)problem->cell_count, sizeof(double));
+    taut_status status = taut_film_border_new(layout, arena, &w.border);
     if (status == TAUT_OK) {
-        status = settle(&w);
+        status = taut_film_pressure_check(layout, error);
     }
     if (status == TAUT_OK) {
-        status = check_saddle(&w, rest);
+        status = find_film(&w, rest);
     }
     if (status == TAUT_OK) {
         rest->unknowns = taut_sparse_rows(w.energy->sparse);
         rest->iterations = w.iterations;
         rest->residual = w.residual;
+        rest->pressures = w.energy != NULL
+                              ? taut_arena_copy(arena, w.energy->pressures,
+                                                (size_t)problem->cell_count, sizeof(double))
+                              : NULL;
+        for (int k = 0; rest->pressures != NULL && k < problem->cell_count; k++) {
+            rest->pressures[k] = problem->cells[k].has_volume
+                                     ? ldexp(w.pressures[k] * layout->tensions[0],
+                                             -(layout->scaling.outer + layout->scaling.inner))
+                                     : problem->cells[k].pressure;
+        }
         status = taut_scaling_undo(&layout->scaling, nodes, layout->points, layout->known, w.x,
                                    rest->points, error);
     }
