@@ -144,6 +144,7 @@ typedef struct taut_trace_problem {
     X("along", "every curve of the family runs along the edge that seeds it",                      \
       "seed it on another edge")                                                                   \
     X("singular", "the surface has no normal at the seed", "seed elsewhere")                       \
+    X("crease", "the normal of the surface jumps at the seed", "seed beside the crease")           \
     X("extreme-size", "the surface is so large or small that lengths along it are no parameters",  \
       "scale it")                                                                                  \
     X("stalled", "a curve could not be followed on", "seed elsewhere")                             \
@@ -168,8 +169,8 @@ TAUT_API taut_status taut_trace_make(const taut_trace_problem *problem,
                                      taut_error *error);
 
 /* The certificate: claims on-surface, asymptotic (principal, geodesic, isoparametric), length, ends,
- * nodes, complete, and with the problem `surface`. docs/trace.md says what each is held
- * against. */
+ * nodes, complete, right-angled, pattern, and with the problem `surface`, spacing, isometric. docs/trace.md
+ * says what each is held against. */
 TAUT_API taut_status taut_trace_certify(const taut_model *model, const taut_trace_problem *problem,
                                         const taut_certify_options *options,
                                         taut_certificate **certificate, taut_error *error);

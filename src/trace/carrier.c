@@ -193,6 +193,31 @@ void taut_carrier_cell(const taut_carrier *carrier, const double at[2], const do
     }
 }
 
+int taut_carrier_is_crease(const taut_carrier *carrier, const double at[2])
+{
+    int span[2], count[2] = {1, 1};
+    taut_form_pair first;
+
+    taut_carrier_cell(carrier, at, NULL, span);
+    for (int d = 0; d < 2; d++) {
+        count[d] += span[d] > 0 && at[d] == taut_basis_breaks(carrier->basis[d])[span[d]];
+    }
+    for (int k = 0; k < count[0] * count[1]; k++) {
+        const int cell[2] = {span[0] - k % count[0], span[1] - k / count[0]};
+        double x[TAUT_CARRIER_VECTORS][3];
+        taut_form_pair forms;
+        taut_carrier_at(carrier, cell, at, 2, x);
+        taut_carrier_forms((const double(*)[3])x, &forms);
+        if (k == 0) {
+            first = forms;
+        } else if (first.w > 0 && forms.w > 0 &&
+                   taut_length_between(first.normal, forms.normal) > same_normal) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
 void taut_carrier_forms_at(const taut_carrier *carrier, const double at[2],
                            double x[TAUT_CARRIER_VECTORS][3], taut_form_pair *forms)
 {

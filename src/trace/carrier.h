@@ -21,13 +21,15 @@ typedef struct taut_carrier {
     const double *net;               /* [nu][nv][4]: (wx, wy, wz, w) */
     const taut_carrier_cells *cells; /* the same cell by cell, or NULL */
     int is_rational;
-    int scale;           /* an exponent */
-    double origin[3];    /* of the surface's own points */
-    double size;         /* largest coordinate of a point from the first, times 2^-scale */
-    double lo[2], hi[2]; /* the window */
-    double widest;       /* the largest |x_u x x_v| of a grid */
-    double roundest;     /* the largest R of it */
-    int wraps[2];        /* u0 and u1 (v0 and v1) are one line in space, with one normal */
+    int scale;             /* an exponent */
+    double origin[3];      /* of the surface's own points */
+    double size;           /* largest coordinate of a point from the first, times 2^-scale */
+    double lo[2], hi[2];   /* the window */
+    double widest;         /* the largest |x_u x x_v| of a grid */
+    double roundest;       /* the largest R of it */
+    int is_straight[2][2]; /* asymptotic, principal; first and second family (trace/straight.h) */
+    double way[2][2][2];
+    int wraps[2]; /* u0 and u1 (v0 and v1) are one line in space, with one normal */
 } taut_carrier;
 
 /* First and second fundamental form and the unit normal. */
@@ -63,6 +65,9 @@ void taut_carrier_point(const taut_carrier *carrier, const double x[3], double p
 /* The cell of a place; at a break the one that lies on the side of `direction` ([2], or NULL). */
 void taut_carrier_cell(const taut_carrier *carrier, const double at[2], const double *direction,
                        int span[2]);
+
+/* Does the normal jump at a place, from one cell to the next? */
+int taut_carrier_is_crease(const taut_carrier *carrier, const double at[2]);
 
 /* The derivatives up to the second and the forms at `at`, of the cell of the place. */
 void taut_carrier_forms_at(const taut_carrier *carrier, const double at[2],

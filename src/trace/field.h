@@ -19,7 +19,8 @@ typedef enum taut_linefield_fault {
     TAUT_LINEFIELD_FINE = 0,
     TAUT_LINEFIELD_ELLIPTIC, /* K > 0 */
     TAUT_LINEFIELD_ROUND,    /* R is nothing: flat or umbilic */
-    TAUT_LINEFIELD_SINGULAR  /* the normal vanishes */
+    TAUT_LINEFIELD_SINGULAR, /* the normal vanishes */
+    TAUT_LINEFIELD_CREASE    /* it jumps */
 } taut_linefield_fault;
 
 /* The direction of the family: of unit length in space, of either sign. */

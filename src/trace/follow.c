@@ -3,6 +3,7 @@
 #include "core/vec3.h"
 #include "numeric/runge.h"
 #include "trace/parabolic.h"
+#include "trace/straight.h"
 
 #include <string.h>
 
@@ -138,6 +139,10 @@ int taut_walk_step(const taut_carrier *carrier, taut_linefield_kind kind,
 {
     cell_field field = {.carrier = carrier, .kind = kind};
     double error = 0;
+    if (taut_straight_way(carrier, kind) != NULL) {
+        taut_straight_move(carrier, kind, from, taut_straight_reach(carrier, kind, from, h), to);
+        return isfinite(to->s);
+    }
     return try_step(&field, from, h, to, &error);
 }
 
@@ -200,9 +205,10 @@ int taut_walk_station(const taut_carrier *carrier, taut_linefield_kind kind,
     at->ab[1] = (forms.e * r - forms.f * p) / (forms.w * forms.w);
     at->k_n = taut_linefield_normal_curvature(&forms, at->ab);
     at->tau_g = taut_linefield_torsion(&forms, at->ab);
-    const int is_finite =
-        taut_linefield_bend(kind.net, (const double(*)[3])x, &forms, at->ab, at->bend);
-    if (!is_finite) {
+    const double *way = taut_straight_way(carrier, kind);
+    if (way != NULL) {
+        taut_straight_station(way, (const double(*)[3])x, at);
+    } else if (!taut_linefield_bend(kind.net, (const double(*)[3])x, &forms, at->ab, at->bend)) {
         at->bend[0] = at->bend[1] = 0;
         return 0;
     }
@@ -576,6 +582,66 @@ static int closes(follower *f, double step, taut_walk_state *end)
     return 1;
 }
 
+/* Where a straight line leaves the cell: how far along it, and across which break. */
+static double leave_cell(const follower *f, const double *way, double sign, int *d, double *border)
+{
+    double least = INFINITY;
+    for (int k = 0; k < 2; k++) {
+        const double *breaks = taut_basis_breaks(f->carrier->basis[k]) + f->state.span[k];
+        const double there = sign * way[k] > 0 ? breaks[1] : breaks[0];
+        const double t = way[k] != 0 ? (there - f->state.y[k]) / way[k] : INFINITY;
+        if (way[k] != 0 && fabs(t) < fabs(least)) {
+            least = sign * fmax(sign * t, 0);
+            *d = k;
+            *border = there;
+        }
+    }
+    return least;
+}
+
+/* One cell of a straight line, in steps no longer than the largest. */
+static taut_status advance_straight(follower *f, const double *way)
+{
+    double x[TAUT_CARRIER_VECTORS][3], along[3], border = 0;
+    taut_walk_state end;
+    taut_status status = TAUT_OK;
+    int d = 0;
+
+    taut_carrier_at(f->carrier, f->state.span, f->state.y, 1, x);
+    taut_linefield_tangent((const double(*)[3])x, way, along);
+    const double sign = taut_dot(along, f->state.tangent) < 0 ? -1 : 1;
+    const double whole = leave_cell(f, way, sign, &d, &border);
+    taut_straight_move(f->carrier, f->kind, &f->state, whole, &end);
+    const double length = end.s - f->state.s, rest = f->options->max_length - f->state.s;
+    const int is_last = length >= rest;
+    const double t = is_last ? taut_straight_reach(f->carrier, f->kind, &f->state, rest) : whole;
+    const double parts = ceil(fmin(length, rest) / (limits.largest * f->carrier->size));
+    const taut_walk_state from = f->state;
+
+    for (double part = 1; status == TAUT_OK && part <= parts; part++) {
+        const double before = (part - 1) / parts * t, after = part < parts ? part / parts * t : t;
+        taut_straight_move(f->carrier, f->kind, &f->state, after - before, &end);
+        end.y[TAUT_WALK_U] = from.y[TAUT_WALK_U] + after * way[0];
+        end.y[TAUT_WALK_V] = from.y[TAUT_WALK_V] + after * way[1];
+        if (part == parts && !is_last) {
+            end.y[d] = border;
+        }
+        if (end.s - f->state.s > limits.least * f->carrier->size) {
+            status = add_piece(f, &end, 0);
+        }
+        f->state = end;
+    }
+    if (parts < 1) { /* it begins on the border */
+        f->state.y[d] = border;
+    }
+    if (status == TAUT_OK && is_last) {
+        end_at(f, TAUT_END_LENGTH, &f->state);
+    } else if (status == TAUT_OK) {
+        cross_border(f, d, &f->state);
+    }
+    return status;
+}
+
 /* One step and what comes of it; f->walk->end says whether it was the last. */
 static taut_status advance(follower *f)
 {
@@ -636,6 +702,7 @@ taut_status taut_follow(const taut_carrier *carrier, taut_linefield_kind kind,
                   .field = {.carrier = carrier, .kind = kind},
                   .state = *start,
                   .h = limits.first * carrier->size};
+    const double *way = taut_straight_way(carrier, kind);
     double x[TAUT_CARRIER_VECTORS][3];
     taut_status status = TAUT_OK;
 
@@ -644,7 +711,9 @@ taut_status taut_follow(const taut_carrier *carrier, taut_linefield_kind kind,
     memcpy(f.seed_x, x[0], sizeof f.seed_x);
     memcpy(f.seed_tangent, start->tangent, sizeof f.seed_tangent);
     while (status == TAUT_OK && walk->end == TAUT_END_NONE) {
-        status = is_stopped(options) ? TAUT_INTERRUPTED : advance(&f);
+        status = is_stopped(options) ? TAUT_INTERRUPTED
+                 : way != NULL       ? advance_straight(&f, way)
+                                     : advance(&f);
     }
     return status;
 }

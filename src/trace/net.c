@@ -112,6 +112,10 @@ static taut_status add_lath(taut_net *net, int family, const double at[2], const
     if (is_seeded(net, family, at)) {
         return TAUT_OK;
     }
+    if (taut_carrier_is_crease(net->carrier, at)) {
+        *fault = TAUT_LINEFIELD_CREASE;
+        return TAUT_OK;
+    }
     if (net->count >= TAUT_TRACE_LATHS_MAX) {
         return too_many(net->count, error);
     }
@@ -506,6 +510,9 @@ static taut_status cross_through(taut_net *net, const double at[2], int index, t
                                  taut_error *error)
 {
     const double up[3] = {0, 0, 0};
+    if (taut_carrier_is_crease(net->carrier, at)) {
+        return fault_of(net, index, at, TAUT_LINEFIELD_CREASE, error);
+    }
     for (int family = 0; family < 2; family++) {
         const taut_linefield_kind kind = {net->problem->net, family};
         taut_linefield_fault fault = TAUT_LINEFIELD_FINE;
@@ -629,6 +636,11 @@ static taut_status fault_of(const taut_net *net, int seed, const double at[2],
                          is_flat ? "the surface is flat at (%.6g, %.6g)"
                                  : "both principal curvatures are equal at (%.6g, %.6g)",
                          at[0], at[1]);
+    }
+    if (fault == TAUT_LINEFIELD_CREASE) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "crease", where, taut_none, taut_none,
+                         "the normal of the surface jumps at (%.6g, %.6g): seed beside it", at[0],
+                         at[1]);
     }
     return taut_fail(error, TAUT_NO_SOLUTION, "singular", where, taut_none, taut_none,
                      "the surface has no normal, or the curve no length, at (%.6g, %.6g)", at[0],

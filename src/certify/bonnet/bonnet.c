@@ -137,6 +137,18 @@ static int is_refuted(const report *r)
 }
 
 /* Area and total curvature of a surface that was made 2^-unit times as large. */
+int taut_bonnet_is_algebraic(const taut_surface *surface)
+{
+    taut_bonnet_finding found = {0, 0, {0, 0}};
+    taut_bonnet_proof smooth = {.holds = TAUT_TRUE};
+    taut_bonnet_scale scale;
+
+    taut_bonnet_scale_of(surface, 0, &scale);
+    taut_bonnet_smooth(surface, &scale, 0, &smooth);
+    return smooth.holds == TAUT_TRUE && taut_bonnet_algebra(surface, &scale, &found) &&
+           found.residual <= fmin(roundings[ALGEBRAIC] * found.noise, largest_limit);
+}
+
 static taut_status measure(const taut_surface *surface, const taut_bonnet_scale *scale, int few,
                            taut_bonnet_integrals *integrals)
 {

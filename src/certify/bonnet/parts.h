@@ -22,6 +22,10 @@ void taut_bonnet_raise(taut_bonnet_finding *largest, double residual, double noi
 int taut_bonnet_algebra(const taut_surface *surface, const taut_bonnet_scale *scale,
                         taut_bonnet_finding *found);
 
+/* Do its coefficients show that a surface about 1 in size is minimal, and its spans one surface? 0 where
+ * rounding hides it. */
+int taut_bonnet_is_algebraic(const taut_surface *surface);
+
 /* One surface of the problem. */
 typedef struct taut_bonnet_frame {
     const taut_bonnet_problem *problem;

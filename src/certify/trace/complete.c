@@ -97,19 +97,23 @@ static int count_of(const taut_record *nodes, const char *a, const char *b)
     return count;
 }
 
-taut_status taut_net_complete_add(const taut_net_lines *lines, taut_arena *arena,
+taut_status taut_net_complete_add(const taut_net_lines *lines, int is_proved, taut_arena *arena,
                                   taut_certificate *certificate)
 {
     const taut_record *nodes = taut_record_get(taut_model_details(lines->model), "nodes");
     double(*ends)[2] = taut_arena_take(arena, (size_t)lines->count, sizeof *ends);
-    taut_claim claim = {.claim = "complete", .kind = TAUT_CHECK, .limit = 0, .where = ""};
+    taut_claim claim = {.claim = "complete",
+                        .kind = is_proved && lines->net != TAUT_TRACE_ISOPARAMETRIC ? TAUT_EXACT
+                                                                                    : TAUT_CHECK,
+                        .limit = 0,
+                        .where = ""};
     char where[160];
     double wrong = 0, known = 0;
 
     if (ends == NULL) {
         return TAUT_NO_MEMORY;
     }
-    if (lines->net == TAUT_TRACE_GEODESIC || !exists_everywhere(lines)) {
+    if (lines->net == TAUT_TRACE_GEODESIC || (!is_proved && !exists_everywhere(lines))) {
         return TAUT_OK;
     }
     for (int k = 0; k < lines->count; k++) {

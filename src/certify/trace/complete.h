@@ -10,8 +10,9 @@
 #include "certify/trace/lines.h"
 
 /* The claim, where it can be judged: all curves end on the border of a window that is no tube, and
- * the net exists on a grid. TAUT_NO_MEMORY. */
-taut_status taut_net_complete_add(const taut_net_lines *lines, taut_arena *arena,
+ * the net exists on a grid, or is proved to exist everywhere (is_proved): then the claim is exact.
+ * TAUT_NO_MEMORY. */
+taut_status taut_net_complete_add(const taut_net_lines *lines, int is_proved, taut_arena *arena,
                                   taut_certificate *certificate);
 
 #endif /* TAUT_CERTIFY_TRACE_COMPLETE_H */

@@ -4,8 +4,10 @@
  *
  *   surface       with the problem: numbers of the surface that differ from the model's that it was
  *                 traced on (exact), or claims that do not hold of what was made first
- *   on-surface    largest distance of C(s) from S(c(s)) over the size, PLACES in each span (check)
- *   asymptotic    |k_n| / R of the curve's own tangent; its family by the sign of tau_g
+ *   on-surface    largest distance of C(s) from S(c(s)) over the size, PLACES in each span (check); a bound where
+ *                 curves are straight in the window (certify/trace/straight.h)
+ *   asymptotic    |k_n| / R of the curve's own tangent; its family by the sign of tau_g. This and principal are
+ *                 exact, of the surface's curve over the window's line, where curves are straight there
  *   principal     |tau_g| / R; its family by k_n >= H or not
  *   geodesic      int |k_g| ds by the curve's own second derivative
  *   isoparametric sine of the angle to the parameter line
@@ -18,6 +20,8 @@
  *                 (certify/trace/spacing.h)
  *   complete      nodes missing or too many, by how the ends separate each other on the border
  *                 (certify/trace/complete.h); left out where that does not say
+ *   isometric     with the problem: relative difference of the edges that strips which only bend are told to
+ *                 have from those in space (certify/trace/isometric.h)
  *   pattern       pieces to cut that lie over each other or over the border of their sheet
  *                 (certify/trace/pieces.h)
  */
@@ -27,9 +31,11 @@
 #include "certify/common/unit.h"
 #include "certify/common/verdict.h"
 #include "certify/trace/complete.h"
+#include "certify/trace/isometric.h"
 #include "certify/trace/lines.h"
 #include "certify/trace/pieces.h"
 #include "certify/trace/spacing.h"
+#include "certify/trace/straight.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 #include "geometry/keep.h"
@@ -43,7 +49,8 @@
 
 enum { PLACES = 8, NODES = 16 };
 static const double tolerance_default = 1e-6, net_limit = 1e-6, length_limit = 1e-9,
-                    ends_limit = 1e-9, crease_limit = 1e-9, spacing_limit = 1e-9;
+                    ends_limit = 1e-9, crease_limit = 1e-9, spacing_limit = 1e-9,
+                    isometric_limit = 1e-9;
 /* So near to an end without a border, over the size, the net may be anything. */
 static const double near_end = 1e-3;
 /* |H| / R of a surface that is seen to be minimal. */
@@ -55,9 +62,10 @@ typedef struct request {
     taut_net_lines lines;
     taut_surface *surface; /* scaled; the arena's */
     int unit;
-    double size;     /* of it */
-    double roundest; /* the largest R of a grid */
-    int is_minimal;  /* H vanishes on that grid, to rounding */
+    double size;                /* of it */
+    double roundest;            /* the largest R of a grid */
+    int is_minimal;             /* H vanishes on that grid, to rounding */
+    taut_net_straight straight; /* minimal by its coefficients: curves are straight in the window */
     double tolerance;
     const taut_crew *crew;
 } request;
@@ -169,6 +177,7 @@ static int is_soft(const request *r, const taut_net_line *line, double t)
 
 typedef struct found {
     worst distance, net, length;
+    int is_proved, is_bounded; /* the net's claim exactly, the distance by a bound */
 } found;
 
 /* One span of a curve, from a to b. */
@@ -223,6 +232,32 @@ static void integrate(const request *r, const taut_net_line *line, found *f)
     }
 }
 
+/* What is proved of a curve that is a straight line of the window; f->is_proved and ->is_bounded say whether
+ * it could be, of all so far. */
+static void prove_straight(const request *r, const taut_net_line *line, found *f)
+{
+    double way[2];
+    const int has_ways =
+        r->lines.net == TAUT_TRACE_ASYMPTOTIC || r->lines.net == TAUT_TRACE_PRINCIPAL;
+
+    if (!r->straight.is_known || !has_ways) {
+        f->is_proved = f->is_bounded = 0;
+        return;
+    }
+    taut_net_straight_way(&r->straight, r->lines.net, line->family, way);
+    const double angle = taut_net_straight_residual(line, way);
+    const double distance =
+        taut_net_straight_distance(r->surface, &r->straight, line, r->unit, way) / r->size;
+    f->is_proved &= angle <= net_limit;
+    f->is_bounded &= distance <= r->tolerance;
+    if (angle <= net_limit) {
+        take(&f->net, angle, taut_curve_name(line->space), 0);
+    }
+    if (distance <= r->tolerance) {
+        take(&f->distance, distance, taut_curve_name(line->space), 0);
+    }
+}
+
 static void look_at_line(const request *r, const taut_net_line *line, found *f)
 {
     const taut_basis *basis = taut_curve_t(line->space);
@@ -236,6 +271,7 @@ static void look_at_line(const request *r, const taut_net_line *line, found *f)
         look_at_span(r, line, breaks[i], breaks[i + 1], clear, f);
     }
     integrate(r, line, f);
+    prove_straight(r, line, f);
 }
 
 static taut_status add(taut_certificate *certificate, const char *name, taut_claim_kind kind,
@@ -505,6 +541,20 @@ static taut_status add_spacing(const request *r, taut_arena *arena, taut_certifi
     return add(certificate, "spacing", TAUT_CHECK, &w, spacing_limit);
 }
 
+/* ---- strips that only bend ---- */
+
+static taut_status add_isometric(const request *r, taut_certificate *certificate)
+{
+    const char *name = NULL;
+    worst w = {0, ""};
+    w.residual = taut_net_isometric(&r->lines, r->surface, r->unit, r->problem, &name);
+    if (w.residual < 0) {
+        return TAUT_OK;
+    }
+    snprintf(w.where, sizeof w.where, "%.60s", name != NULL ? name : "");
+    return add(certificate, "isometric", TAUT_CHECK, &w, isometric_limit);
+}
+
 /* ---- surface ---- */
 
 /* How many numbers of two surfaces differ; 1 where their bases do. */
@@ -656,7 +706,7 @@ static taut_status add_figures(const request *r, taut_certificate *certificate)
 static taut_status prove(const request *r, taut_arena *arena, taut_certificate *certificate)
 {
     static const char *const names[] = {"asymptotic", "principal", "geodesic", "isoparametric"};
-    found f = {{0, ""}, {0, ""}, {0, ""}};
+    found f = {.is_proved = 1, .is_bounded = 1};
     taut_status status = TAUT_OK;
 
     for (int k = 0; k < r->lines.count; k++) {
@@ -665,9 +715,11 @@ static taut_status prove(const request *r, taut_arena *arena, taut_certificate *
             return TAUT_INTERRUPTED;
         }
     }
-    status = add(certificate, "on-surface", TAUT_CHECK, &f.distance, r->tolerance);
+    status = add(certificate, "on-surface", f.is_bounded ? TAUT_BOUND : TAUT_CHECK, &f.distance,
+                 r->tolerance);
     if (status == TAUT_OK) {
-        status = add(certificate, names[r->lines.net], TAUT_CHECK, &f.net, net_limit);
+        status = add(certificate, names[r->lines.net], f.is_proved ? TAUT_EXACT : TAUT_CHECK,
+                     &f.net, net_limit);
     }
     if (status == TAUT_OK) {
         status = add(certificate, "length", TAUT_CHECK, &f.length, length_limit);
@@ -685,7 +737,10 @@ static taut_status prove(const request *r, taut_arena *arena, taut_certificate *
         status = add_spacing(r, arena, certificate);
     }
     if (status == TAUT_OK) {
-        status = taut_net_complete_add(&r->lines, arena, certificate);
+        status = taut_net_complete_add(&r->lines, r->straight.is_known, arena, certificate);
+    }
+    if (status == TAUT_OK) {
+        status = add_isometric(r, certificate);
     }
     if (status == TAUT_OK) {
         status = taut_net_pieces_add(&r->lines, r->problem, arena, certificate);
@@ -712,6 +767,7 @@ static taut_status certify_in(taut_arena *arena, const taut_model *model,
     }
     r.size = ldexp(r.lines.size, -r.unit);
     look_around(&r);
+    taut_net_straight_look(r.surface, &r.straight);
     status = add_surface(&r, arena, audit, certificate, error);
     if (status != TAUT_OK) {
         return status;

@@ -295,7 +295,7 @@ static taut_status describe_panels(const taut_net *net, taut_record *details)
 
 static void describe_left_out(const taut_net *net, taut_record *details)
 {
-    static const char *const faults[] = {"along", "elliptic", "flat", "singular"};
+    static const char *const faults[] = {"along", "elliptic", "flat", "singular", "crease"};
     taut_record *list = taut_record_add_list(details, "left_out");
     for (int k = 0; k < net->left_count; k++) {
         const taut_left_out *left = &net->left_out[k];

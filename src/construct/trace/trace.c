@@ -17,6 +17,7 @@
 #include "trace/curve.h"
 #include "trace/net.h"
 #include "trace/piece.h"
+#include "trace/straight.h"
 #include "trace/strip.h"
 
 #include <math.h>
@@ -275,6 +276,7 @@ static taut_status build(void *context, taut_arena *arena, taut_model *model, ta
         return taut_fail(error, TAUT_NO_SOLUTION, "singular", "/of", taut_none, taut_none,
                          "the surface has no normal anywhere");
     }
+    taut_straight_find(carrier);
     const double most = r->problem->max_length > 0 ? ldexp(r->problem->max_length, -carrier->scale)
                                                    : lengths * carrier->size;
     net.carrier = carrier;

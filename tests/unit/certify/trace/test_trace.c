@@ -183,8 +183,65 @@ static void test_other(void)
     net_free(&steeper);
 }
 
+/* On minimal surfaces in conformal parameters curves are straight in the window: that is exact, the distance a
+ * bound above what is found at places. A window's line that is bent, or another one's, proves nothing. */
+static void test_straight(void)
+{
+    static const char *const nets[] = {"asymptotic", "principal"};
+    static const char *const surfaces[] = {
+        BONNET("1.1"), CATENOID,
+        "{ \"taut\": 1, \"construct\": \"bonnet\", \"lambda\": 1, \"sign\": \"-\", \"normalize\": "
+        "true, "
+        "\"alpha\": 1.2, \"beta\": 0.9, \"start\": [-0.2, 0.1] }"};
+    for (int k = 0; k < 6; k++) {
+        made_net made = net_make(nets[k % 2], surfaces[k / 2],
+                                 "\"seeds\": [{ \"at\": [0.3, 0.4] }, { \"at\": [0.1, 0.7] }]");
+        const taut_claim *own = claim_of(made.proof, nets[k % 2]);
+        const taut_claim *distance = claim_of(made.proof, "on-surface");
+        CHECK(own->kind == TAUT_EXACT && own->holds == TAUT_TRUE, "%d", k);
+        CHECK(distance->kind == TAUT_BOUND && distance->holds == TAUT_TRUE, "%d", k);
+        CHECK(distance->residual > 1e-12 && distance->residual < 1e-7, "%d: %g", k,
+              distance->residual);
+        CHECK(claim_of(made.proof, "complete")->kind == TAUT_EXACT, "%d", k);
+        CHECK(judge(&made, changed(made.model, 0, 1e-4, 0, NULL), "on-surface") == TAUT_FALSE,
+              "%d moved", k);
+        net_free(&made);
+    }
+    made_net other = net_make("asymptotic", SURFACE, "\"seeds\": [{ \"at\": [0.3, 0.2] }]");
+    CHECK(claim_of(other.proof, "asymptotic")->kind == TAUT_CHECK, "not minimal");
+    CHECK(claim_of(other.proof, "on-surface")->kind == TAUT_CHECK, "not minimal");
+    net_free(&other);
+}
+
+/* A strip that only bends as long as its edge is told to be, and not in another width. */
+static void test_isometric(void)
+{
+    static const char *const strips[] = {"developable", "envelope"};
+    for (int k = 0; k < 2; k++) {
+        char members[2][160];
+        for (int wide = 0; wide < 2; wide++) {
+            snprintf(
+                members[wide], sizeof members[wide],
+                "\"seeds\": [{ \"at\": [0.6, 0.55], \"family\": \"%s\" }], \"max_length\": 0.2, "
+                "\"laths\": { \"strip\": \"%s\", \"width\": %g }",
+                k == 0 ? "+" : "min", strips[k], wide ? 0.02001 : 0.02);
+        }
+        made_net made = net_make(k == 0 ? "asymptotic" : "principal", CATENOID, members[0]);
+        made_net wide = net_make(k == 0 ? "asymptotic" : "principal", CATENOID, members[1]);
+        CHECK(made.status == TAUT_OK, "%s: %s", strips[k], made.error.message);
+        CHECK(claim_of(made.proof, "isometric")->holds == TAUT_TRUE, "%s: %g", strips[k],
+              claim_of(made.proof, "isometric")->residual);
+        CHECK(judge(&made, changed(wide.model, -1, 0, 0, NULL), "isometric") == TAUT_FALSE, "%s",
+              strips[k]);
+        net_free(&made);
+        net_free(&wide);
+    }
+}
+
 int main(void)
 {
+    test_straight();
+    test_isometric();
     test_moved();
     test_told();
     test_pieces();

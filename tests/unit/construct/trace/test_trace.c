@@ -389,6 +389,52 @@ static void test_edges(void)
     net_free(&made);
 }
 
+/* Two pieces of z = x y / 2 over a ridge, u = 1. */
+#define ROOF                                                                                       \
+    "{ \"taut\": 1, \"surfaces\": [{ \"u\": { \"type\": \"bspline\", \"degree\": 1, \"knots\": "   \
+    "[0, 0, 1, 2, 2] }, \"v\": { \"type\": \"bezier\", \"degree\": 1 }, \"points\": [[[-1, 0, "    \
+    "-1], [-1, 1, -1.5]], [[0, 0, 0], [0, 1, 0]], [[1, 0, -1], [1, 1, -0.5]]] }] }"
+
+/* A curve that meets the ridge of a roof ends there. */
+static void test_crease(void)
+{
+    made_net made = net_make("asymptotic", ROOF, "\"seeds\": [{ \"at\": [0.5, 0.5] }]");
+    const taut_record *ended = taut_record_get(net_lath(&made, "A1"), "ended");
+    CHECK(taut_certificate_holds(made.proof) == TAUT_TRUE, "%s", made.error.message);
+    CHECK(strcmp(taut_record_text(taut_record_at(ended, 1)), "crease") == 0, "ended %s",
+          taut_record_text(taut_record_at(ended, 1)));
+    CHECK_NEAR(net_end(&made, "A1", "to", 0), 1, 0, "on the ridge");
+    net_free(&made);
+}
+
+/* Straight in the window: control points of the window's curves lie on the line to rounding. */
+static void test_straight(void)
+{
+    static const char *const surfaces[] = {BONNET("0"), BONNET("1.1"), BILINEAR};
+    for (int k = 0; k < 3; k++) {
+        made_net made = net_make("asymptotic", surfaces[k], "\"seeds\": [{ \"at\": [0.4, 0.7] }]");
+        const taut_record *domain = taut_record_get(taut_model_details(made.model), "domain");
+        for (size_t i = 0; i < taut_record_count(domain); i++) {
+            const taut_record *rows = taut_record_get(taut_record_at(domain, i), "points");
+            const size_t last = taut_record_count(rows) - 1;
+            double p[3][2];
+            for (size_t j = 0; j <= last; j++) {
+                const size_t which[3] = {0, last, j};
+                for (int n = 0; n < 3; n++) {
+                    for (size_t d = 0; d < 2; d++) {
+                        p[n][d] =
+                            taut_record_number(taut_record_at(taut_record_at(rows, which[n]), d));
+                    }
+                }
+                CHECK_NEAR((p[1][0] - p[0][0]) * (p[2][1] - p[0][1]),
+                           (p[1][1] - p[0][1]) * (p[2][0] - p[0][0]), 2e-15, "%d: %zu", k, j);
+            }
+        }
+        CHECK(net_number(&made, "A1", "length") > 0, "%s", made.error.message);
+        net_free(&made);
+    }
+}
+
 static void test_refusals(void)
 {
     const struct {
@@ -415,7 +461,9 @@ static void test_refusals(void)
         {"principal", BILINEAR, "\"seeds\": [{ \"lath\": \"A9\", \"count\": 2 }]", "name",
          TAUT_BAD_INPUT},
         {"asymptotic", BILINEAR, "\"surface\": \"other\"", "no-such-object", TAUT_BAD_INPUT},
-        {"asymptotic", BILINEAR, "\"panels\": true", "net", TAUT_BAD_INPUT}};
+        {"asymptotic", BILINEAR, "\"panels\": true", "net", TAUT_BAD_INPUT},
+        {"asymptotic", ROOF, "\"seeds\": [{ \"at\": [1, 0.5] }]", "crease", TAUT_NO_SOLUTION},
+        {"asymptotic", ROOF, "\"seeds\": [{ \"cells\": 4 }]", "crease", TAUT_NO_SOLUTION}};
     for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
         made_net made = net_make(rows[k].net, rows[k].surface, rows[k].members);
         CHECK(made.status == rows[k].status, "row %zu: %d %s", k, made.status, made.error.message);
@@ -436,6 +484,8 @@ int main(void)
     test_edges();
     test_singular();
     test_panels();
+    test_crease();
+    test_straight();
     test_refusals();
     return check_failures != 0;
 }
