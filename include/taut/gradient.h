@@ -9,6 +9,7 @@
 #ifndef TAUT_GRADIENT_H
 #define TAUT_GRADIENT_H
 
+#include "taut/film.h"
 #include "taut/plateau.h"
 
 #ifdef __cplusplus
@@ -61,12 +62,54 @@ TAUT_API taut_status taut_plateau_gradient(const taut_plateau_problem *problem,
                                            const taut_gradient_request *request, double *gradient,
                                            taut_error *error);
 
-/* The same of a problem that was read: besides these two, harmonic (two rows, or four that are fitted)
+/* The same of a problem that was read; films have their own below. Besides these two, harmonic (two rows, or four that are fitted)
  * and biharmonic (four rows), whose points are linear in what is given; a make for each three points
  * given. TAUT_BAD_ARGUMENT, no-gradient: other constructions, and what is given otherwise. */
 TAUT_API taut_status taut_gradient(const taut_problem *problem, const taut_model *model,
                                    const taut_gradient_request *request, double *gradient,
                                    taut_error *error);
+
+/* The number of a film that is derived, as its certificate has it; a reaction there is what cables pull
+ * along their tangents, which this one comes to as the net gets finer. */
+typedef enum taut_film_gradient_of {
+    TAUT_FILM_GRADIENT_ENERGY = 0,
+    TAUT_FILM_GRADIENT_AREA,
+    TAUT_FILM_GRADIENT_LENGTH,  /* of the cable `edge` */
+    TAUT_FILM_GRADIENT_TENSION, /* of the cable `edge` */
+    TAUT_FILM_GRADIENT_REACTION /* along `axis`, at the held corner `corner`: -dE/d(corner alone) */
+} taut_film_gradient_of;
+
+/* Zero means default everywhere. */
+typedef struct taut_film_gradient_request {
+    taut_film_gradient_of of;
+    int edge;   /* 0 to 3: u0, u1, v0, v1 */
+    int corner; /* 0 to 3: u0v0, u1v0, u0v1, u1v1 */
+    int axis;   /* 0 to 2: x, y, z */
+    taut_monitor monitor;
+} taut_film_gradient_request;
+
+/* Derivatives by what a film was made from; 0 where the problem has nothing of the kind. */
+typedef struct taut_film_slopes {
+    double corners[4][3]; /* held corners that are given; straight held edges go with them */
+    double laws[4];       /* given of each cable: force, length, sag or unstressed length */
+    double stiffness[4];  /* of elastic cables */
+    double *points; /* double[nu][nv][3] of the caller's, or NULL: each held point of the net alone,
+                     * as those of an edge on a curve, the others 0 */
+} taut_film_slopes;
+
+/* *slopes, written whole on success, else untouched. A film of one patch, open, of the method "full",
+ * without updates of a reference; request NULL: the energy. The energy does not change with what was found,
+ * so nothing is solved for it; for all else one system with the second derivative of the energy in all
+ * coordinates of the net is, and lengths and laws of cables ([GriewankWalther2008] ch. 15; docs/gradient.md).
+ * TAUT_BAD_ARGUMENT: no-gradient, other-model, argument; TAUT_NO_SOLUTION: not-at-rest, saddle;
+ * TAUT_NOT_CONVERGED: rough; TAUT_INTERRUPTED; TAUT_NO_MEMORY. */
+TAUT_API taut_status taut_film_gradient(const taut_film_problem *problem, const taut_model *model,
+                                        const taut_film_gradient_request *request,
+                                        taut_film_slopes *slopes, taut_error *error);
+/* The same of a problem that was read. TAUT_BAD_ARGUMENT, no-gradient: it is no film. */
+TAUT_API taut_status taut_gradient_of_film(const taut_problem *problem, const taut_model *model,
+                                           const taut_film_gradient_request *request,
+                                           taut_film_slopes *slopes, taut_error *error);
 
 #ifdef __cplusplus
 }

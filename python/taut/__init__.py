@@ -13,12 +13,12 @@ from .constructions import *
 from .constructions import __all__ as _constructions
 from .errors import CheckFailed, Error, FileError, InputError, NoSolution, NotConverged
 from .geometry import Curve, Surface
-from .gradients import gradient
+from .gradients import FilmGradient, film_gradient, gradient
 from .making import certify, make, read
 from .measuring import join, measure, pieces, refine, split, to_nurbs
 from .model import Certificate, Claim, Mesh, Model
 from .sweeps import map
 
-__all__ = ["Basis", "Certificate", "CheckFailed", "Claim", "Curve", "Error", "FileError", "InputError", "Mesh", "Model", "NoSolution",
-           "NotConverged", "Surface", "bezier", "bspline", "c_bezier", "c_bspline", "ce_bezier", "certify", "gradient", "h_bezier", "h_bspline",
+__all__ = ["Basis", "Certificate", "CheckFailed", "Claim", "Curve", "Error", "FileError", "FilmGradient", "InputError", "Mesh", "Model", "NoSolution",
+           "NotConverged", "Surface", "bezier", "bspline", "c_bezier", "c_bspline", "ce_bezier", "certify", "film_gradient", "gradient", "h_bezier", "h_bspline",
            "join", "make", "map", "measure", "pieces", "read", "refine", "split", "to_nurbs", *_constructions]

@@ -74,6 +74,14 @@ class GradientRequest(Structure):
     _fields_ = [("of", c_int), ("factors", c_void_p), ("monitor", MonitorStruct)]
 
 
+class FilmGradientRequest(Structure):
+    _fields_ = [("of", c_int), ("edge", c_int), ("corner", c_int), ("axis", c_int), ("monitor", MonitorStruct)]
+
+
+class FilmSlopes(Structure):
+    _fields_ = [("corners", c_double * 12), ("laws", c_double * 4), ("stiffness", c_double * 4), ("points", c_void_p)]
+
+
 # Function: what it gives and what it takes: p a pointer of any kind, s a text, i an int, d a double, z a size, - nothing.
 SIGNATURES = {
     "taut_abi": "p:", "taut_version": "s:", "taut_kernel_in_use": "s:", "taut_status_text": "s:i",
@@ -110,7 +118,7 @@ SIGNATURES = {
     "taut_mesh_normals": "p:p", "taut_mesh_parameters": "p:p", "taut_mesh_quad_count": "z:p", "taut_mesh_quads": "p:p",
     "taut_mesh_triangles": "p:p", "taut_mesh_welded": "p:p", "taut_mesh_group_count": "i:p", "taut_mesh_group_at": "p:pi",
     "taut_dirichlet_make": "i:pppp", "taut_dirichlet_certify": "i:ppppp",
-    "taut_gradient": "i:ppppp",
+    "taut_gradient": "i:ppppp", "taut_gradient_of_film": "i:ppppp",
 }
 _TYPES = {"p": c_void_p, "s": c_char_p, "i": c_int, "d": c_double, "z": c_size_t, "-": None}
 
@@ -132,6 +140,7 @@ LAYOUTS: dict[str, type[Structure]] = {
     "taut_error": ErrorStruct, "taut_monitor": MonitorStruct, "taut_make_options": MakeOptions, "taut_certify_options": CertifyOptions,
     "taut_measure_options": MeasureOptions, "taut_write_options": WriteOptions, "taut_mesh_options": MeshOptions,
     "taut_basis_spec": BasisSpec, "taut_claim": ClaimStruct, "taut_dirichlet_problem": DirichletProblem, "taut_gradient_request": GradientRequest,
+    "taut_film_gradient_request": FilmGradientRequest, "taut_film_slopes": FilmSlopes,
 }
 sizes: dict[str, int] = {}  # of all public structs, in bytes
 

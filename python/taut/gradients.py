@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from ctypes import byref
-from typing import Any, Union
+from typing import Any, NamedTuple, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -59,4 +59,62 @@ def gradient(problem: Document, model: Model, of: Union[str, npt.ArrayLike] = "a
     return result
 
 
-__all__ = ["gradient"]
+_FILM_FIGURES = {"energy": 0, "area": 1, "length": 2, "tension": 3, "reaction": 4}
+_EDGES, _CORNERS, _AXES = ("u0", "u1", "v0", "v1"), ("u0v0", "u1v0", "u0v1", "u1v1"), ("x", "y", "z")
+
+
+class FilmGradient(NamedTuple):
+    """How a number of a film changes with what it was made from: of film_gradient."""
+
+    corners: dict[str, Array]  #: (3,) of each corner "u0v0", ...: of those that are held where they are given, else 0
+    cables: dict[str, float]  #: of each cable "u0", ...: by its force, length, sag or unstressed length, whichever is given
+    stiffness: dict[str, float]  #: of each elastic cable
+    points: Array  #: (nu, nv, 3): by each held point of the net alone, as those of an edge on a curve; 0 elsewhere
+
+
+def _index(name: str, names: tuple[str, ...], what: str) -> int:
+    if name not in names:
+        raise InputError(f"{what} is {name!r}; expected one of {', '.join(names)}", "", "name")
+    return names.index(name)
+
+
+def _cables(model: Model) -> list[Any]:
+    details: Any = model.details
+    return list(details.get("cables", ()))
+
+
+def film_gradient(problem: Document, model: Model, of: str = "energy", edge: str = "u0", corner: str = "u0v0", axis: str = "x",
+                  progress: Progress | None = None) -> FilmGradient:
+    """dF/d(corners, forces, ...) of a film, F a number of its certificate.
+
+    problem    the document of one film that the model was made from, as taut.make takes it
+    model      taut.make(problem)
+    of         F: "energy", "area", "length" or "tension" of the cable `edge`, or "reaction" at the held `corner` along `axis`
+    progress   as of taut.make
+
+    By the adjoint: the energy needs no solve, all else one system, however much is given. A film of one patch, open, with the
+    method "full" and no updates of a reference; others are an InputError, reason "no-gradient". Source: docs/gradient.md.
+    """
+    problems = _problems(problem)
+    if library.taut_problem_list_count(problems.pointer) != 1:
+        raise InputError("a gradient is of one problem", "", "argument")
+    if not isinstance(model, Model) or not model.surfaces:
+        raise InputError("a gradient is of a model with a surface", "", "argument")
+    points, error = np.zeros(model.surfaces[0].points.shape), c.ErrorStruct()
+    slopes = c.FilmSlopes(points=points.ctypes.data)
+    request = c.FilmGradientRequest(of=_index(of, tuple(_FILM_FIGURES), "of"), edge=_index(edge, _EDGES, "edge"),
+                                    corner=_index(corner, _CORNERS, "corner"), axis=_index(axis, _AXES, "axis"))
+    with Watch(progress) as watch:
+        request.monitor = watch.monitor
+        status = library.taut_gradient_of_film(library.taut_problem_list_at(problems.pointer, 0), model._pointer, byref(request),
+                                               byref(slopes), byref(error))
+    if status != c.OK:
+        raise_for(status, error)
+    corners = np.array(slopes.corners).reshape(4, 3)
+    cables = {cable["edge"]: cable for cable in _cables(model)}
+    return FilmGradient({name: corners[i] for i, name in enumerate(_CORNERS)},
+                        {name: slopes.laws[i] for i, name in enumerate(_EDGES) if name in cables},
+                        {name: slopes.stiffness[i] for i, name in enumerate(_EDGES) if "unstressed" in cables.get(name, ())}, points)
+
+
+__all__ = ["FilmGradient", "film_gradient", "gradient"]

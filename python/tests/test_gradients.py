@@ -125,6 +125,41 @@ def test_descent(net):
     assert all(b < a for a, b in zip(areas, areas[1:]))
 
 
+SAIL = {"construct": "film", "u": taut.bspline(4, count=8), "v": taut.bspline(4, count=8), "least": False, "tolerance": 1e-13,
+        "corners": {"u0v0": [-1, -1, 0.5], "u1v0": [1, -1, -0.5], "u0v1": [-1, 1, -0.5], "u1v1": [1.2, 1.1, 0.6]},
+        "edges": {"u0": {"cable": {"force": 2}}, "v0": {"cable": {"unstressed": 2.2, "stiffness": 30}}, "v1": {"cable": {"sag": 0.12}}}}
+
+
+@pytest.mark.parametrize("of, edge", [("energy", "u0"), ("area", "u0"), ("length", "v1"), ("tension", "v0")])
+def test_films(of, edge):
+    """By corners and cables, one edge straight, against films made anew."""
+    def figure(corner, force, sag):
+        moved = {**SAIL, "corners": {**SAIL["corners"], "u1v1": corner.tolist()},
+                 "edges": {**SAIL["edges"], "u0": {"cable": {"force": force}}, "v1": {"cable": {"sag": sag}}}}
+        model = taut.make(moved)
+        value = model.certificate.figures[{"length": "lengths", "tension": "tensions"}.get(of, of)]
+        return value if of in ("energy", "area") else value[[cable["edge"] for cable in model.details["cables"]].index(edge)]
+
+    def along(h):
+        return figure(np.array(SAIL["corners"]["u1v1"]) + h * step, 2 + 0.4 * h, 0.12 + 0.02 * h)
+    found, step, h = taut.film_gradient(SAIL, taut.make(SAIL), of, edge=edge), np.array([0.3, -0.5, 0.7]), 1e-3
+    terms = [*(found.corners["u1v1"] * step), 0.4 * found.cables["u0"], 0.02 * found.cables["v1"]]
+    difference = (8 * (along(h) - along(-h)) - (along(2 * h) - along(-2 * h))) / (12 * h)
+    # two films differ by some 1e-11 of the number within themselves, which h makes 1e-8
+    assert abs(sum(terms) - difference) < 1e-7 * (np.abs(terms).sum() + abs(along(0)))
+    assert set(found.cables) == {"u0", "v0", "v1"} and set(found.stiffness) == {"v0"} and found.points.shape == (8, 8, 3)
+
+
+def test_films_refused(examples):
+    model = taut.make(SAIL)
+    ring = document(examples["film-ring"])
+    for wrong, reason in (((SAIL, model, "volume"), "name"), ((SAIL, model, "length", "u2"), "name"),
+                          ((SAIL, model, "tension", "u1"), "argument"), ((ring, taut.make(ring)), "no-gradient")):
+        with pytest.raises(taut.InputError) as caught:
+            taut.film_gradient(*wrong)
+        assert caught.value.reason == reason
+
+
 def test_refused(net, examples):
     problem = {"construct": "dirichlet", "u": taut.bezier(4), "v": taut.bezier(5), "points": net}
     model = taut.make(problem)

@@ -196,6 +196,13 @@
     X(taut_film_face, patch, "int") \
     X(taut_film_face, reversed, "unsigned char")
 
+#define TAUT_ABI_MEMBERS_taut_film_gradient_request(X) \
+    X(taut_film_gradient_request, of, "taut_film_gradient_of") \
+    X(taut_film_gradient_request, edge, "int") \
+    X(taut_film_gradient_request, corner, "int") \
+    X(taut_film_gradient_request, axis, "int") \
+    X(taut_film_gradient_request, monitor, "taut_monitor")
+
 #define TAUT_ABI_MEMBERS_taut_film_guide(X) \
     X(taut_film_guide, point, "double[3]") \
     X(taut_film_guide, direction, "double[3]")
@@ -239,6 +246,12 @@
     X(taut_film_side, patch, "int") \
     X(taut_film_side, edge, "int") \
     X(taut_film_side, reversed, "unsigned char")
+
+#define TAUT_ABI_MEMBERS_taut_film_slopes(X) \
+    X(taut_film_slopes, corners, "double[4][3]") \
+    X(taut_film_slopes, laws, "double[4]") \
+    X(taut_film_slopes, stiffness, "double[4]") \
+    X(taut_film_slopes, points, "double *")
 
 #define TAUT_ABI_MEMBERS_taut_forms(X) \
     X(taut_forms, e, "double") \
@@ -552,10 +565,12 @@
     X(taut_film_cell) \
     X(taut_film_edge) \
     X(taut_film_face) \
+    X(taut_film_gradient_request) \
     X(taut_film_guide) \
     X(taut_film_problem) \
     X(taut_film_seam) \
     X(taut_film_side) \
+    X(taut_film_slopes) \
     X(taut_forms) \
     X(taut_gradient_request) \
     X(taut_harmonic_boundary) \
@@ -637,6 +652,13 @@
     X(TAUT_FILM_CABLE, "cable") \
     X(TAUT_FILM_SLIDE, "slide") \
     X(TAUT_FILM_POLE, "pole")
+
+#define TAUT_ABI_VALUES_taut_film_gradient_of(X) \
+    X(TAUT_FILM_GRADIENT_ENERGY, "energy") \
+    X(TAUT_FILM_GRADIENT_AREA, "area") \
+    X(TAUT_FILM_GRADIENT_LENGTH, "length") \
+    X(TAUT_FILM_GRADIENT_TENSION, "tension") \
+    X(TAUT_FILM_GRADIENT_REACTION, "reaction")
 
 #define TAUT_ABI_VALUES_taut_film_law(X) \
     X(TAUT_FILM_FORCE, "force") \
@@ -784,6 +806,7 @@
     X(taut_extension_given) \
     X(taut_film_corner_kind) \
     X(taut_film_edge_kind) \
+    X(taut_film_gradient_of) \
     X(taut_film_law) \
     X(taut_film_method) \
     X(taut_film_ring) \

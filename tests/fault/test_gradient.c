@@ -90,6 +90,39 @@ static void derive_structs(void)
     problem_free(&net);
 }
 
+static taut_status derive_film(const void *context, void **result, taut_error *error)
+{
+    static taut_film_slopes slopes;
+    const request *r = context;
+    const taut_film_gradient_request area = {.of = TAUT_FILM_GRADIENT_AREA};
+    const taut_status status = taut_gradient_of_film(r->problem, r->model, &area, &slopes, error);
+    if (status == TAUT_OK) {
+        *result = &slopes;
+    }
+    return status;
+}
+
+/* A flat sail. */
+static void derive_sail(void)
+{
+    static const char text[] =
+        "{\"taut\":1,\"construct\":\"film\",\"u\":{\"type\":\"bezier\",\"degree\":2},"
+        "\"v\":{\"type\":\"bezier\",\"degree\":2},\"corners\":{\"u0v0\":[0,0,0],\"u1v0\":[2,0,0],"
+        "\"u0v1\":[0,2,0],\"u1v1\":[2,2,0]},\"edges\":{\"u0\":{\"cable\":{\"force\":2}},"
+        "\"u1\":{\"cable\":{\"length\":2.1}}}}";
+    request context = {NULL, NULL, {0}};
+    taut_problem *problem = NULL;
+    taut_model *model = NULL;
+
+    CHECK(taut_problem_read_text(text, strlen(text), "sail", &problem, NULL) == TAUT_OK, "sail");
+    CHECK(taut_make(problem, NULL, &model, NULL) == TAUT_OK, "sail");
+    context.problem = problem;
+    context.model = model;
+    fault_check("taut_gradient_of_film", derive_film, NULL, &context, 3);
+    taut_model_free(model);
+    taut_problem_free(problem);
+}
+
 #define NET                                                                                        \
     "\"u\":{\"type\":\"bezier\",\"degree\":3},\"v\":{\"type\":\"bezier\",\"degree\":3},"           \
     "\"points\":[[[0,0,0],[0,1,1],[0,2,1],[0,3,0]],[[1,0,1],null,null,[1,3,1]],"                   \
@@ -107,5 +140,6 @@ int main(void)
     derive_text("biharmonic", "{\"taut\":1,\"construct\":\"biharmonic\"," NET,
                 TAUT_GRADIENT_POINTS);
     derive_structs();
+    derive_sail();
     return check_failures != 0;
 }

@@ -125,6 +125,11 @@ taut_status taut_gradient(const taut_problem *problem, const taut_model *model,
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "taut_gradient needs a problem");
     }
+    if (problem->construct == TAUT_CONSTRUCT_INDEX_film) {
+        return taut_gradient_refuse("a film is derived by its corners and cables: call "
+                                    "taut_gradient_of_film (Python: taut.film_gradient)",
+                                    error);
+    }
     if (derive[problem->construct] == NULL) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "no-gradient", NULL, taut_none, taut_none,
                          "%s has no derivatives yet", taut_construct_name(problem->construct));
