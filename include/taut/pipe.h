@@ -127,6 +127,12 @@ typedef struct taut_pipe_route {
     int closed; /* nonzero: the last is joined to the first */
 } taut_pipe_route;
 
+/* What rounds a corner of a run. */
+typedef enum taut_pipe_elbow_kind {
+    TAUT_PIPE_ELBOW_BLEND = 0, /* a blend, whose curvature grows from its ends */
+    TAUT_PIPE_ELBOW_ARC /* a circular arc of the bend radius, as tube benders bend: a torus */
+} taut_pipe_elbow_kind;
+
 /* A run: round pipes of one radius, one after the other. */
 typedef struct taut_pipe_run_problem {
     taut_pipe_route route;
@@ -135,11 +141,15 @@ typedef struct taut_pipe_run_problem {
     taut_pipe_joint joint;
     double bend_radius; /* as above; 0: three radii for TAUT_PIPE_CORNERS, none for others */
     int caps;           /* nonzero: discs over the free ends, where it has any */
+    taut_pipe_elbow_kind
+        elbow; /* with TAUT_PIPE_ELBOW_ARC corners, `shape` has no part, and TAUT_PIPE_G1 */
 } taut_pipe_run_problem;
 
 /* What can be wrong with what is asked for, but for numbers out of range ("value", "size"): word,
  * meaning, remedy. */
 #define TAUT_PIPE_REASON_LIST(X)                                                                   \
+    X("arc-frame", "a closed run of arcs comes round turned, and arcs do not turn it back",        \
+      "leave \"elbow\" out, or keep the corners in one plane")                                     \
     X("bend-radius", "the axis bends more sharply than the bend radius asked for",                 \
       "ask for the one named, or take ends farther apart")                                         \
     X("canal-joint", "a canal surface is joined with equal curvatures",                            \
@@ -208,7 +218,8 @@ TAUT_API taut_status taut_pipe_make(const taut_pipe_problem *problem,
  * one verdict over all of it. Its model has surfaces pipe1, blend1, pipe2, ... in the order of
  * flow, and a curve axis-pipe1, axis-blend1, ... for each; straight pipes of no length are left
  * out. Corners: every elbow is the shortest of its shape with the least radius of curvature asked
- * for. Legs: handles are chosen as those of ends. The frame of a closed run comes round turned;
+ * for; or, with TAUT_PIPE_ELBOW_ARC, the arc of that radius, a rational curve of degree 2, and its surface
+ * the torus, of bidegree (2, 2). Legs: handles are chosen as those of ends. The frame of a closed run comes round turned;
  * what is left is distributed over its blends by their lengths.
  *
  * Caps and statuses as above. */

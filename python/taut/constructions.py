@@ -246,7 +246,8 @@ def pipe(*, unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, radius: fl
         sections: Sequence[Any] | None = None, polygon: npt.ArrayLike | None = None,
         from_: Mapping[str, Any] | None = None, to: Mapping[str, Any] | None = None,
         run: Union[npt.ArrayLike, Sequence[Any]] | None = None, closed: bool | None = None,
-        bend_radius: float | None = None, caps: bool | None = None, axes: Sequence[Any] | None = None,
+        bend_radius: Union[float, Literal["1D", "1.5D", "2D", "2.5D", "3D", "5D"]] | None = None,
+        elbow: Literal["blend", "arc"] | None = None, caps: bool | None = None, axes: Sequence[Any] | None = None,
         shape: Union[Literal["auto"], Mapping[str, Literal["bending", "curvature"]], Mapping[str, float]] | None = None,
         joint: Literal["g1", "g2"] | None = None, domain: Literal["strict", "extended"] | None = None,
         frame: Literal["rotation-minimizing", "frenet"] | None = None, pipe_lengths: Sequence[Any] | None = None,
@@ -265,7 +266,9 @@ def pipe(*, unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, radius: fl
     to                     as in docs/format.md
     run                    a chain of pipes: corners, or straight pipes in order of flow
     closed                 the run comes round to where it begins; false if not given
-    bend_radius            least radius of curvature of the axis; of corners three radii unless said; above 0
+    bend_radius            least radius of curvature of the axis, also in diameters; of corners three radii if not given
+    elbow                  of corners: blends, or circular arcs of the bend radius; one of "blend", "arc"; "blend" if
+                           not given
     caps                   discs over the free ends; false if not given
     axes                   two lines: V_1 and V_2 are the feet of their common perpendicular
     shape                  "auto" if not given
@@ -277,7 +280,7 @@ def pipe(*, unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, radius: fl
     """
     said: dict[str, Any] = {"unit": unit, "radius": radius, "radii": radii, "surface": surface, "sections": sections,
         "polygon": polygon, "from": from_, "to": to, "run": run, "closed": closed, "bend_radius": bend_radius,
-        "caps": caps, "axes": axes, "shape": shape, "joint": joint, "domain": domain, "frame": frame,
+        "elbow": elbow, "caps": caps, "axes": axes, "shape": shape, "joint": joint, "domain": domain, "frame": frame,
         "pipe_lengths": pipe_lengths}
     take_words(said, members, ["from"])
     return made_of("pipe", said, None, tolerance=tolerance, threads=threads, progress=progress, strict=strict)

@@ -408,7 +408,8 @@
     X(taut_pipe_run_problem, shape, "taut_pipe_shape") \
     X(taut_pipe_run_problem, joint, "taut_pipe_joint") \
     X(taut_pipe_run_problem, bend_radius, "double") \
-    X(taut_pipe_run_problem, caps, "int")
+    X(taut_pipe_run_problem, caps, "int") \
+    X(taut_pipe_run_problem, elbow, "taut_pipe_elbow_kind")
 
 #define TAUT_ABI_MEMBERS_taut_pipe_section(X) \
     X(taut_pipe_section, kind, "taut_pipe_section_kind") \
@@ -711,6 +712,10 @@
     X(TAUT_PIPE_ENDS, "ends") \
     X(TAUT_PIPE_FEET, "feet")
 
+#define TAUT_ABI_VALUES_taut_pipe_elbow_kind(X) \
+    X(TAUT_PIPE_ELBOW_BLEND, "blend") \
+    X(TAUT_PIPE_ELBOW_ARC, "arc")
+
 #define TAUT_ABI_VALUES_taut_pipe_frame(X) \
     X(TAUT_PIPE_ROTATION_MINIMIZING, "rotation-minimizing") \
     X(TAUT_PIPE_FRENET, "frenet")
@@ -817,6 +822,7 @@
     X(taut_join_kind) \
     X(taut_panels_kind) \
     X(taut_pipe_axis_kind) \
+    X(taut_pipe_elbow_kind) \
     X(taut_pipe_frame) \
     X(taut_pipe_joint) \
     X(taut_pipe_leg_kind) \

@@ -119,6 +119,35 @@ sed 's/"to": \[60, 40, 20\]/"to": [60, 160, 20]/' "$example/pipe-run-coil.json" 
 refused 3 'value /run/1/to found null expected another place.*' make edited.json
 sed 's/"radius": 1,/"radius": 1, "closed": true,/' "$example/pipe-paper.json" > edited.json
 refused 3 'conflict /closed' make edited.json
+
+# Arcs for elbows: tori between cylinders, of the bend radius in diameters; its bends are those of the table.
+arcs() { # arcs MEMBERS
+    printf '{ "taut": 1, "construct": "pipe", "radius": 2, "caps": true, "run": [[0,0,0],[40,0,0],[40,30,0],[40,30,26],[70,50,10]], %s }\n' "$1" > arcs.json
+}
+arcs '"elbow": "arc", "bend_radius": "1.5D"'
+run 0 make arcs.json -o made.json -o arcs.step -o bends.csv --report report.json
+run 0 certify made.json arcs.json
+run 0 certify made.json
+contains report.json '"max_curvature": 0\.1666666666666'
+[ "$(grep -c '=TOROIDAL_SURFACE(' arcs.step)" = 3 ] || complain "not three bends"
+[ "$(grep -c '=CYLINDRICAL_SURFACE(' arcs.step)" = 4 ] || complain "not four straight pipes"
+! grep -q B_SPLINE_SURFACE arcs.step || complain "an elbow is a spline"
+[ "$(grep -c ',6$' bends.csv)" = 3 ] || complain "bends: $(cat bends.csv)"
+arcs '"bend_radius": "1.5D"'
+run 1 certify made.json arcs.json
+arcs '"elbow": "arc", "bend_radius": "4D"'
+refused 3 'name /bend_radius' make arcs.json
+arcs '"elbow": "arc", "shape": "auto"'
+refused 3 'conflict /shape' make arcs.json
+arcs '"elbow": "arc", "joint": "g2"'
+refused 3 'conflict /elbow' make arcs.json
+arcs '"elbow": "round"'
+refused 3 'name /elbow' make arcs.json
+sed 's/"radius": 1,/"radius": 1, "elbow": "arc",/' "$example/pipe-paper.json" > edited.json
+refused 3 'conflict /elbow' make edited.json
+sed 's/"radius": 12/"radius": 12, "elbow": "arc"/' "$example/pipe-run-closed.json" > edited.json
+refused 4 'arc-frame /elbow' make edited.json -o never.json
+absent never.json
 sed 's/"radius": 1,/"radius": 1, "caps": true, "bend_radius": 1.9,/' "$example/pipe-paper.json" > edited.json
 run 0 make edited.json
 contains err.txt 'caps +holds'

@@ -1,6 +1,7 @@
 #include "certify/pipe/axis.h"
 
 #include "certify/common/bernstein.h"
+#include "certify/pipe/circle.h"
 #include "core/constants.h"
 #include "core/fail.h"
 #include "core/vec3.h"
@@ -45,6 +46,9 @@ void taut_pipe_piece_eval(const taut_pipe_piece *piece, double t, int order, dou
 double taut_pipe_piece_curvature(const taut_pipe_piece *piece, double t)
 {
     double d[3][3], cross[3], speed = 0;
+    if (piece->radius > 0) {
+        return 1 / piece->radius;
+    }
     taut_pipe_piece_eval(piece, t, 2, d);
     taut_cross(d[1], d[2], cross);
     speed = taut_norm(d[1]);
@@ -183,6 +187,13 @@ taut_status taut_pipe_line_of_run(const taut_curve *const *curves, int count, ta
     }
     for (int i = 0; i < count; i++) {
         taut_model *pieces = NULL;
+        taut_pipe_circle circle;
+        if (taut_pipe_circle_of(curves[i], &circle)) {
+            line->pieces[i] =
+                (taut_pipe_piece){.lo = i, .hi = i + 1, .radius = circle.radius / line->scale};
+            line->noise += taut_pipe_circle_piece(&circle, line, &line->pieces[i]);
+            continue;
+        }
         status = make_pieces(curves[i], line, &pieces, error);
         if (status != TAUT_OK) {
             return status;

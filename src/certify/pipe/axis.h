@@ -17,6 +17,7 @@ typedef struct taut_pipe_piece {
     double points[TAUT_PIPE_PIECE_DEGREE + 1][3];
     double lo, hi; /* its parameters on the curve */
     int flat[2];   /* nonzero: there is no curvature at that end, but for rounding */
+    double radius; /* of an arc, of which this is nearly the polynomial (circle.h); 0: none */
 } taut_pipe_piece;
 
 typedef struct taut_pipe_figures {
@@ -46,7 +47,7 @@ typedef struct taut_pipe_line {
  * without a direction at an end. The arena owns the pieces. */
 taut_status taut_pipe_line_of(const taut_curve *curve, taut_arena *arena, taut_pipe_line *line,
                               taut_error *error);
-/* From the curves of a run, one Bezier piece each, piece i over [i, i + 1]. */
+/* From the curves of a run, one Bezier piece or one arc each, piece i over [i, i + 1]. */
 taut_status taut_pipe_line_of_run(const taut_curve *const *curves, int count, taut_arena *arena,
                                   taut_pipe_line *line, taut_error *error);
 /* d[k][3]: the k-th derivative by the piece's own parameter in [0, 1], k = 0..order <= 3. */

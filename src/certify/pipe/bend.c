@@ -149,6 +149,9 @@ void taut_pipe_bound_curvature(const taut_pipe_line *line, taut_pipe_figures *fi
         b.index = i;
         record(&b, 0);
         record(&b, 1);
+        if (b.piece->radius > 0) {
+            continue;
+        }
         for (int k = 1; k < 64; k++) { /* a good first value drops most pieces at once */
             record(&b, k / 64.0);
         }
@@ -156,8 +159,10 @@ void taut_pipe_bound_curvature(const taut_pipe_line *line, taut_pipe_figures *fi
     }
     b.piece = &line->pieces[b.best_index];
     b.index = b.best_index;
-    polish(&b, 1.0 / 512);
-    locate_by_slope(&b);
+    if (b.piece->radius == 0) {
+        polish(&b, 1.0 / 512);
+        locate_by_slope(&b);
+    }
     figures->curvature = b.best > TAUT_PIPE_STRAIGHT ? b.best : 0;
     figures->curvature_at = b.piece->lo + b.best_t * (b.piece->hi - b.piece->lo);
 }

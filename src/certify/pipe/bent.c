@@ -7,7 +7,9 @@
  * by Bernstein coefficients, halved until they are all positive. One polynomial, so that what both
  * terms have in common cancels, and a largest curvature just below the limit is told from it.
  */
+#include "certify/pipe/circle.h"
 #include "certify/pipe/sweep.h"
+#include "core/constants.h"
 
 enum { DEPTH = 40, VISITS = 4000 };
 
@@ -39,7 +41,12 @@ static int prove_curve(taut_arena *arena, const taut_pipe_parts *parts, const ta
 {
     taut_pipe_sweep sweep = {.parts = parts};
     taut_field across[3];
+    taut_pipe_circle circle;
     int left = VISITS;
+    if (taut_pipe_circle_of(curve, &circle)) {
+        const double curvature = parts->line.scale / circle.radius;
+        return curvature * (1 + taut_pipe_circle_noise(parts, curve)) < limit;
+    }
     taut_pipe_sweep_curve(arena, curve, &sweep);
     if (!taut_pipe_sweep_derive(arena, &sweep)) {
         return 0;

@@ -32,6 +32,7 @@
 #include <string.h>
 
 enum { AROUND = 96, LOCAL = 10 /* functions alive on a span, at most */ };
+static const double weights_rounded = 4 * DBL_EPSILON;
 static const double gap_most = 1e-6; /* over the radius: no limit is larger */
 
 /* R_j and R_j' on the span of v. */
@@ -123,7 +124,21 @@ typedef struct joint_edge {
     int count;
     int exponent;    /* 2^exponent is about the radius: coordinates are of unit size over it */
     double sideways; /* what rounding of control points moves them by across the axis */
+    double unlike;   /* how far rounding of the next ring's weights moves the ways, at most */
 } joint_edge;
+
+/* By how much the weights of ring b are no multiple of those of ring a, over themselves. */
+static double unlike_weights(const taut_surface *s, int a, int b)
+{
+    const double *weights = taut_surface_weights(s);
+    const size_t nv = (size_t)taut_basis_count(taut_surface_v(s));
+    const double *wa = weights + (size_t)a * nv, *wb = weights + (size_t)b * nv;
+    double worst = 0;
+    for (size_t j = 0; weights != NULL && j < nv; j++) {
+        worst = taut_certify_max(worst, fabs((wb[j] / wb[0]) / (wa[j] / wa[0]) - 1));
+    }
+    return worst;
+}
 
 static int edge_of(const taut_pipe_parts *parts, int side, const taut_surface *surface, int last,
                    taut_arena *arena, joint_edge *edge)
@@ -149,7 +164,16 @@ static int edge_of(const taut_pipe_parts *parts, int side, const taut_surface *s
         changes[j % 3] = fmax(changes[j % 3], fabs(way));
     }
     edge->sideways = taut_pipe_sideways(parts, side, changes);
-    return have_same_weights(surface, row, last ? nu - 2 : 1);
+    if (have_same_weights(surface, row, last ? nu - 2 : 1)) {
+        return 1;
+    }
+    const double unlike = unlike_weights(surface, row, last ? nu - 2 : 1);
+    double wide = 0;
+    for (int j = 1; j < nv; j++) {
+        wide = fmax(wide, taut_distance(next, next + 3 * j));
+    }
+    edge->unlike = 2 * (unlike + 4 * DBL_EPSILON) * wide;
+    return unlike <= weights_rounded;
 }
 
 /* Do both rings have the same functions around? */
@@ -283,7 +307,9 @@ static double bound_joint(const taut_pipe_parts *parts, int side, taut_arena *ar
         double least = 0;
         const double lean = lean_of_ways(&edges[i], d, &least) / (b.upright * b.upright);
         sine += lean < b.lean[i] ? lean : b.lean[i];
+        sine += edges[i].unlike > 0 ? edges[i].unlike / (least * b.upright) : 0;
         *noise += edges[i].sideways > 0 ? edges[i].sideways / fmax(least, 0) : 0;
+        *noise += edges[i].unlike > 0 ? 2 * edges[i].unlike / (least * b.upright) : 0;
     }
     if (gap > gap_most * parts->radius) {
         *noise = 0; /* of normals: it explains no gap */

@@ -333,6 +333,7 @@ static taut_status certify(const taut_model *model, const void *data, const taut
 /* Along a straight pipe, along a blend, around either; the axis of a blend. */
 static const taut_expected_basis along_pipe = {.type = "bezier", .degree = {1, 1}};
 static const taut_expected_basis along_blend = {.type = "bspline"};
+static const taut_expected_basis along_arc = {.type = "bezier", .degree = {2, 2}};
 static const taut_expected_basis around = {.type = "bspline"};
 
 static taut_expected_basis axis_with(taut_pipe_joint joint)
@@ -344,7 +345,13 @@ static taut_expected_basis axis_with(taut_pipe_joint joint)
 /* In the order of flow: straight pipe i, where it has a length, is before blend i. */
 static void identify_run(const taut_pipe_run_problem *problem, taut_identity *identity)
 {
-    const taut_expected_basis bent = axis_with(problem != NULL ? problem->joint : TAUT_PIPE_G1);
+    const char *told =
+        taut_record_text(taut_record_get(taut_model_details(identity->model), "elbow"));
+    const int arcs = problem != NULL ? problem->elbow == TAUT_PIPE_ELBOW_ARC
+                                     : told != NULL && strcmp(told, "arc") == 0;
+    const taut_expected_basis bent =
+        arcs ? along_arc : axis_with(problem != NULL ? problem->joint : TAUT_PIPE_G1);
+    const taut_expected_basis *along = arcs ? &along_arc : &along_blend;
     int blends = 0;
     for (int i = 0; i < taut_model_surface_count(identity->model); i++) {
         const char *name = taut_surface_name(taut_model_surface(identity->model, i));
@@ -355,7 +362,7 @@ static void identify_run(const taut_pipe_run_problem *problem, taut_identity *id
         }
         snprintf(piece, sizeof piece, "%s%d", is_blend ? "blend" : "pipe", blends + 1);
         snprintf(axis, sizeof axis, "axis-%s", name);
-        taut_identity_surface(identity, i, piece, is_blend ? &along_blend : &along_pipe, &around);
+        taut_identity_surface(identity, i, piece, is_blend ? along : &along_pipe, &around);
         taut_identity_curve(identity, taut_identity_find_curve(identity, axis), axis,
                             is_blend ? &bent : &along_pipe);
         blends += is_blend;

@@ -234,9 +234,15 @@ static taut_status add_sweep(const taut_pipe_parts *parts, const taut_surface *s
 {
     taut_pipe_cover cover = {.bound = 0};
     taut_status status = TAUT_OK;
+    taut_pipe_circle circle;
     sweep->parts = parts;
     sweep->surface = surface;
     sweep->name = taut_surface_name(surface);
+    if (curve != NULL && taut_pipe_circle_of(curve, &circle)) {
+        taut_pipe_cover_torus(parts, surface, &circle, tolerance, &cover);
+        add_cover(all, &cover, sweep->name);
+        return TAUT_OK;
+    }
     sweep->radius = sweep->radius > 0 ? sweep->radius : parts->radius / parts->line.scale;
     sweep->tolerance = tolerance;
     if (curve != NULL) {

@@ -50,10 +50,24 @@ static void add_straight(const taut_pipe_run *run, int i, chain *c)
     c->count++;
 }
 
+static void add_round(const taut_pipe_run *run, const taut_pipe_elbow *e, chain *c)
+{
+    const int parts = taut_pipe_round_parts(&e->round, run->origin, run->scale, &c->arcs[c->count]);
+    for (int i = 0; i < parts; i++) {
+        memcpy(c->names[c->count], e->name, sizeof e->name);
+        c->from[c->count + 1] = c->from[c->count] + e->round.radius * e->round.angle / parts;
+        c->count++;
+    }
+}
+
 static void add_elbow(const taut_pipe_run *run, int i, chain *c)
 {
     const taut_pipe_elbow *e = &run->elbows[i];
     const double *start = e->task.polygon[0];
+    if (e->round.angle > 0) {
+        add_round(run, e, c);
+        return;
+    }
     taut_pipe_arc *const arc = &c->arcs[c->count];
     taut_pipe_bend bend;
     double edges[3][3];
@@ -74,7 +88,10 @@ static void add_elbow(const taut_pipe_run *run, int i, chain *c)
 
 static taut_status chain_pieces(taut_pipe_run *run, chain *c, taut_error *error)
 {
-    const size_t most = (size_t)run->straight_count + (size_t)run->elbow_count;
+    const size_t most =
+        (size_t)run->straight_count +
+        (size_t)run->elbow_count *
+            (run->problem->elbow == TAUT_PIPE_ELBOW_ARC ? TAUT_PIPE_ROUND_PARTS : 1);
     c->arcs = taut_arena_take(run->arena, most, sizeof *c->arcs);
     c->names = taut_arena_take(run->arena, most, sizeof *c->names);
     c->from = taut_arena_take(run->arena, most + 1, sizeof *c->from);

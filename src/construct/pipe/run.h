@@ -3,6 +3,7 @@
  *     1  where the straight pipes are, and the shape of each blend                    run_legs.c
  *     2  one axis of all, its largest radius, the verdict                             run.c
  *     3  the frame carried through, the blends as NURBS                               run_sweep.c
+ *        elbows that are arcs: all of this for them                                  run_arc.c
  *     4  the model                                                                    run_model.c
  */
 #ifndef TAUT_PIPE_RUN_H
@@ -18,6 +19,13 @@ typedef struct taut_pipe_straight {
     double length;
 } taut_pipe_straight;
 
+/* An elbow that is an arc, from `out` of its centre by `angle` towards `ahead`. */
+typedef struct taut_pipe_round {
+    double radius, angle;             /* angle 0: it is none */
+    double centre[3];                 /* absolute */
+    double out[3], ahead[3], axis[3]; /* unit */
+} taut_pipe_round;
+
 /* The blend from one straight pipe to the next. */
 typedef struct taut_pipe_elbow {
     taut_pipe_problem problem;
@@ -28,6 +36,7 @@ typedef struct taut_pipe_elbow {
     double turn;     /* and the angle it turns about the rotation-minimising one on the way */
     taut_pipe_blend blend;
     double *points; /* double[rows][TAUT_PIPE_RING][3], absolute */
+    taut_pipe_round round;
 } taut_pipe_elbow;
 
 typedef struct taut_pipe_run {
@@ -47,6 +56,18 @@ typedef struct taut_pipe_run {
 
 /* The numbers checked, straights and elbows settled, each elbow on its own. */
 taut_status taut_pipe_run_lay(taut_pipe_run *run, taut_error *error);
+/* Of an elbow that is an arc, its polygon settled (angle 0 else): `round`; the parts of it, short enough
+ * that a polynomial is as good, in coordinates about `origin` over `scale`, up to TAUT_PIPE_ROUND_PARTS; its
+ * rings, and the frame's vector after it; its surface and its axis. */
+enum { TAUT_PIPE_ROUND_PARTS = 16 };
+void taut_pipe_round_settle(const double from[3], const double to[3], taut_pipe_elbow *elbow);
+int taut_pipe_round_parts(const taut_pipe_round *round, const double origin[3], double scale,
+                          taut_pipe_arc parts[TAUT_PIPE_ROUND_PARTS]);
+taut_status taut_pipe_round_sweep(taut_pipe_run *run, taut_pipe_elbow *elbow, double u[3],
+                                  taut_error *error);
+taut_status taut_pipe_round_add(const taut_pipe_run *run, const taut_pipe_elbow *elbow,
+                                const taut_basis *v, taut_model *model, taut_error *error);
+
 taut_status taut_pipe_run_sweep(taut_pipe_run *run, double tolerance, taut_error *error);
 taut_status taut_pipe_run_model(taut_pipe_run *run, taut_model **model, taut_error *error);
 

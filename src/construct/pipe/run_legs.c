@@ -53,7 +53,8 @@ static taut_status check_run(const taut_pipe_run_problem *p, taut_error *error)
 {
     const taut_pipe_choice choices[] = {{"/run", (int)p->route.kind, TAUT_PIPE_LEGS},
                                         {"/shape", (int)p->shape.kind, TAUT_PIPE_LEAST_CURVATURE},
-                                        {"/joint", (int)p->joint, TAUT_PIPE_G2}};
+                                        {"/joint", (int)p->joint, TAUT_PIPE_G2},
+                                        {"/elbow", (int)p->elbow, TAUT_PIPE_ELBOW_ARC}};
     taut_status status = taut_pipe_check_choices(choices, sizeof choices / sizeof *choices, error);
     if (status != TAUT_OK) {
         return status;
@@ -62,6 +63,13 @@ static taut_status check_run(const taut_pipe_run_problem *p, taut_error *error)
         (p->route.kind == TAUT_PIPE_CORNERS ? p->route.corners == NULL : p->route.legs == NULL)) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "a run of %d legs needs the legs", p->route.count);
+    }
+    if (p->elbow == TAUT_PIPE_ELBOW_ARC &&
+        (p->route.kind != TAUT_PIPE_CORNERS || p->joint != TAUT_PIPE_G1)) {
+        return taut_fail_expected(error, TAUT_BAD_INPUT, "conflict", "/elbow", taut_none,
+                                  "corners, joined with equal tangent planes",
+                                  "arcs round the corners of a run, and are curved from their ends "
+                                  "on: give corners, and \"g1\"");
     }
     status = taut_pipe_check_length(p->radius, "/radius", error);
     if (status != TAUT_OK) {
@@ -328,6 +336,12 @@ static taut_status try_elbow(taut_pipe_run *run, int i, double *curvature, taut_
     const double cosine = taut_dot(a, b);
     taut_status status = TAUT_OK;
     begin_elbow(run, i, TAUT_PIPE_POLYGON);
+    if (run->problem->elbow == TAUT_PIPE_ELBOW_ARC) { /* tan(angle / 2) */
+        double across[3];
+        taut_cross(a, b, across);
+        *curvature = taut_norm(across) / (1 + cosine);
+        return TAUT_OK;
+    }
     e->problem.section.radius = unit_radius;
     e->problem.bend_radius = 0;
     for (int k = 0; k < 3; k++) {
@@ -358,7 +372,7 @@ static double largest_bend(const taut_pipe_run *run, const double *curvatures, i
             *leg = i;
         }
     }
-    return largest / (1 + TAUT_PIPE_SLACK);
+    return run->problem->elbow == TAUT_PIPE_ELBOW_ARC ? largest : largest / (1 + TAUT_PIPE_SLACK);
 }
 
 /* The elbow in its place: handles h along both legs, which get shorter by them. */
@@ -388,6 +402,10 @@ static taut_status place_elbow(taut_pipe_run *run, int i, double handle, const d
     memcpy(polygon[3], b->from, sizeof b->from);
     a->length = taut_distance(a->from, a->to);
     b->length = taut_distance(b->from, b->to);
+    if (run->problem->elbow == TAUT_PIPE_ELBOW_ARC) {
+        taut_pipe_round_settle(a->direction, b->direction, e);
+        return TAUT_OK;
+    }
     status = decide_elbow(run, e, NULL, error);
     e->problem.shape.kind = run->problem->shape.kind;
     return status;
@@ -430,8 +448,8 @@ static taut_status place_elbows(taut_pipe_run *run, const double *curvatures, co
     }
     for (int i = 0; i < run->elbow_count && status == TAUT_OK; i++) {
         const double *corner = corner_of(run, places[(i + 1) % run->straight_count]);
-        status = place_elbow(run, i, run->bend_radius * curvatures[i] * (1 + TAUT_PIPE_SLACK),
-                             corner, error);
+        const double slack = run->problem->elbow == TAUT_PIPE_ELBOW_ARC ? 0 : TAUT_PIPE_SLACK;
+        status = place_elbow(run, i, run->bend_radius * curvatures[i] * (1 + slack), corner, error);
     }
     return status;
 }

@@ -78,6 +78,9 @@ static taut_status add_elbow(run_maker *m, const taut_pipe_elbow *e, taut_error 
 {
     const taut_basis *u = NULL;
     char axis[40];
+    if (e->round.angle > 0) {
+        return taut_pipe_round_add(m->run, e, m->v, m->model, error);
+    }
     taut_status status = taut_pipe_basis_u(&e->task.arc, &e->blend, m->run->arena, &u, error);
     if (status != TAUT_OK) {
         return status;
@@ -110,6 +113,15 @@ static void add_elbow_details(const taut_pipe_elbow *e, taut_record *list)
     const taut_pipe_task *task = &e->task;
     taut_record *const item = taut_record_add_object(list, NULL);
     taut_record_add_text(item, "surface", e->name);
+    if (e->round.angle > 0) {
+        taut_record *const points = taut_record_add_list(item, "polygon");
+        for (int i = 0; i < 4; i++) {
+            taut_record_add_numbers(points, NULL, 3, e->problem.axis.polygon[i]);
+        }
+        taut_record_add_number(item, "radius", e->round.radius);
+        taut_record_add_number(item, "angle", e->round.angle);
+        return;
+    }
     taut_pipe_add_axis_details(task, item);
     taut_record_add_number(item, "least_bend_radius",
                            task->bend.curvature > 0 ? task->scale / task->bend.curvature
@@ -126,6 +138,9 @@ static taut_record *details_of(const taut_pipe_run *run)
     }
     taut_record_add_bool(details, "closed", run->closed);
     taut_record_add_text(details, "joint", run->problem->joint == TAUT_PIPE_G1 ? "g1" : "g2");
+    if (run->problem->elbow == TAUT_PIPE_ELBOW_ARC) {
+        taut_record_add_text(details, "elbow", "arc");
+    }
     if (run->closed) {
         taut_record_add_number(details, "holonomy", run->holonomy);
     }

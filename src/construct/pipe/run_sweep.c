@@ -14,6 +14,7 @@
 #include <string.h>
 
 enum { STEPS = 4096, INTERVALS = 16 };
+static const double frame_comes_round = 1e-12; /* an angle that is none */
 
 /* u made a unit vector across the tangent at one end of an elbow. */
 static void make_normal(const taut_pipe_elbow *e, int end, double u[3])
@@ -28,6 +29,30 @@ static void make_normal(const taut_pipe_elbow *e, int end, double u[3])
             u[k] /= size;
         }
     }
+}
+
+/* Arcs carry their frame as a body: what comes round turned stays so. */
+static taut_status sweep_rounds(taut_pipe_run *run, taut_error *error)
+{
+    const double *first = run->straights[0].direction;
+    double u[3], start[3], w[3];
+    taut_pipe_first_normal(first, u);
+    memcpy(start, u, sizeof start);
+    for (int i = 0; i < run->elbow_count; i++) {
+        const taut_status status = taut_pipe_round_sweep(run, &run->elbows[i], u, error);
+        if (status != TAUT_OK) {
+            return status;
+        }
+    }
+    taut_cross(first, u, w);
+    run->holonomy = taut_atan2(taut_dot(start, w), taut_dot(start, u));
+    if (run->closed && fabs(run->holonomy) > frame_comes_round) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "arc-frame", "/elbow", run->holonomy, 0,
+                         "ARC_FRAME: the frame comes round turned by %.6g, and arcs do not turn it "
+                         "back: leave \"elbow\" out, or keep the corners in one plane",
+                         run->holonomy);
+    }
+    return TAUT_OK;
 }
 
 /* The angle from the frame that came round to the first, and its parts. */
@@ -101,6 +126,13 @@ taut_status taut_pipe_run_sweep(taut_pipe_run *run, double tolerance, taut_error
     taut_status status = TAUT_OK;
     taut_pipe_jet jet;
 
+    if (run->problem->elbow == TAUT_PIPE_ELBOW_ARC) {
+        status = sweep_rounds(run, error);
+        if (status == TAUT_OK) {
+            weld_elbows(run);
+        }
+        return status;
+    }
     taut_pipe_arc_jet(&run->elbows[0].task.arc, 0, &jet);
     taut_pipe_first_normal(jet.tangent, run->elbows[0].first);
     memcpy(u, run->elbows[0].first, sizeof u);

@@ -16,7 +16,7 @@ enum { LEGS_MAX = 10000 };
 static const char *const members[] = {"radius",       "polygon", "from",     "to",     "axes",
                                       "run",          "closed",  "shape",    "domain", "frame",
                                       "pipe_lengths", "joint",   "sections", "radii",  "surface",
-                                      "bend_radius",  "caps",    NULL};
+                                      "bend_radius",  "caps",    "elbow",    NULL};
 static const char *const surface_words[] = {"canal", "naive-sweep", NULL};
 static const char *const section_members[] = {"a", "b", "direction", NULL};
 static const char *const end_members[] = {"point", "direction", "handle", NULL};
@@ -24,8 +24,11 @@ static const char *const leg_members[] = {"from", "to", "point", "direction", NU
 static const char *const shape_members[] = {"alpha", "beta", "gamma", "auto", NULL};
 static const char *const goal_words[] = {"bending", "curvature", NULL};
 static const char *const domain_words[] = {"strict", "extended", NULL};
+static const char *const elbow_words[] = {"blend", "arc", NULL};
 static const char *const joint_words[] = {"g1", "g2", NULL};
 static const char *const frame_words[] = {"rotation-minimizing", "frenet", NULL};
+static const char *const of_runs[] = {"elbow", NULL};
+static const char *const not_of_arcs[] = {"shape", "domain", NULL};
 /* What says of a single pipe that which a run settles itself. */
 static const char *const not_of_runs[] = {"frame", "pipe_lengths", "sections",
                                           "radii", "surface",      NULL};
@@ -252,14 +255,42 @@ static void read_route(taut_reader *document, taut_arena *arena, taut_pipe_route
     taut_reader_flag(document, "closed", &route->closed);
 }
 
+/* A length, or one of the standard ones, in diameters. */
+static void read_bend_radius(taut_reader *document, double radius, double *bend_radius)
+{
+    static const char *const words[] = {"1D", "1.5D", "2D", "2.5D", "3D", "5D", NULL};
+    static const double diameters[] = {1, 1.5, 2, 2.5, 3, 5};
+    const taut_json at = taut_json_member(document->object, "bend_radius");
+    int word = 0;
+
+    if (taut_json_kind_at(&at) != TAUT_JSON_STRING) {
+        taut_reader_optional(document, "bend_radius", read_positive, bend_radius);
+        return;
+    }
+    taut_reader_word(document, "bend_radius", words, &word);
+    if (document->status == TAUT_OK && !(radius > 0)) {
+        document->status = taut_json_expected(&at, document->error,
+                                              "a length: a pipe that is not "
+                                              "round has no one diameter");
+    }
+    *bend_radius = 2 * radius * diameters[word];
+}
+
 static void read_run(taut_reader *document, const taut_pipe_section *section, taut_arena *arena,
                      taut_pipe_run_problem *run)
 {
+    int elbow = TAUT_PIPE_ELBOW_BLEND;
+
     read_route(document, arena, &run->route);
     run->radius = section->radius; /* round: a run with other sections is refused */
     read_blending(document, &run->joint, &run->shape);
-    taut_reader_optional(document, "bend_radius", read_positive, &run->bend_radius);
+    read_bend_radius(document, run->radius, &run->bend_radius);
     taut_reader_flag(document, "caps", &run->caps);
+    taut_reader_optional_word(document, "elbow", elbow_words, &elbow);
+    run->elbow = (taut_pipe_elbow_kind)elbow;
+    if (run->elbow == TAUT_PIPE_ELBOW_ARC) {
+        taut_member_refuse(document, not_of_arcs, "beside arcs, which have no other shape");
+    }
 }
 
 static void read_blend(taut_reader *document, const taut_pipe_section *section,
@@ -267,6 +298,7 @@ static void read_blend(taut_reader *document, const taut_pipe_section *section,
 {
     int frame = TAUT_PIPE_ROTATION_MINIMIZING;
 
+    taut_member_refuse(document, of_runs, "without \"run\": only corners have elbows");
     read_axis(document, &blend->axis);
     blend->section = *section;
     read_blending(document, &blend->joint, &blend->shape);
@@ -276,7 +308,8 @@ static void read_blend(taut_reader *document, const taut_pipe_section *section,
         taut_reader_items(document, "pipe_lengths", 2, "lengths", read_length, blend->lengths,
                           sizeof blend->lengths[0]);
     }
-    taut_reader_optional(document, "bend_radius", read_positive, &blend->bend_radius);
+    read_bend_radius(document, section->kind == TAUT_PIPE_ROUND ? section->radius : 0,
+                     &blend->bend_radius);
     taut_reader_flag(document, "caps", &blend->caps);
 }
 

@@ -242,8 +242,10 @@ static void fit_turned(const rows *net, taut_step_form *form)
             row_distance(net, i, &ring, form->origin, form->axis, i % 2 == 1 ? reach : 1);
         const double weight = i % 2 == 1 ? 1 / reach : 1;
         const double unlike = fabs(weight_at(net, i, 0) / weight_at(net, 0, 0) / weight - 1);
-        form->distance = fmax(form->distance, apart);
-        if (!(unlike <= 16 * TAUT_UNIT_ROUNDOFF)) {
+        /* a weight that is off moves a point by as much of the way between control points */
+        const double by = 4 * unlike * reach * (form->radius + form->rings[0].radius);
+        form->distance = fmax(form->distance, apart + by);
+        if (!isfinite(by)) {
             form->distance = INFINITY;
         }
     }
