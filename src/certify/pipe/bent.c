@@ -9,7 +9,6 @@
  */
 #include "certify/pipe/circle.h"
 #include "certify/pipe/sweep.h"
-#include "core/constants.h"
 
 enum { DEPTH = 40, VISITS = 4000 };
 
@@ -45,7 +44,7 @@ static int prove_curve(taut_arena *arena, const taut_pipe_parts *parts, const ta
     int left = VISITS;
     if (taut_pipe_circle_of(curve, &circle)) {
         const double curvature = parts->line.scale / circle.radius;
-        return curvature * (1 + taut_pipe_circle_noise(parts, curve)) < limit;
+        return curvature * (1 + taut_pipe_circle_noise(curve, parts->size)) < limit;
     }
     taut_pipe_sweep_curve(arena, curve, &sweep);
     if (!taut_pipe_sweep_derive(arena, &sweep)) {

@@ -1,5 +1,6 @@
 #include "certify/pipe/circle.h"
 
+#include "core/constants.h"
 #include "core/elementary/elementary.h"
 #include "core/vec3.h"
 
@@ -79,4 +80,10 @@ double taut_pipe_circle_piece(const taut_pipe_circle *circle, const taut_pipe_li
         off *= 0.5 * circle->angle / k;
     }
     return off + circle->miss / line->scale;
+}
+
+double taut_pipe_circle_noise(const taut_curve *curve, double size)
+{
+    const double *p = taut_curve_points(curve);
+    return 16 * TAUT_UNIT_ROUNDOFF * (1 + size / taut_distance(p, p + 3));
 }

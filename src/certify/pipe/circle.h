@@ -24,5 +24,7 @@ void taut_pipe_circle_directions(const taut_pipe_circle *circle, double angle, d
 /* The polynomial, in the line's coordinates, and how far it is off in them. */
 double taut_pipe_circle_piece(const taut_pipe_circle *circle, const taut_pipe_line *line,
                               taut_pipe_piece *piece);
+/* What rounding of coordinates up to `size` makes of an arc's radius, over itself. */
+double taut_pipe_circle_noise(const taut_curve *curve, double size);
 
 #endif /* TAUT_CERTIFY_PIPE_CIRCLE_H */

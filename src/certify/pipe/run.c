@@ -261,7 +261,7 @@ static double noise_of_arcs(const taut_pipe_run_parts *run)
     double noise = 0;
     for (int i = 0; i < run->count; i++) {
         if (run->parts.line.pieces[i].radius > 0) {
-            noise = fmax(noise, 4 * taut_pipe_circle_noise(&run->parts, run->curves[i]));
+            noise = fmax(noise, 4 * taut_pipe_circle_noise(run->curves[i], run->parts.size));
         }
     }
     return noise;

@@ -58,11 +58,10 @@ int taut_pipe_patch_of(taut_arena *arena, const taut_pipe_sweep *sweep, int i, i
 void taut_pipe_patch_halve(taut_arena *arena, const taut_pipe_patch *patch, int direction,
                            taut_pipe_patch halves[2]);
 
-/* The torus about an arc: is the surface it? (torus.c) What rounding makes of the arc's radius, over itself. */
+/* The torus about an arc: is the surface it? (torus.c) */
 void taut_pipe_cover_torus(const taut_pipe_parts *parts, const taut_surface *surface,
                            const taut_pipe_circle *circle, double tolerance,
                            taut_pipe_cover *cover);
-double taut_pipe_circle_noise(const taut_pipe_parts *parts, const taut_curve *curve);
 
 /* +1: f is proved to be positive everywhere; -1: it is not so somewhere, rounding counted; 0: neither
  * is known (bent.c). *left: the pieces that may still be looked at. */

@@ -109,9 +109,3 @@ void taut_pipe_cover_torus(const taut_pipe_parts *parts, const taut_surface *sur
             ""; /* a point of the net is not on the surface, but no torus has such a net */
     }
 }
-
-double taut_pipe_circle_noise(const taut_pipe_parts *parts, const taut_curve *curve)
-{
-    const double *p = taut_curve_points(curve);
-    return 16 * TAUT_UNIT_ROUNDOFF * (1 + parts->size / taut_distance(p, p + 3));
-}
