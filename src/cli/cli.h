@@ -46,6 +46,7 @@ typedef struct cli_options {
     const char *cut;
     const char *play;
     int judge_panels;      /* trace --panels */
+    int solid;             /* trace, make: --solid */
     const char *cut_sheet; /* trace --sheet */
     int cells;
     int both;
@@ -122,6 +123,11 @@ typedef struct cli_command {
     {                                                                                              \
         "--threads", CLI_INTEGER, offsetof(cli_options, threads), 0, 1, TAUT_THREADS_MAX, "N",     \
             "use N threads (the result is the same for any number)"                                \
+    }
+#define CLI_SOLID                                                                                  \
+    {                                                                                              \
+        "--solid", CLI_FLAG, offsetof(cli_options, solid), 0, 0, 0, NULL,                          \
+            "CAD and meshes: laths of a net as solids of their thickness, not as strips"           \
     }
 #define CLI_SHEET                                                                                  \
     {                                                                                              \
@@ -327,6 +333,12 @@ const char *cli_unit_of(const char *key, const char *unit, char room[CLI_UNIT_RO
 int cli_is_picture(const char *path);
 /* Nonzero where the format of a path is taut's own. */
 int cli_is_json(const char *path);
+/* The model that a file at `path` gets, *written: laths of a net as strips, or solids (options->solid), in CAD and
+ * meshes, which *strips (NULL before the first) then holds, the caller's; else the model itself. 0 or the exit
+ * code. */
+int cli_strips(const taut_model *model, const cli_options *options, const char *path,
+               taut_model **strips, const taut_model **written);
+
 /* Writes the model to every -o, or as JSON to standard output without one; where `nurbs` is not
  * NULL it stands for the model in JSON, within `bound` of it; where `shown` is not, it does in pictures. 0 or the exit code. */
 int cli_write_or_nurbs(const taut_model *model, const taut_model *nurbs, double bound,

@@ -12,7 +12,9 @@ static int stage(taut_outputs *outputs, const cli_options *options, cli_report *
                  const char **written, double *bounds)
 {
     const int holds = taut_certificate_holds(report->certificate) != TAUT_FALSE;
+    const taut_model *model = report->model;
     taut_write_options chosen;
+    taut_model *strips = NULL;
     taut_error error;
     int code = cli_write_options(options, &chosen);
 
@@ -28,12 +30,15 @@ static int stage(taut_outputs *outputs, const cli_options *options, cli_report *
         }
         bounds[report->output_count] = (double)NAN;
         chosen.bound = &bounds[report->output_count];
-        if (taut_outputs_model(outputs, report->model, options->outputs[i], &chosen, &error) !=
-            TAUT_OK) {
+        code = cli_strips(report->model, options, options->outputs[i], &strips, &model);
+        chosen.surface = model == report->model ? options->surface : NULL;
+        if (code == 0 &&
+            taut_outputs_model(outputs, model, options->outputs[i], &chosen, &error) != TAUT_OK) {
             code = cli_fail_at(options->outputs[i], &error);
         }
         written[report->output_count++] = options->outputs[i];
     }
+    taut_model_free(strips);
     return code;
 }
 
@@ -135,6 +140,7 @@ static const cli_option options_of_make[] = {
      "end each making after S seconds with the best so far, which need not pass its proof"},
     CLI_DIVIDE,
     CLI_SHEET,
+    CLI_SOLID,
     CLI_COEFFICIENTS,
     CLI_THREADS,
     CLI_FIGURE,

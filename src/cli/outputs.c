@@ -165,6 +165,7 @@ int cli_write_or_nurbs(const taut_model *model, const taut_model *nurbs, double 
     const int count = options->output_count > 0 ? options->output_count : 1;
     taut_write_options chosen;
     taut_outputs *outputs = NULL;
+    taut_model *strips = NULL;
     taut_error error;
     double bounds[CLI_LIST_MAX];
     int code = cli_write_options(options, &chosen);
@@ -177,15 +178,20 @@ int cli_write_or_nurbs(const taut_model *model, const taut_model *nurbs, double 
         const taut_model *written = stands_in                                   ? nurbs
                                     : shown != NULL && cli_is_picture(paths[i]) ? shown
                                                                                 : model;
+        if (written == model && options->surface == NULL) {
+            code = cli_strips(model, options, paths[i], &strips, &written);
+        }
         bounds[i] = stands_in ? bound : (double)NAN;
         chosen.bound = &bounds[i];
-        if (taut_outputs_model(outputs, written, paths[i], &chosen, &error) != TAUT_OK) {
+        if (code == 0 &&
+            taut_outputs_model(outputs, written, paths[i], &chosen, &error) != TAUT_OK) {
             code = cli_fail_at(paths[i], &error);
         }
     }
     if (code == 0) {
         code = cli_commit(outputs);
     }
+    taut_model_free(strips);
     cli_monitor_done();
     /* what was approximated is not kept quiet */
     for (int i = 0; i < count && code == 0 && !options->json; i++) {

@@ -373,6 +373,7 @@ static const cli_option options_of_trace[] = {
      "of the slots (default 0.2 mm, at most the thickness)"},
     {"--panels", CLI_FLAG, offsetof(cli_options, judge_panels), 0, 0, 0, NULL,
      "principal nets: how plane the quads between nodes are"},
+    CLI_SOLID,
     {"--sheet", CLI_TEXT, offsetof(cli_options, cut_sheet), 0, 0, 0, "WxH",
      "the sheets that the laths are cut from (default: one as large as they need)"},
     CLI_SURFACE,

@@ -129,6 +129,17 @@ refused 3 'kind /of' make nested.json -o none.json --quiet
 echo '{ "taut": 1, "trace": "asymptotic", "of": "self.json" }' > self.json
 refused 3 'kind /of' make self.json -o none.json --quiet
 refused 2 'net' trace roof.json --net asymptotic --panels -o none.json
+# laths go to CAD and to meshes as strips, or as solids of their thickness
+run 0 trace words.json --net asymptotic --cells 3 --strip standing --width 0.02 --thickness 0.002 --quiet -o laths.json -o strips.step -o strips.glb
+run 0 trace words.json --net asymptotic --cells 3 --strip standing --width 0.02 --thickness 0.002 --solid --quiet -o solids.step -o solids.obj
+contains strips.step 'A1-strip'
+contains solids.step 'MANIFOLD_SOLID_BREP'
+contains solids.obj 'A1-front'
+run 0 convert laths.json --solid -o again.step
+cmp -s solids.step again.step || complain "solids of a model that is read again are others"
+refused 4 'width' trace words.json --net asymptotic --cells 3 --solid -o none.step --quiet
+refused 4 'missing' trace words.json --net asymptotic --cells 3 --strip standing --width 0.02 --solid -o none.step --quiet
+absent none.step
 run 0 trace words.json --net principal --cells 3 --panels --quiet -o panels.json
 contains panels.json '"panel_count": [1-9]'
 echo '{ "taut": 1, "trace": "asymptotic", "of": "roof.json", "unit": "ft" }' > foot.json

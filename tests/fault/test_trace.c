@@ -21,14 +21,26 @@ static taut_status make(const void *context, void **result, taut_error *error)
     return status;
 }
 
+static taut_status strips(const void *context, void **result, taut_error *error)
+{
+    taut_model *model = *result;
+    const taut_status status = taut_trace_strips(context, 1, &model, error);
+    *result = model;
+    return status;
+}
+
 int main(void)
 {
     taut_problem *problem = NULL;
+    taut_model *net = NULL;
 
     CHECK(taut_problem_read_text(document, sizeof document - 1, "net", &problem, NULL) == TAUT_OK,
           "the document");
     fault_check("read", read_problem_text, release_problem, document, 5);
     fault_check("make", make, release_model, problem, 50);
+    CHECK(taut_make(problem, NULL, &net, NULL) == TAUT_OK, "the net");
+    fault_check("strips", strips, release_model, net, 10);
+    taut_model_free(net);
     taut_problem_free(problem);
     return check_failures != 0;
 }

@@ -131,9 +131,11 @@ static void describe_slots(const taut_net *net, const taut_strip *strip, taut_re
 
 static void describe_strip(const taut_net *net, const taut_strip *strip, taut_record *at)
 {
+    static const char *const strips[] = {"standing", "plank", "developable", "envelope"};
     const taut_trace_laths *laths = net->problem->laths;
     const int scale = net->carrier->scale;
 
+    taut_record_add_text(at, "strip", strips[laths->strip]);
     if (laths->width > 0) {
         taut_record_add_number(at, "width", laths->width);
     }

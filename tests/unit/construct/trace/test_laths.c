@@ -2,7 +2,9 @@
  * the fibres of the strips in space by differences. */
 #include "check.h"
 #include "core/constants.h"
+#include "core/vec3.h"
 #include "nets.h"
+#include "numeric/quadrature.h"
 
 #include <math.h>
 #include <string.h>
@@ -344,8 +346,84 @@ static void test_options(void)
     net_free(&plain);
 }
 
+static double area_of(const taut_model *model)
+{
+    double sum = 0;
+    for (int i = 0; i < taut_model_surface_count(model); i++) {
+        enum { NODES = 12 };
+        const taut_surface *surface = taut_model_surface(model, i);
+        const taut_basis *u = taut_surface_u(surface);
+        double nodes[NODES], weights[NODES];
+        taut_gauss_rule(NODES, nodes, weights);
+        for (int k = 0; k < taut_basis_span_count(u); k++) {
+            const double *b = taut_basis_breaks(u) + k;
+            for (int n = 0; n < NODES * NODES; n++) {
+                double x[3][3], normal[3];
+                taut_surface_eval(surface, (b[0] + b[1]) / 2 + (b[1] - b[0]) / 2 * nodes[n / NODES],
+                                  (1 + nodes[n % NODES]) / 2, 1, x[0]);
+                taut_cross(x[1], x[2], normal);
+                sum += weights[n / NODES] * weights[n % NODES] * (b[1] - b[0]) / 4 *
+                       taut_length(normal);
+            }
+        }
+    }
+    return sum;
+}
+
+/* Strips in space: as large as their mean length times their width says; solids have six faces that share their
+ * corners. */
+static void test_strips(void)
+{
+    static const char *const strips[] = {"standing", "plank", "developable"};
+    const char *piece = "{ \"taut\": 1, \"construct\": \"bonnet\", \"lambda\": 0, \"sign\": \"+\", "
+                        "\"alpha\": 0.6, \"beta\": 0.6, \"start\": [0.4, 0.4] }";
+    for (int k = 0; k < 3; k++) {
+        char laths[120];
+        taut_model *made = NULL, *solid = NULL;
+        taut_error error = {.status = TAUT_OK};
+        snprintf(laths, sizeof laths, "\"strip\": \"%s\", \"width\": 0.08, \"thickness\": 0.003",
+                 strips[k]);
+        made_net net =
+            k == 1 ? with_laths("geodesic", piece,
+                                "\"seeds\": [{ \"at\": [0.7, 0.7], \"direction\": [1, 0.4], "
+                                "\"both\": true }]",
+                                laths)
+                   : with_laths("asymptotic", piece,
+                                "\"seeds\": [{ \"at\": [0.7, 0.7], \"family\": \"+\" }]", laths);
+        const char *name = k == 1 ? "G1" : "A1";
+        CHECK(taut_trace_strips(net.model, 0, &made, &error) == TAUT_OK, "%s", error.message);
+        CHECK(taut_model_surface_count(made) == 1 && taut_model_curve_count(made) == 1, "%d",
+              taut_model_surface_count(made));
+        const double mean =
+            net_number(&net, name, "length") + net_number(&net, name, "mean_stretch");
+        /* developable: eta by the curve's own second derivative */
+        CHECK_NEAR(area_of(made), 0.08 * mean, k < 2 ? 1e-10 : 1e-8, "%s", strips[k]);
+        CHECK(taut_trace_strips(net.model, 1, &solid, &error) == TAUT_OK, "%s", error.message);
+        CHECK(taut_model_surface_count(solid) == 6, "%d", taut_model_surface_count(solid));
+        double x[2][3];
+        for (int face = 0; face < 4; face++) { /* where one ends the next one begins */
+            const taut_surface *a = taut_model_surface(solid, face);
+            const taut_surface *b = taut_model_surface(solid, (face + 1) % 4);
+            taut_surface_eval(a, taut_basis_lo(taut_surface_u(a)), 1, 0, x[0]);
+            taut_surface_eval(b, taut_basis_lo(taut_surface_u(b)), 0, 0, x[1]);
+            CHECK(taut_length_between(x[0], x[1]) == 0, "face %d", face);
+        }
+        taut_model_free(made);
+        taut_model_free(solid);
+        net_free(&net);
+    }
+    taut_model *none = NULL;
+    taut_error error = {.status = TAUT_OK};
+    made_net net = net_make("asymptotic", piece, "\"seeds\": [{ \"at\": [0.7, 0.7] }]");
+    CHECK(taut_trace_strips(net.model, 0, &none, &error) == TAUT_NO_SOLUTION && none == NULL, "%s",
+          error.message);
+    CHECK(strcmp(error.reason, "width") == 0, "%s", error.reason);
+    net_free(&net);
+}
+
 int main(void)
 {
+    test_strips();
     test_stretch();
     test_stress();
     test_mean();
