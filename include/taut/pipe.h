@@ -143,6 +143,9 @@ typedef struct taut_pipe_run_problem {
     int caps;           /* nonzero: discs over the free ends, where it has any */
     taut_pipe_elbow_kind
         elbow; /* with TAUT_PIPE_ELBOW_ARC corners, `shape` has no part, and TAUT_PIPE_G1 */
+    double
+        wall; /* > 0, below the radius: an inner surface as far inside, rings over the free ends of an open
+                  * run; 0: none */
 } taut_pipe_run_problem;
 
 /* What can be wrong with what is asked for, but for numbers out of range ("value", "size"): word,
@@ -221,6 +224,9 @@ TAUT_API taut_status taut_pipe_make(const taut_pipe_problem *problem,
  * for; or, with TAUT_PIPE_ELBOW_ARC, the arc of that radius, a rational curve of degree 2, and its surface
  * the torus, of bidegree (2, 2). Legs: handles are chosen as those of ends. The frame of a closed run comes round turned;
  * what is left is distributed over its blends by their lengths.
+ *
+ * With a wall surfaces inner-pipe1, inner-blend1, ... follow, about the same axes at radius - wall; cap1 and
+ * cap2 are then the rings between them and the outer ones.
  *
  * Caps and statuses as above. */
 TAUT_API taut_status taut_pipe_run_make(const taut_pipe_run_problem *problem,

@@ -247,7 +247,8 @@ def pipe(*, unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, radius: fl
         from_: Mapping[str, Any] | None = None, to: Mapping[str, Any] | None = None,
         run: Union[npt.ArrayLike, Sequence[Any]] | None = None, closed: bool | None = None,
         bend_radius: Union[float, Literal["1D", "1.5D", "2D", "2.5D", "3D", "5D"]] | None = None,
-        elbow: Literal["blend", "arc"] | None = None, caps: bool | None = None, axes: Sequence[Any] | None = None,
+        elbow: Literal["blend", "arc"] | None = None, caps: bool | None = None, wall: float | None = None,
+        axes: Sequence[Any] | None = None,
         shape: Union[Literal["auto"], Mapping[str, Literal["bending", "curvature"]], Mapping[str, float]] | None = None,
         joint: Literal["g1", "g2"] | None = None, domain: Literal["strict", "extended"] | None = None,
         frame: Literal["rotation-minimizing", "frenet"] | None = None, pipe_lengths: Sequence[Any] | None = None,
@@ -270,6 +271,7 @@ def pipe(*, unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, radius: fl
     elbow                  of corners: blends, or circular arcs of the bend radius; one of "blend", "arc"; "blend" if
                            not given
     caps                   discs over the free ends; false if not given
+    wall                   of an open run: how thick it is, inwards from the radius; above 0
     axes                   two lines: V_1 and V_2 are the feet of their common perpendicular
     shape                  "auto" if not given
     joint                  equal tangent planes, or equal curvatures too; one of "g1", "g2"; "g1" if not given
@@ -280,8 +282,8 @@ def pipe(*, unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, radius: fl
     """
     said: dict[str, Any] = {"unit": unit, "radius": radius, "radii": radii, "surface": surface, "sections": sections,
         "polygon": polygon, "from": from_, "to": to, "run": run, "closed": closed, "bend_radius": bend_radius,
-        "elbow": elbow, "caps": caps, "axes": axes, "shape": shape, "joint": joint, "domain": domain, "frame": frame,
-        "pipe_lengths": pipe_lengths}
+        "elbow": elbow, "caps": caps, "wall": wall, "axes": axes, "shape": shape, "joint": joint, "domain": domain,
+        "frame": frame, "pipe_lengths": pipe_lengths}
     take_words(said, members, ["from"])
     return made_of("pipe", said, None, tolerance=tolerance, threads=threads, progress=progress, strict=strict)
 

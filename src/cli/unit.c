@@ -41,6 +41,7 @@ const char *cli_unit_of(const char *key, const char *unit, char room[CLI_UNIT_RO
                 {"bounding_box", 1},
                 {"largest_radius", 1},
                 {"volume", 3},
+                {"wall_volume", 3},
                 {"max_curvature", -1},
                 {"mean_curvature", -1},
                 {"max_torsion", -1},

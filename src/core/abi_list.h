@@ -409,7 +409,8 @@
     X(taut_pipe_run_problem, joint, "taut_pipe_joint") \
     X(taut_pipe_run_problem, bend_radius, "double") \
     X(taut_pipe_run_problem, caps, "int") \
-    X(taut_pipe_run_problem, elbow, "taut_pipe_elbow_kind")
+    X(taut_pipe_run_problem, elbow, "taut_pipe_elbow_kind") \
+    X(taut_pipe_run_problem, wall, "double")
 
 #define TAUT_ABI_MEMBERS_taut_pipe_section(X) \
     X(taut_pipe_section, kind, "taut_pipe_section_kind") \

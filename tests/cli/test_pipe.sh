@@ -133,6 +133,19 @@ contains report.json '"max_curvature": 0\.1666666666666'
 [ "$(grep -c '=CYLINDRICAL_SURFACE(' arcs.step)" = 4 ] || complain "not four straight pipes"
 ! grep -q B_SPLINE_SURFACE arcs.step || complain "an elbow is a spline"
 [ "$(grep -c ',6$' bends.csv)" = 3 ] || complain "bends: $(cat bends.csv)"
+arcs '"elbow": "arc", "bend_radius": "1.5D", "wall": 0.3'
+run 0 make arcs.json --quiet -o walled.json -o walled.step
+run 0 certify walled.json arcs.json
+run 0 certify walled.json
+[ "$(grep -c MANIFOLD_SOLID_BREP walled.step)" = 1 ] || complain "a tube with a wall is not one solid"
+[ "$(grep -c 'FACE_BOUND(' walled.step)" = 2 ] || complain "not two rings"
+run 1 certify made.json arcs.json
+arcs '"wall": 2.1'
+refused 3 'value /wall' make arcs.json
+arcs '"wall": 0'
+refused 3 'value /wall' make arcs.json
+sed 's/"radius": 12/"radius": 12, "wall": 1/' "$example/pipe-run-closed.json" > edited.json
+refused 3 'conflict /wall' make edited.json
 arcs '"bend_radius": "1.5D"'
 run 1 certify made.json arcs.json
 arcs '"elbow": "arc", "bend_radius": "4D"'

@@ -165,6 +165,47 @@ static void test_broken(void)
     taut_model_free(model);
 }
 
+/* Inside and outside of random runs, arcs or blends; an inside that is broken or missing is seen. */
+static void test_walls(void)
+{
+    for (int trial = 0; trial < random_trials(4); trial++) {
+        pipe_random r;
+        taut_model *model = NULL;
+        pipe_random_run(trial % 2, &r);
+        r.problem.radius = 0.02;
+        r.problem.elbow = trial % 4 < 2 ? TAUT_PIPE_ELBOW_ARC : TAUT_PIPE_ELBOW_BLEND;
+        r.problem.joint = trial % 4 < 3 ? TAUT_PIPE_G1 : TAUT_PIPE_G2;
+        r.problem.wall = 1e-3;
+        model = pipe_random_made(&r, 1e-6);
+        taut_certificate *certificate = pipe_run_proved(model, &r.problem, 1e-6);
+        const double a = r.problem.radius, b = a - r.problem.wall;
+        CHECK(claim_of(certificate, "inner_joints")->holds == TAUT_TRUE &&
+                  claim_of(certificate, "inner_tube")->holds == TAUT_TRUE &&
+                  claim_of(certificate, "caps")->holds == TAUT_TRUE &&
+                  (r.problem.joint == TAUT_PIPE_G1 ||
+                   claim_of(certificate, "inner_curvatures")->holds == TAUT_TRUE),
+              "trial %d: %s, %s, %s", trial, claim_of(certificate, "inner_joints")->where,
+              claim_of(certificate, "inner_tube")->where, claim_of(certificate, "caps")->where);
+        const double material = TAUT_PI * (a * a - b * b) * figure_of(certificate, "length");
+        CHECK_NEAR(figure_of(certificate, "wall_volume"), material, 1e-12 * material, "trial %d",
+                   trial);
+        r.problem.wall *= 1.001; /* asked for a thicker one */
+        CHECK(pipe_run_verdict(model, &r.problem, "inner_tube") == TAUT_FALSE, "trial %d", trial);
+        r.problem.wall /= 1.001;
+        if (r.problem.elbow == TAUT_PIPE_ELBOW_ARC) {
+            taut_model *tube = broken(model, "inner-blend1", 4, 1e-3 * b, 0);
+            taut_model *ring = broken(model, "cap1", 12, 1e-3 * b, 0);
+            CHECK(pipe_run_verdict(tube, &r.problem, "inner_tube") == TAUT_FALSE, "trial %d",
+                  trial);
+            CHECK(pipe_run_verdict(ring, &r.problem, "caps") == TAUT_FALSE, "trial %d", trial);
+            taut_model_free(tube);
+            taut_model_free(ring);
+        }
+        taut_certificate_free(certificate);
+        taut_model_free(model);
+    }
+}
+
 static void test_refused(void)
 {
     static const double ring[5][3] = {{0, 0, 0}, {4, 0, 0}, {4, 4, 1}, {0, 4, 0}, {-2, 2, 3}};
@@ -179,6 +220,14 @@ static void test_refused(void)
     p.elbow = TAUT_PIPE_ELBOW_ARC;
     pipe_run_refused(&p, TAUT_BAD_INPUT, "conflict");
     p = pipe_run_of_corners(pipe_stair, 4);
+    p.wall = p.radius;
+    pipe_run_refused(&p, TAUT_BAD_INPUT, "value");
+    p.wall = -1e-2;
+    pipe_run_refused(&p, TAUT_BAD_INPUT, "value");
+    p.wall = 1e-2;
+    p.route.closed = 1;
+    pipe_run_refused(&p, TAUT_BAD_INPUT, "conflict");
+    p.wall = p.route.closed = 0;
     p.elbow = TAUT_PIPE_ELBOW_ARC;
     p.bend_radius = 1.6; /* two quarter circles on a leg of 3 */
     const taut_error error = pipe_run_refused(&p, TAUT_NO_SOLUTION, "leg-too-short");
@@ -198,6 +247,7 @@ int main(void)
     random_seed(20261126);
     test_closed_forms();
     test_broken();
+    test_walls();
     test_refused();
     return check_failures != 0;
 }

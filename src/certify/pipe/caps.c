@@ -45,12 +45,14 @@ static void find_normal(const ring *r, int count, double normal[3])
 }
 
 /* INFINITY for what is no disc in the way said above. */
-static double miss_of(const taut_surface *cap, const taut_surface *end, int side)
+static double miss_of(const taut_surface *cap, const taut_surface *end, const taut_surface *inside,
+                      int side)
 {
     const taut_basis *u = taut_surface_u(cap), *v = taut_surface_v(cap);
     const int count = taut_basis_count(v);
     const ring rim = ring_of(cap, side == 0), hub = ring_of(cap, side == 1);
     const ring edge = ring_of(end, side == 1);
+    const ring within = ring_of(inside != NULL ? inside : end, side == 1);
     double normal[3], middle[3] = {0, 0, 0}, worst = 0;
     if (taut_basis_degree(u) != 1 || taut_basis_span_count(u) != 1 ||
         !taut_basis_equal(v, taut_surface_v(end))) {
@@ -64,7 +66,8 @@ static double miss_of(const taut_surface *cap, const taut_surface *end, int side
         double away[3];
         taut_difference(hub.points[j], edge.points[0], away);
         worst = taut_certify_max(worst, taut_distance(rim.points[j], edge.points[j]));
-        worst = taut_certify_max(worst, taut_distance(hub.points[j], hub.points[0]));
+        worst = taut_certify_max(
+            worst, taut_distance(hub.points[j], inside != NULL ? within.points[j] : hub.points[0]));
         worst = taut_certify_max(worst, fabs(taut_dot(away, normal)));
         taut_difference(edge.points[j], edge.points[0], away);
         worst = taut_certify_max(worst, fabs(taut_dot(away, normal)));
@@ -72,6 +75,9 @@ static double miss_of(const taut_surface *cap, const taut_surface *end, int side
         if (weight_of(&rim, j) != weight_of(&edge, j) || weight_of(&hub, j) != weight_of(&rim, j)) {
             return INFINITY;
         }
+    }
+    if (inside != NULL) {
+        return taut_basis_equal(v, taut_surface_v(inside)) ? worst : INFINITY;
     }
     /* half way to the nearest point of the ring, so that rays from the hub meet it once */
     for (int j = 0; j < count; j++) {
@@ -83,21 +89,23 @@ static double miss_of(const taut_surface *cap, const taut_surface *end, int side
 }
 
 taut_status taut_pipe_claim_caps(const taut_model *model, const taut_pipe_parts *parts,
-                                 const taut_surface *const ends[2], taut_certificate *certificate)
+                                 const taut_surface *const ends[2],
+                                 const taut_surface *const inside[2], taut_certificate *certificate)
 {
     double worst = 0;
     char where[8] = "";
     int found = 0;
     for (int side = 0; side < 2; side++) {
         const taut_surface *cap = taut_pipe_find_surface(model, side == 0 ? "cap1" : "cap2");
-        const double miss = cap != NULL ? miss_of(cap, ends[side], side) : 0;
+        const double miss =
+            cap != NULL ? miss_of(cap, ends[side], inside != NULL ? inside[side] : NULL, side) : 0;
         found += cap != NULL;
         if (!(miss <= worst) && !isnan(worst)) {
             worst = miss;
             snprintf(where, sizeof where, "cap%d", side + 1);
         }
     }
-    if (found == 0) {
+    if (found == 0 && inside == NULL) {
         return TAUT_OK;
     }
     if (found != 2 || isinf(worst)) { /* what is no disc misses it by a radius */

@@ -125,15 +125,18 @@ taut_status taut_pipe_claim_curvature(const taut_pipe_parts *parts, int side,
                                       taut_certificate *certificate);
 taut_status taut_pipe_claim_tube(const taut_pipe_parts *parts, double tolerance, double *fit_error,
                                  taut_certificate *certificate);
-taut_status taut_pipe_claim_run_tube(const taut_pipe_parts *parts, int count,
+taut_status taut_pipe_claim_run_tube(const char *name, const taut_pipe_parts *parts, int count,
                                      const taut_surface *const *surfaces,
                                      const taut_curve *const *curves, double tolerance,
                                      double *fit_error, taut_certificate *certificate);
 /* `regular` and `graph` of the canal surface about the axis. */
 taut_status taut_pipe_claim_envelope(const taut_pipe_parts *parts, taut_certificate *certificate);
-/* `caps`, where there are any, over the free ends of the first and the last surface. */
+/* `caps`, where there are any, over the free ends of the first and the last surface, or between them and those
+ * inside (NULL: discs). */
 taut_status taut_pipe_claim_caps(const taut_model *model, const taut_pipe_parts *parts,
-                                 const taut_surface *const ends[2], taut_certificate *certificate);
+                                 const taut_surface *const ends[2],
+                                 const taut_surface *const inside[2],
+                                 taut_certificate *certificate);
 taut_status taut_pipe_claim_ends(const taut_pipe_parts *parts, taut_certificate *certificate);
 taut_status taut_pipe_claim_optimal(const taut_pipe_parts *parts, taut_certificate *certificate,
                                     taut_error *error);

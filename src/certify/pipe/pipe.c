@@ -196,7 +196,7 @@ static taut_status add_claims(const taut_model *model, const taut_pipe_parts *pa
     if (status != TAUT_OK) {
         return status;
     }
-    status = taut_pipe_claim_caps(model, parts, parts->pipes, certificate);
+    status = taut_pipe_claim_caps(model, parts, parts->pipes, NULL, certificate);
     if (status == TAUT_OK && problem != NULL) {
         status = taut_pipe_claim_ends(parts, certificate);
     }
@@ -352,6 +352,9 @@ static void identify_run(const taut_pipe_run_problem *problem, taut_identity *id
     const taut_expected_basis bent =
         arcs ? along_arc : axis_with(problem != NULL ? problem->joint : TAUT_PIPE_G1);
     const taut_expected_basis *along = arcs ? &along_arc : &along_blend;
+    const double told_wall =
+        taut_record_number(taut_record_get(taut_model_details(identity->model), "wall"));
+    const int walled = (problem != NULL ? problem->wall : told_wall) > 0;
     int blends = 0;
     for (int i = 0; i < taut_model_surface_count(identity->model); i++) {
         const char *name = taut_surface_name(taut_model_surface(identity->model, i));
@@ -366,6 +369,11 @@ static void identify_run(const taut_pipe_run_problem *problem, taut_identity *id
         taut_identity_curve(identity, taut_identity_find_curve(identity, axis), axis,
                             is_blend ? &bent : &along_pipe);
         blends += is_blend;
+        if (walled) {
+            snprintf(axis, sizeof axis, "inner-%s", piece);
+            taut_identity_surface(identity, taut_identity_find_surface(identity, axis), axis,
+                                  is_blend ? along : &along_pipe, &around);
+        }
     }
 }
 
@@ -393,8 +401,9 @@ static void identify(const taut_model *model, const void *data, taut_identity *i
         identify_blend(request != NULL ? &request->blend : NULL, identity);
     }
     if (request != NULL) {
-        has_caps =
-            request->is_run ? request->run.caps && !request->run.route.closed : request->blend.caps;
+        has_caps = request->is_run
+                       ? (request->run.caps || request->run.wall > 0) && !request->run.route.closed
+                       : request->blend.caps;
     }
     for (int side = 0; side < 2; side++) {
         const int at = taut_identity_find_surface(identity, caps[side]);

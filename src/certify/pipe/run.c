@@ -35,6 +35,8 @@ typedef struct taut_pipe_run_parts {
     const taut_surface **surfaces; /* "pipe1", "blend1", ... */
     const taut_curve **curves;     /* their axes */
     double bend_radius;            /* asked for; 0: none */
+    double wall;                   /* likewise */
+    const char *prefix;            /* of claims: "", or "inner_" */
 } taut_pipe_run_parts;
 
 int taut_pipe_is_run(const taut_model *model)
@@ -44,7 +46,7 @@ int taut_pipe_is_run(const taut_model *model)
 
 static int is_blend(const taut_pipe_run_parts *run, int piece)
 {
-    return strncmp(taut_surface_name(run->surfaces[piece]), "blend", 5) == 0;
+    return strncmp(taut_curve_name(run->curves[piece]), "axis-blend", 10) == 0;
 }
 
 static void find_tangent(const taut_pipe_run_parts *run, int piece, double t, double tangent[3])
@@ -115,6 +117,8 @@ static void find_data(taut_pipe_run_parts *run)
                        : problem->route.kind == TAUT_PIPE_CORNERS
                            ? bend_of_corners * problem->radius
                            : 0;
+    run->wall =
+        problem != NULL ? problem->wall : taut_record_number(taut_record_get(details, "wall"));
     run->parts.flatness = 1;
     run->parts.axes = run->curves;
     run->parts.axis_count = run->count;
@@ -206,8 +210,9 @@ static taut_status claim_joints(const taut_pipe_run_parts *run, int curved,
                      m.where);
         }
     }
-    return taut_pipe_add_claim(curved ? "curvatures" : "joints", kind, worst.residual, 0,
-                               worst.noise, where, certificate);
+    char name[32];
+    snprintf(name, sizeof name, "%s%s", run->prefix, curved ? "curvatures" : "joints");
+    return taut_pipe_add_claim(name, kind, worst.residual, 0, worst.noise, where, certificate);
 }
 
 /* The piece at an arc length from the start of the run, and how far along it. */
@@ -436,12 +441,54 @@ static taut_record *figures_of(const taut_pipe_run_parts *run, double fit_error)
     taut_record_add_number(figures, "largest_radius", f->rho * scale);
     taut_record_add_number(figures, "area", 2 * TAUT_PI * a * f->length * scale);
     taut_record_add_number(figures, "volume", TAUT_PI * a * a * f->length * scale);
+    if (run->wall > 0) {
+        taut_record_add_number(figures, "wall_volume",
+                               TAUT_PI * run->wall * (2 * a - run->wall) * f->length * scale);
+    }
     taut_record_add_number(figures, "fit_error", fit_error);
     taut_record_add_text(figures, "binding",
                          !isfinite(f->rho) ? "none"
                          : f->by_distance  ? "distance"
                                            : "curvature");
     return figures;
+}
+
+/* The inside of a wall: joints and tube again, and the rings at the ends. */
+static taut_status claim_wall(const taut_pipe_run_parts *run, const taut_surface *const ends[2],
+                              double tolerance, taut_certificate *certificate)
+{
+    taut_pipe_run_parts inner = *run;
+    double fit_error = 0;
+    inner.prefix = "inner_";
+    inner.parts.radius = run->parts.radius - run->wall;
+    inner.surfaces =
+        taut_arena_take(run->parts.line.arena, (size_t)run->count, sizeof *inner.surfaces);
+    if (inner.surfaces == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    for (int i = 0; i < run->count; i++) {
+        char name[64];
+        snprintf(name, sizeof name, "inner-%.40s", taut_surface_name(run->surfaces[i]));
+        inner.surfaces[i] = taut_pipe_find_surface(run->model, name);
+        if (inner.surfaces[i] == NULL) {
+            snprintf(name, sizeof name, "inner-%.40s is missing",
+                     taut_surface_name(run->surfaces[i]));
+            return taut_pipe_add_claim("inner_tube", TAUT_BOUND, 1, tolerance, tolerance, name,
+                                       certificate);
+        }
+    }
+    const taut_surface *inside[2] = {inner.surfaces[0], inner.surfaces[run->count - 1]};
+    taut_status status = claim_joints(&inner, 0, certificate);
+    if (status == TAUT_OK && run->parts.quintic) {
+        status = claim_joints(&inner, 1, certificate);
+    }
+    if (status == TAUT_OK) {
+        status = taut_pipe_claim_run_tube("inner_tube", &inner.parts, run->count, inner.surfaces,
+                                          run->curves, tolerance, &fit_error, certificate);
+    }
+    return status == TAUT_OK
+               ? taut_pipe_claim_caps(run->model, &run->parts, ends, inside, certificate)
+               : status;
 }
 
 static taut_status add_claims(const taut_pipe_run_parts *run, double tolerance,
@@ -464,12 +511,13 @@ static taut_status add_claims(const taut_pipe_run_parts *run, double tolerance,
     if (status != TAUT_OK) {
         return status;
     }
-    status = taut_pipe_claim_run_tube(&run->parts, run->count, run->surfaces, run->curves,
+    status = taut_pipe_claim_run_tube("tube", &run->parts, run->count, run->surfaces, run->curves,
                                       tolerance, &fit_error, certificate);
     if (status != TAUT_OK) {
         return status;
     }
-    status = taut_pipe_claim_caps(run->model, &run->parts, ends, certificate);
+    status = run->wall > 0 ? claim_wall(run, ends, tolerance, certificate)
+                           : taut_pipe_claim_caps(run->model, &run->parts, ends, NULL, certificate);
     if (status == TAUT_OK && run->problem != NULL) {
         status = claim_ends(run, certificate);
     }
@@ -510,7 +558,8 @@ taut_status taut_pipe_claim_run(const taut_model *model, const taut_pipe_run_pro
                                 taut_error *error)
 {
     const double tolerance = audit->tolerance > 0 ? audit->tolerance : tolerance_default;
-    taut_pipe_run_parts run = {.model = model, .problem = problem, .parts = {.crew = &audit->crew}};
+    taut_pipe_run_parts run = {
+        .model = model, .problem = problem, .prefix = "", .parts = {.crew = &audit->crew}};
     taut_arena *const arena = taut_arena_new();
     const taut_status status = claim_run(&run, arena, tolerance, certificate, error);
     taut_arena_free(arena);

@@ -194,8 +194,8 @@ static void add_cover(tube_verdict *all, const taut_pipe_cover *cover, const cha
 }
 
 /* False where a fault is seen, true where all is bounded, else open. */
-static taut_status claim_cover(const tube_verdict *all, double tolerance, double noise,
-                               taut_certificate *certificate)
+static taut_status claim_cover(const char *name, const tube_verdict *all, double tolerance,
+                               double noise, taut_certificate *certificate)
 {
     const taut_pipe_cover *c = &all->worst;
     const double residual = c->fault != NULL ? taut_certify_max(c->found, 0) : c->bound;
@@ -218,7 +218,7 @@ static taut_status claim_cover(const tube_verdict *all, double tolerance, double
     } else if (holds == TAUT_UNDECIDED) {
         snprintf(where, sizeof where, TAUT_CERTIFY_OUT_OF_RANGE);
     }
-    const taut_claim claim = {.claim = "tube",
+    const taut_claim claim = {.claim = name,
                               .kind = TAUT_BOUND,
                               .residual = residual,
                               .limit = tolerance,
@@ -284,11 +284,11 @@ static taut_status claim_round(const taut_pipe_parts *parts, double tolerance, d
     }
     status = status == TAUT_OK ? taut_arena_status(arena) : status;
     taut_arena_free(arena);
-    return status == TAUT_OK ? claim_cover(&all, tolerance, tube_noise(parts), certificate)
+    return status == TAUT_OK ? claim_cover("tube", &all, tolerance, tube_noise(parts), certificate)
                              : status;
 }
 
-taut_status taut_pipe_claim_run_tube(const taut_pipe_parts *parts, int count,
+taut_status taut_pipe_claim_run_tube(const char *name, const taut_pipe_parts *parts, int count,
                                      const taut_surface *const *surfaces,
                                      const taut_curve *const *curves, double tolerance,
                                      double *fit_error, taut_certificate *certificate)
@@ -298,7 +298,7 @@ taut_status taut_pipe_claim_run_tube(const taut_pipe_parts *parts, int count,
     taut_status status = TAUT_OK;
     *fit_error = 0;
     for (int i = 0; i < count && status == TAUT_OK; i++) {
-        const int is_blend = strncmp(taut_surface_name(surfaces[i]), "blend", 5) == 0;
+        const int is_blend = strncmp(taut_curve_name(curves[i]), "axis-blend", 10) == 0;
         taut_pipe_sweep sweep = {.from = i, .to = i + 1, .straight = !is_blend};
         const double before = all.worst.bound;
         all.worst.bound = 0;
@@ -311,7 +311,7 @@ taut_status taut_pipe_claim_run_tube(const taut_pipe_parts *parts, int count,
     }
     status = status == TAUT_OK ? taut_arena_status(arena) : status;
     taut_arena_free(arena);
-    return status == TAUT_OK ? claim_cover(&all, tolerance, tube_noise(parts), certificate)
+    return status == TAUT_OK ? claim_cover(name, &all, tolerance, tube_noise(parts), certificate)
                              : status;
 }
 

@@ -169,6 +169,9 @@ static taut_status make_run(taut_pipe_run *run, double tolerance, taut_model **m
         return status;
     }
     status = taut_pipe_run_sweep(run, tolerance, error);
+    if (status == TAUT_OK && run->problem->wall > 0) {
+        status = taut_pipe_run_sweep_inner(run, tolerance, error);
+    }
     if (status != TAUT_OK) {
         return status;
     }

@@ -51,6 +51,7 @@ typedef struct taut_pipe_run {
     taut_pipe_elbow *elbows;
     double origin[3], scale; /* of the whole: local = (x - origin) / scale */
     taut_pipe_reach reach;
+    struct taut_pipe_run *inner; /* the inside of the wall; NULL */
     double holonomy; /* of a closed run: from the frame that comes round to the one that started */
 } taut_pipe_run;
 
@@ -58,7 +59,7 @@ typedef struct taut_pipe_run {
 taut_status taut_pipe_run_lay(taut_pipe_run *run, taut_error *error);
 /* Of an elbow that is an arc, its polygon settled (angle 0 else): `round`; the parts of it, short enough
  * that a polynomial is as good, in coordinates about `origin` over `scale`, up to TAUT_PIPE_ROUND_PARTS; its
- * rings, and the frame's vector after it; its surface and its axis. */
+ * rings, and the frame's vector after it; its surface of this name and, where that is the elbow's, its axis. */
 enum { TAUT_PIPE_ROUND_PARTS = 16 };
 void taut_pipe_round_settle(const double from[3], const double to[3], taut_pipe_elbow *elbow);
 int taut_pipe_round_parts(const taut_pipe_round *round, const double origin[3], double scale,
@@ -66,9 +67,12 @@ int taut_pipe_round_parts(const taut_pipe_round *round, const double origin[3], 
 taut_status taut_pipe_round_sweep(taut_pipe_run *run, taut_pipe_elbow *elbow, double u[3],
                                   taut_error *error);
 taut_status taut_pipe_round_add(const taut_pipe_run *run, const taut_pipe_elbow *elbow,
-                                const taut_basis *v, taut_model *model, taut_error *error);
+                                const char *name, const taut_basis *v, taut_model *model,
+                                taut_error *error);
 
 taut_status taut_pipe_run_sweep(taut_pipe_run *run, double tolerance, taut_error *error);
+/* run->inner, swept about the same axes; for a run that was swept, with a wall. */
+taut_status taut_pipe_run_sweep_inner(taut_pipe_run *run, double tolerance, taut_error *error);
 taut_status taut_pipe_run_model(taut_pipe_run *run, taut_model **model, taut_error *error);
 
 #endif /* TAUT_PIPE_RUN_H */

@@ -153,7 +153,8 @@ taut_status taut_pipe_round_sweep(taut_pipe_run *run, taut_pipe_elbow *elbow, do
 }
 
 taut_status taut_pipe_round_add(const taut_pipe_run *run, const taut_pipe_elbow *elbow,
-                                const taut_basis *v, taut_model *model, taut_error *error)
+                                const char *name, const taut_basis *v, taut_model *model,
+                                taut_error *error)
 {
     const taut_basis_spec spec = {.type = "bezier", .degree = 2};
     const double middle = taut_cos(0.5 * elbow->round.angle), along[ROWS] = {1, middle, 1};
@@ -161,7 +162,7 @@ taut_status taut_pipe_round_add(const taut_pipe_run *run, const taut_pipe_elbow 
     double weights[ROWS * TAUT_PIPE_RING], points[ROWS][3];
     const taut_basis *u = NULL;
     taut_curve *axis = NULL;
-    char name[40];
+    char axis_name[40];
     taut_status status = taut_pipe_basis(&spec, ROWS, run->arena, &u, error);
     if (status != TAUT_OK) {
         return status;
@@ -170,15 +171,15 @@ taut_status taut_pipe_round_add(const taut_pipe_run *run, const taut_pipe_elbow 
     for (int j = 0; j < TAUT_PIPE_RING; j++) {
         weights[TAUT_PIPE_RING + j] *= middle;
     }
-    status = taut_pipe_add_surface(model, elbow->name, u, v, elbow->points, weights, error);
-    if (status != TAUT_OK) {
+    status = taut_pipe_add_surface(model, name, u, v, elbow->points, weights, error);
+    if (status != TAUT_OK || strcmp(name, elbow->name) != 0) {
         return status;
     }
     memcpy(points[0], polygon[0], sizeof points[0]);
     memcpy(points[1], polygon[1], sizeof points[0]);
     memcpy(points[2], polygon[3], sizeof points[0]);
-    snprintf(name, sizeof name, "axis-%s", elbow->name);
-    status = taut_curve_new(name, u, &points[0][0], along, &axis, error);
+    snprintf(axis_name, sizeof axis_name, "axis-%s", elbow->name);
+    status = taut_curve_new(axis_name, u, &points[0][0], along, &axis, error);
     if (status == TAUT_OK && taut_model_add_curve(model, axis) != TAUT_OK) {
         taut_curve_free(axis);
         return taut_fail_memory(error);

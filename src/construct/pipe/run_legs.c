@@ -16,7 +16,8 @@
 /* Sine of a turn that is none; over the radius, a straight pipe that is none, and what is left of a
  * leg when its elbows take all of it. */
 static const double turns_not = 1e-9, no_length = 1e-6, nothing_left = 1e-8;
-static const double same_turn = 1e-12; /* of its cosine */
+static const double least_inside = 1e-3; /* over the radius: a wall, and what is inside it */
+static const double same_turn = 1e-12;   /* of its cosine */
 static const double bend_of_corners = 3;
 static const double unit_radius = 0x1p-20; /* of an elbow with handles of 1, to choose its shape */
 
@@ -49,6 +50,26 @@ static taut_status check_route(const taut_pipe_route *route, taut_error *error)
     return status;
 }
 
+/* What is left inside is a pipe. */
+static taut_status check_wall(const taut_pipe_run_problem *p, taut_error *error)
+{
+    const double least = least_inside * p->radius;
+    if (p->wall == 0) {
+        return TAUT_OK;
+    }
+    if (p->route.closed) {
+        return taut_fail_expected(error, TAUT_BAD_INPUT, "conflict", "/wall", taut_none,
+                                  "an open run",
+                                  "a closed run has no ends where inside and outside are joined");
+    }
+    if (!(p->wall >= least && p->radius - p->wall >= least)) {
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/wall", p->wall, p->radius,
+                         "a wall of %.6g, expected one between %.6g and %.6g: the radius is %.6g",
+                         p->wall, least, p->radius - least, p->radius);
+    }
+    return TAUT_OK;
+}
+
 static taut_status check_run(const taut_pipe_run_problem *p, taut_error *error)
 {
     const taut_pipe_choice choices[] = {{"/run", (int)p->route.kind, TAUT_PIPE_LEGS},
@@ -72,6 +93,10 @@ static taut_status check_run(const taut_pipe_run_problem *p, taut_error *error)
                                   "on: give corners, and \"g1\"");
     }
     status = taut_pipe_check_length(p->radius, "/radius", error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = check_wall(p, error);
     if (status != TAUT_OK) {
         return status;
     }

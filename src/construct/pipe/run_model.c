@@ -11,6 +11,7 @@ enum { RING = 3 * TAUT_PIPE_RING };
 
 typedef struct run_maker {
     const taut_pipe_run *run;
+    const char *prefix;         /* of names: "", or "inner-", which has no axes of its own */
     const taut_basis *line, *v; /* along straight pipes, of all rings */
     taut_model *model;
 } run_maker;
@@ -62,11 +63,11 @@ static taut_status add_straight(run_maker *m, int i, taut_error *error)
     if (!(s->length > 0)) {
         return TAUT_OK;
     }
-    snprintf(name, sizeof name, "pipe%d", i + 1);
+    snprintf(name, sizeof name, "%spipe%d", m->prefix, i + 1);
     snprintf(axis, sizeof axis, "axis-pipe%d", i + 1);
     set_rings(m->run, i, points);
     status = add_surface(m, name, m->line, 2, &points[0][0][0], error);
-    if (status != TAUT_OK) {
+    if (status != TAUT_OK || m->prefix[0] != '\0') {
         return status;
     }
     memcpy(ends[0], s->from, sizeof ends[0]);
@@ -77,32 +78,42 @@ static taut_status add_straight(run_maker *m, int i, taut_error *error)
 static taut_status add_elbow(run_maker *m, const taut_pipe_elbow *e, taut_error *error)
 {
     const taut_basis *u = NULL;
-    char axis[40];
+    char name[32], axis[40];
+    snprintf(name, sizeof name, "%s%s", m->prefix, e->name);
     if (e->round.angle > 0) {
-        return taut_pipe_round_add(m->run, e, m->v, m->model, error);
+        return taut_pipe_round_add(m->run, e, name, m->v, m->model, error);
     }
     taut_status status = taut_pipe_basis_u(&e->task.arc, &e->blend, m->run->arena, &u, error);
     if (status != TAUT_OK) {
         return status;
     }
-    status = add_surface(m, e->name, u, e->blend.rows, e->points, error);
-    if (status != TAUT_OK) {
+    status = add_surface(m, name, u, e->blend.rows, e->points, error);
+    if (status != TAUT_OK || m->prefix[0] != '\0') {
         return status;
     }
     snprintf(axis, sizeof axis, "axis-%s", e->name);
     return taut_pipe_add_axis(&e->task, axis, m->model, error);
 }
 
-/* A disc over each free end: the rings there are those of the first and the last surface. */
-static taut_status add_caps(run_maker *m, taut_error *error)
+/* A disc over each free end, or, with a wall, a ring: the rings there are those of the first and the last of
+ * `count` surfaces, and of as many after them. */
+static taut_status add_caps(run_maker *m, int count, taut_error *error)
 {
-    const int last = taut_model_surface_count(m->model) - 1;
+    const int walled = m->run->inner != NULL;
     taut_status status = TAUT_OK;
     for (int side = 0; side < 2 && status == TAUT_OK; side++) {
-        const taut_surface *end = taut_model_surface(m->model, side == 0 ? 0 : last);
-        const int row = side == 0 ? 0 : taut_basis_count(taut_surface_u(end)) - 1;
         double points[2][TAUT_PIPE_RING][3];
-        taut_pipe_cap_points(taut_surface_points(end) + (size_t)row * RING, side, points);
+        const int first = side == 0 ? 0 : count - 1;
+        for (int inside = 0; inside <= walled; inside++) {
+            const taut_surface *end = taut_model_surface(m->model, first + inside * count);
+            const int row = side == 0 ? 0 : taut_basis_count(taut_surface_u(end)) - 1;
+            const double *ring = taut_surface_points(end) + (size_t)row * RING;
+            if (inside) {
+                memcpy(points[side], ring, sizeof points[0]);
+            } else {
+                taut_pipe_cap_points(ring, side, points);
+            }
+        }
         status = add_surface(m, side == 0 ? "cap1" : "cap2", m->line, 2, &points[0][0][0], error);
     }
     return status;
@@ -133,6 +144,9 @@ static taut_record *details_of(const taut_pipe_run *run)
 {
     taut_record *details = taut_record_new(), *list = NULL;
     taut_record_add_number(details, "radius", run->problem->radius);
+    if (run->problem->wall > 0) {
+        taut_record_add_number(details, "wall", run->problem->wall);
+    }
     if (run->bend_radius > 0) {
         taut_record_add_number(details, "bend_radius", run->bend_radius);
     }
@@ -151,10 +165,9 @@ static taut_record *details_of(const taut_pipe_run *run)
     return details;
 }
 
-static taut_status fill_model(run_maker *m, taut_error *error)
+static taut_status add_pieces(run_maker *m, taut_error *error)
 {
     const taut_pipe_run *const run = m->run;
-    taut_record *details = NULL;
     taut_status status = TAUT_OK;
     for (int i = 0; i < run->straight_count && status == TAUT_OK; i++) {
         status = add_straight(m, i, error);
@@ -162,8 +175,23 @@ static taut_status fill_model(run_maker *m, taut_error *error)
             status = add_elbow(m, &run->elbows[i], error);
         }
     }
-    if (status == TAUT_OK && run->problem->caps && !run->closed) {
-        status = add_caps(m, error);
+    return status;
+}
+
+static taut_status fill_model(run_maker *m, taut_error *error)
+{
+    const taut_pipe_run *const run = m->run;
+    taut_record *details = NULL;
+    taut_status status = add_pieces(m, error);
+    const int count = taut_model_surface_count(m->model);
+    if (status == TAUT_OK && run->inner != NULL) {
+        run_maker inside = *m;
+        inside.run = run->inner;
+        inside.prefix = "inner-";
+        status = add_pieces(&inside, error);
+    }
+    if (status == TAUT_OK && !run->closed && (run->problem->caps || run->inner != NULL)) {
+        status = add_caps(m, count, error);
     }
     if (status != TAUT_OK) {
         return status;
@@ -175,7 +203,7 @@ static taut_status fill_model(run_maker *m, taut_error *error)
 
 taut_status taut_pipe_run_model(taut_pipe_run *run, taut_model **model, taut_error *error)
 {
-    run_maker m = {.run = run};
+    run_maker m = {.run = run, .prefix = ""};
     taut_status status = taut_pipe_basis_line(run->arena, &m.line, error);
     if (status != TAUT_OK) {
         return status;

@@ -156,3 +156,36 @@ taut_status taut_pipe_run_sweep(taut_pipe_run *run, double tolerance, taut_error
     }
     return TAUT_OK;
 }
+
+/* Elbows are as they were, but for the radius. */
+static void narrow_elbows(const taut_pipe_run *run, taut_pipe_run *inner)
+{
+    memcpy(inner->elbows, run->elbows, (size_t)run->elbow_count * sizeof *run->elbows);
+    for (int i = 0; i < run->elbow_count; i++) {
+        taut_pipe_elbow *const e = &inner->elbows[i];
+        e->problem.section.radius = inner->problem->radius;
+        e->task.problem = &e->problem;
+        if (!(e->round.angle > 0)) { /* arcs have no task */
+            e->task.radius = inner->problem->radius / e->task.scale;
+        }
+    }
+}
+
+taut_status taut_pipe_run_sweep_inner(taut_pipe_run *run, double tolerance, taut_error *error)
+{
+    taut_pipe_run *const inner = taut_arena_take(run->arena, 1, sizeof *inner);
+    taut_pipe_run_problem *const problem = taut_arena_take(run->arena, 1, sizeof *problem);
+    taut_pipe_elbow *const elbows =
+        taut_arena_take(run->arena, (size_t)run->elbow_count, sizeof *elbows);
+    if (inner == NULL || problem == NULL || elbows == NULL) {
+        return taut_fail_memory(error);
+    }
+    *problem = *run->problem;
+    problem->radius -= problem->wall;
+    *inner = *run;
+    inner->problem = problem;
+    inner->elbows = elbows;
+    narrow_elbows(run, inner);
+    run->inner = inner;
+    return taut_pipe_run_sweep(inner, tolerance, error);
+}

@@ -16,7 +16,7 @@ enum { LEGS_MAX = 10000 };
 static const char *const members[] = {"radius",       "polygon", "from",     "to",     "axes",
                                       "run",          "closed",  "shape",    "domain", "frame",
                                       "pipe_lengths", "joint",   "sections", "radii",  "surface",
-                                      "bend_radius",  "caps",    "elbow",    NULL};
+                                      "bend_radius",  "caps",    "elbow",    "wall",   NULL};
 static const char *const surface_words[] = {"canal", "naive-sweep", NULL};
 static const char *const section_members[] = {"a", "b", "direction", NULL};
 static const char *const end_members[] = {"point", "direction", "handle", NULL};
@@ -27,7 +27,7 @@ static const char *const domain_words[] = {"strict", "extended", NULL};
 static const char *const elbow_words[] = {"blend", "arc", NULL};
 static const char *const joint_words[] = {"g1", "g2", NULL};
 static const char *const frame_words[] = {"rotation-minimizing", "frenet", NULL};
-static const char *const of_runs[] = {"elbow", NULL};
+static const char *const of_runs[] = {"elbow", "wall", NULL};
 static const char *const not_of_arcs[] = {"shape", "domain", NULL};
 /* What says of a single pipe that which a run settles itself. */
 static const char *const not_of_runs[] = {"frame", "pipe_lengths", "sections",
@@ -286,6 +286,7 @@ static void read_run(taut_reader *document, const taut_pipe_section *section, ta
     read_blending(document, &run->joint, &run->shape);
     read_bend_radius(document, run->radius, &run->bend_radius);
     taut_reader_flag(document, "caps", &run->caps);
+    taut_reader_optional(document, "wall", read_positive, &run->wall);
     taut_reader_optional_word(document, "elbow", elbow_words, &elbow);
     run->elbow = (taut_pipe_elbow_kind)elbow;
     if (run->elbow == TAUT_PIPE_ELBOW_ARC) {
@@ -298,7 +299,7 @@ static void read_blend(taut_reader *document, const taut_pipe_section *section,
 {
     int frame = TAUT_PIPE_ROTATION_MINIMIZING;
 
-    taut_member_refuse(document, of_runs, "without \"run\": only corners have elbows");
+    taut_member_refuse(document, of_runs, "without \"run\": only a run has it");
     read_axis(document, &blend->axis);
     blend->section = *section;
     read_blending(document, &blend->joint, &blend->shape);
