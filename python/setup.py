@@ -16,7 +16,7 @@ VERSION = re.search(r'VERSION = "(.*?)"', (HERE / "taut/_library.py").read_text(
 
 def carried():
     """What of the build goes into the wheel: the library, and beside it in taut/ what it loads when it is asked for more."""
-    libraries = [path for pattern in ("libtaut*.so.0", "libtaut-*.dll") for path in sorted(BUILD.glob(pattern))]
+    libraries = [path for pattern in ("libtaut*.so.0", "bin/libtaut*.dll") for path in sorted(BUILD.glob(pattern))]
     if not libraries:
         raise SystemExit(f"setup.py: there is no libtaut in {BUILD}: build it first (cmake --build --preset release), or set TAUT_BUILD")
     helpers = sorted((BUILD / "modules").glob("taut-*.so"))
@@ -45,6 +45,8 @@ class Wheel(bdist_wheel):
 
     def get_tag(self):
         _, _, platform = super().get_tag()
+        if all(path.suffix == ".dll" for path, _ in carried()):  # packed elsewhere: the library of the build preset mingw
+            return "py3", "none", "win_amd64"
         if sys.platform == "linux":
             newest = max(int(minor) for path, _ in carried() for minor in re.findall(rb"GLIBC_2\.(\d+)", path.read_bytes()))
             platform = f"manylinux_2_{newest}_{os.uname().machine}"

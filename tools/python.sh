@@ -1,7 +1,8 @@
 #!/bin/sh
-# python.sh test|pack|wheel|bench [ARGUMENT...] -- the Python package: its tests (pytest, types by mypy) against the library of
-# build/release, its wheel (build/python/*.whl; `pack` packs alone, what `wheel` tests is then installed from it), its figures. By $PYTHON, or the first python3
-# that has all they need.
+# python.sh test|pack|wheel|windows|bench [ARGUMENT...] -- the Python package: its tests (pytest, types by mypy) against the library of
+# build/release, its wheel (build/python/*.whl; `pack` packs alone, what `wheel` tests is then installed from it), the wheel around the
+# library for Windows (build/python-windows/*.whl, of build/mingw), whose layouts and functions alone are looked at, its figures. By $PYTHON, or
+# the first python3 that has all they need.
 set -eu
 cd "$(dirname "$0")/.."
 export TAUT_BUILD=${TAUT_BUILD:-$PWD/build/release} PYTHONDONTWRITEBYTECODE=1
@@ -49,12 +50,18 @@ wheel)
     "$PYTHON" -m pip --quiet install --no-deps --no-index --target "$wheels/installed" "$wheels"/*.whl
     TAUT_WHEEL=1 PYTHONPATH=$PWD/$wheels/installed "$PYTHON" -m pytest -q -p no:cacheprovider python/tests "$@"
     ;;
+windows)
+    TAUT_BUILD=${TAUT_MINGW:-$PWD/build/mingw}
+    wheels=build/python-windows
+    make_wheel
+    "$PYTHON" tests/windows/check_wheel.py "$wheels"/*.whl
+    ;;
 bench)
     shift
     TAUT_LIBRARY=${TAUT_LIBRARY:-$TAUT_BUILD/libtaut.so.0} PYTHONPATH=$PWD/python "$PYTHON" bench/python/bench.py "$@"
     ;;
 *)
-    sed -n 's/^# \{0,1\}//p' "$0" | sed -n 2,4p >&2
+    sed -n 's/^# \{0,1\}//p' "$0" | sed -n 2,5p >&2
     exit 2
     ;;
 esac

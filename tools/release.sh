@@ -1,6 +1,6 @@
 #!/bin/bash
 # release.sh [--parts "PART ..."] [OUT] -- what a release is made of, in one folder (default out/taut-VERSION), from a clean
-# tree whose commit has the tag vVERSION: the tarball, the Debian package, the wheel, the zip for Windows, the studio page,
+# tree whose commit has the tag vVERSION: the tarball, the Debian package, the wheel, the zip and the wheel for Windows, the studio page,
 # the site, the notes out of CHANGELOG.md, and checksums of them all. Refuses anything else, and leaves no folder then.
 #
 #     parts   tarball deb wheel windows studio site notes (all unless said with --parts; checksums always)
@@ -64,7 +64,8 @@ for part in $parts; do
     windows)
         rm -f build/taut-*-windows-*.zip
         make windows
-        cp "$(one 'build/taut-*-windows-*.zip')" "$work/release/"
+        tools/python.sh windows
+        cp "$(one 'build/taut-*-windows-*.zip')" "$(one 'build/python-windows/*.whl')" "$work/release/"
         ;;
     studio)
         make studio
