@@ -40,6 +40,11 @@ typedef struct taut_canvas_ops {
     /* one line of valid UTF-8 on the baseline through (x, y), `size` its em */
     void (*text)(taut_canvas *canvas, double x, double y, double size, taut_anchor anchor,
                  taut_ink ink, const char *text);
+    /* Another page of so many page units, and text on it about the middle (x, y), turned to `angle` from the x
+     * axis to the y axis; NULL where a file is one page. */
+    void (*next_page)(taut_canvas *canvas, double width, double height);
+    void (*turned_text)(taut_canvas *canvas, double x, double y, double size, double angle,
+                        taut_ink ink, const char *text);
     /* Ends the page and gives back all but the canvas's own memory: TAUT_OK, TAUT_IO when a write
      * failed, TAUT_NO_MEMORY. To be called once after every begin that succeeded. */
     taut_status (*finish)(taut_canvas *canvas);

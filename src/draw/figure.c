@@ -1,6 +1,7 @@
 /* figure.c -- from models to a page: choose what is drawn, sample it, aim the cameras, cut into
  * pieces, paint. */
 #include "draw/figure.h"
+#include "draw/flat_page.h"
 #include "draw/flat_svg.h"
 
 #include "core/arena.h"
@@ -29,7 +30,8 @@ static const double page_width = 1200, page_height = 900;
 /* All of one figure. */
 typedef struct figure {
     taut_write_options options;
-    int vector; /* svg, pdf: fewer pieces */
+    int vector;               /* svg, pdf: fewer pieces */
+    const taut_model *pieces; /* laths to cut on a page of their own, or NULL */
     taut_arena *arena;
     taut_panes panes;
     taut_scene scene;
@@ -224,9 +226,11 @@ static taut_status paint_page(figure *f, const taut_canvas_ops *ops, const char 
     taut_legend_axes(&legend, &f->panes.pane[0].camera);
     taut_scene_paint(&f->scene, ops, canvas);
     draw_legend(f, &legend);
+    const taut_status sheets =
+        f->pieces != NULL ? taut_flat_page(f->pieces, ops, canvas, f->arena, NULL) : TAUT_OK;
     status = ops->finish(canvas);
-    if (status != TAUT_OK) {
-        return status;
+    if (status != TAUT_OK || sheets != TAUT_OK) {
+        return sheets != TAUT_OK ? sheets : status;
     }
     return fflush(out) != 0 || ferror(out) ? TAUT_IO : TAUT_OK;
 }
@@ -346,6 +350,8 @@ static taut_status draw_models(figure *f, int count, const taut_model *const *mo
     }
     f->limit = 1;
     f->vector = strcmp(kind, "png") != 0;
+    f->pieces =
+        count == 1 && strcmp(kind, "pdf") == 0 && taut_flat_is(models[0]) ? models[0] : NULL;
     f->arena = taut_arena_new();
     if (f->arena == NULL) {
         return taut_fail_memory(error);

@@ -178,9 +178,16 @@ static void mark_crossing(const band *b, const crossing *x, double to, double he
 static void mark_ends(const band *b, double from, double to, double height, taut_flat_piece *piece)
 {
     const double name = text_length(piece->name, height) / 2 + height / 2;
-    const double low = -b->width / 2 + height, high = b->width / 2 - height;
+    const double high = b->width / 2 - height;
+    double low = -b->width / 2 + height;
     const taut_axis_point first = axis_at(b, from), last = axis_at(b, to);
 
+    for (int k = 0; k < b->crossing_count;
+         k++) { /* slots from below have names beside them there */
+        if (b->crossings[k].slot != NULL && b->crossings[k].slot->side == 1) {
+            low = b->width / 4 - height;
+        }
+    }
     add_text(&first, piece->name, name, low, height, piece);
     add_text(&last, piece->name, -name, low, height, piece);
     add_text(&first, "n", height, b->is_plank ? 0 : high, height, piece);

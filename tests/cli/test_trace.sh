@@ -137,6 +137,18 @@ contains solids.step 'MANIFOLD_SOLID_BREP'
 contains solids.obj 'A1-front'
 run 0 convert laths.json --solid -o again.step
 cmp -s solids.step again.step || complain "solids of a model that is read again are others"
+# a page of a figure, and one of the sheets: a sheet is 1:1, 72 points an inch
+if run 0 convert laths.json -o laths.pdf && command -v pdfinfo >/dev/null; then
+    pdfinfo -f 1 -l 2 laths.pdf > pages.txt
+    contains pages.txt 'Pages: *2$'
+    "$PYTHON" - laths.json pages.txt <<'EOF' || complain "the second page is not as large as the sheets"
+import json, re, sys
+model = json.load(open(sys.argv[1]))
+size = [{"mm": 1, "cm": 10, "m": 1000}[model["unit"]] * x for x in model["details"]["sheets"][0]["size"]]
+page = re.search(r"Page +2 size: +([0-9.]+) x ([0-9.]+)", open(sys.argv[2]).read())
+sys.exit(any(abs(float(page[i + 1]) - size[i] * 72 / 25.4) > 0.01 for i in range(2)))
+EOF
+fi
 refused 4 'width' trace words.json --net asymptotic --cells 3 --solid -o none.step --quiet
 refused 4 'missing' trace words.json --net asymptotic --cells 3 --strip standing --width 0.02 --solid -o none.step --quiet
 absent none.step

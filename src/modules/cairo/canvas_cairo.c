@@ -147,6 +147,25 @@ static void cairo_text(taut_canvas *canvas, double x, double y, double size, tau
     cairo_new_path(canvas->cairo);
 }
 
+/* A new page is not white but empty; its size is in points. */
+static void cairo_next_page(taut_canvas *canvas, double width, double height)
+{
+    cairo_show_page(canvas->cairo);
+    if (strcmp(canvas->page->kind, "pdf") == 0) {
+        cairo_pdf_surface_set_size(canvas->surface, width / 2, height / 2);
+    }
+}
+
+static void cairo_turned_text(taut_canvas *canvas, double x, double y, double size, double angle,
+                              taut_ink ink, const char *text)
+{
+    cairo_save(canvas->cairo);
+    cairo_translate(canvas->cairo, x, y);
+    cairo_rotate(canvas->cairo, angle);
+    cairo_text(canvas, 0, 0.35 * size, size, TAUT_ANCHOR_MIDDLE, ink, text);
+    cairo_restore(canvas->cairo);
+}
+
 /* The page, each pixel the mean of OVERSAMPLING^2. */
 static cairo_status_t write_png(const taut_canvas *canvas)
 {
@@ -190,5 +209,7 @@ const taut_canvas_ops taut_module_table = {
     .line = cairo_line,
     .disc = cairo_disc,
     .text = cairo_text,
+    .next_page = cairo_next_page,
+    .turned_text = cairo_turned_text,
     .finish = cairo_finish,
 };

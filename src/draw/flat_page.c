@@ -1,0 +1,52 @@
+#include "draw/flat_page.h"
+
+#include "core/unit.h"
+#include "io/flat/flat.h"
+
+static const taut_ink inks[TAUT_FLAT_LAYERS] = {
+    {208, 0, 0}, {0, 0, 208}, {0, 128, 0}, {128, 128, 128}}; /* as taut_flat_svg_write has them */
+static const double per_millimetre = 2 * 72 / 25.4, line_width = 0.1; /* mm */
+
+/* A line with its first point once more where it is closed; y goes down. */
+static taut_status put_line(const taut_flat_line *line, double scale, double top,
+                            const taut_canvas_ops *ops, taut_canvas *canvas, taut_arena *arena)
+{
+    const size_t count = line->count + (size_t)(line->is_closed != 0);
+    double(*xy)[2] = taut_arena_take(arena, count, sizeof *xy);
+    if (xy == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    for (size_t k = 0; k < count; k++) {
+        xy[k][0] = scale * line->points[k % line->count][0];
+        xy[k][1] = top - scale * line->points[k % line->count][1];
+    }
+    ops->line(canvas, (int)count, (const double(*)[2])xy, inks[line->layer],
+              line_width * per_millimetre);
+    return TAUT_OK;
+}
+
+taut_status taut_flat_page(const taut_model *model, const taut_canvas_ops *ops, taut_canvas *canvas,
+                           taut_arena *arena, taut_error *error)
+{
+    const double scale = taut_unit_ratio(taut_model_unit(model), "mm") * per_millimetre;
+    taut_flat flat;
+
+    if (ops->next_page == NULL) {
+        return TAUT_OK;
+    }
+    taut_status status = taut_flat_read(model, arena, &flat, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    const double top = scale * flat.size[1];
+    ops->next_page(canvas, scale * flat.size[0], top);
+    for (size_t k = 0; status == TAUT_OK && k < flat.line_count; k++) {
+        status = put_line(&flat.lines[k], scale, top, ops, canvas, arena);
+    }
+    for (size_t k = 0; k < flat.text_count; k++) {
+        const taut_flat_text *text = &flat.texts[k];
+        ops->turned_text(canvas, scale * text->at[0], top - scale * text->at[1],
+                         scale * text->height, -text->angle, inks[TAUT_FLAT_ENGRAVE], text->text);
+    }
+    return status;
+}
