@@ -334,8 +334,9 @@ def plateau(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None, 
 def trace(*, trace: Literal["asymptotic", "principal", "geodesic", "isoparametric"], of: Union[str, Mapping[str, Any]],
         unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, surface: str | None = None,
         families: Sequence[Any] | None = None, seeds: Sequence[Any] | None = None, max_length: float | None = None,
-        panels: bool | None = None, laths: Mapping[str, Any] | None = None, sheet: Mapping[str, Any] | None = None,
-        tolerance: float | None = None, threads: int | None = None, progress: Progress | None = None, strict: bool = False) -> Model:
+        panels: bool | None = None, untrim: bool | None = None, laths: Mapping[str, Any] | None = None,
+        sheet: Mapping[str, Any] | None = None, tolerance: float | None = None, threads: int | None = None,
+        progress: Progress | None = None, strict: bool = False) -> Model:
     """A net of asymptotic, principal, geodesic or isoparametric curves on a surface.
 
     trace                  which curves; one of "asymptotic", "principal", "geodesic", "isoparametric"
@@ -346,11 +347,13 @@ def trace(*, trace: Literal["asymptotic", "principal", "geodesic", "isoparametri
     seeds                  where the curves begin; { "cells": 8 } if not given
     max_length             of a curve each way; 20 sizes if not given; above 0
     panels                 principal nets: judge the quads between nodes; false if not given
+    untrim                 STEP, IGES: trimmed faces of the file in of are read as the whole surfaces under them; false
+                           if not given
     laths                  laths on the curves: how they are cut, and what bending and twisting does to them
     sheet                  what laths with a width are cut from
     """
     said: dict[str, Any] = {"trace": trace, "of": of, "unit": unit, "surface": surface, "families": families,
-        "seeds": seeds, "max_length": max_length, "panels": panels, "laths": laths, "sheet": sheet}
+        "seeds": seeds, "max_length": max_length, "panels": panels, "untrim": untrim, "laths": laths, "sheet": sheet}
     return made_of("trace", said, None, tolerance=tolerance, threads=threads, progress=progress, strict=strict)
 
 

@@ -250,6 +250,7 @@ static int write_document(const cli_options *options, text *t)
     put_word(t, options->net);
     put(t, ", \"of\": ");
     put_word(t, options->files[0]);
+    put(t, options->untrim ? ", \"untrim\": true" : "");
     if (options->surface != NULL) {
         put(t, ", \"surface\": ");
         put_word(t, options->surface);
@@ -374,6 +375,7 @@ static const cli_option options_of_trace[] = {
     {"--panels", CLI_FLAG, offsetof(cli_options, judge_panels), 0, 0, 0, NULL,
      "principal nets: how plane the quads between nodes are"},
     CLI_SOLID,
+    CLI_UNTRIM,
     {"--sheet", CLI_TEXT, offsetof(cli_options, cut_sheet), 0, 0, 0, "WxH",
      "the sheets that the laths are cut from (default: one as large as they need)"},
     CLI_SURFACE,

@@ -129,6 +129,8 @@ refused 3 'kind /of' make nested.json -o none.json --quiet
 echo '{ "taut": 1, "trace": "asymptotic", "of": "self.json" }' > self.json
 refused 3 'kind /of' make self.json -o none.json --quiet
 refused 2 'net' trace roof.json --net asymptotic --panels -o none.json
+run 0 trace roof.json --net asymptotic --cells 5 --untrim --quiet -o whole.json
+cmp -s words.json whole.json || complain "--untrim changes a model that has no trimmed faces"
 # laths go to CAD and to meshes as strips, or as solids of their thickness
 run 0 trace words.json --net asymptotic --cells 3 --strip standing --width 0.02 --thickness 0.002 --quiet -o laths.json -o strips.step -o strips.glb
 run 0 trace words.json --net asymptotic --cells 3 --strip standing --width 0.02 --thickness 0.002 --solid --quiet -o solids.step -o solids.obj

@@ -322,6 +322,17 @@ static void describe_kinks(const taut_net *net, taut_record *details)
     }
 }
 
+/* What the reader of the surface's file had to say, of trimmed faces say. */
+static void warn_of_notes(const taut_net *net, taut_record *warnings)
+{
+    const taut_model *model = net->problem->model;
+    const taut_record *notes =
+        model != NULL ? taut_record_get(taut_model_details(model), "notes") : NULL;
+    for (size_t k = 0; k < taut_record_count(notes); k++) {
+        taut_record_add_record(warnings, NULL, taut_record_at(notes, k));
+    }
+}
+
 static void warn_of_kinks(const taut_net *net, taut_record *warnings)
 {
     for (int k = 0; k < net->count; k++) {
@@ -381,6 +392,7 @@ taut_status taut_trace_describe(const taut_net *net, const taut_strip *strips, t
     describe_left_out(net, details);
     describe_kinks(net, details);
     taut_record *warnings = taut_record_add_list(details, "warnings");
+    warn_of_notes(net, warnings);
     warn_of_kinks(net, warnings);
     warn_of_longer(net, warnings);
     warn_of_use(net, strips, warnings);

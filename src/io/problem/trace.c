@@ -21,8 +21,9 @@
 
 enum { PATH_ROOM = 4096 };
 
-static const char *const members[] = {"trace",      "of",     "surface", "families", "seeds",
-                                      "max_length", "panels", "laths",   "sheet",    NULL};
+static const char *const members[] = {"trace", "of",         "surface", "families",
+                                      "seeds", "max_length", "panels",  "laths",
+                                      "sheet", "untrim",     NULL};
 static const char *const sheet_members[] = {"size", "gap", NULL};
 static const char *const nets[] = {"asymptotic", "principal", "geodesic", "isoparametric", NULL};
 static const char *const families[4][3] = {
@@ -58,6 +59,7 @@ static void take_reason(taut_reader *in, int was_fine, const char *reason)
 typedef struct target {
     taut_problem *problem; /* of the net */
     taut_trace_problem *data;
+    int untrim; /* trimmed faces of a file are read as the whole surfaces under them */
 } target;
 
 static void release_problem(void *problem)
@@ -119,13 +121,14 @@ static taut_status read_root(const taut_json *root, void *into, taut_error *erro
 static taut_status read_named(const char *path, const target *to, taut_error *error)
 {
     const taut_format_ops *ops = taut_format_ops_at(taut_format_of(path, NULL));
+    const taut_read_options options = {.untrim = to->untrim};
     file f = {.to = to, .path = path};
     taut_model *model = NULL;
 
     if (ops == NULL || ops->read == NULL) {
         return taut_problem_read_file(path, read_root, &f, &f.source, error);
     }
-    const taut_status status = ops->read(path, &model, error);
+    const taut_status status = taut_model_format_read(ops, path, &options, &model, error);
     return status == TAUT_OK ? keep_either(to, NULL, model, error) : status;
 }
 
@@ -565,7 +568,7 @@ static void take_laths(taut_reader *document, taut_arena *arena, taut_trace_prob
 static void trace_read(taut_reader *document, taut_problem *problem, void *into)
 {
     taut_trace_problem *const data = into;
-    target to = {problem, data};
+    target to = {.problem = problem, .data = data};
     const char *name = NULL;
     int net = 0;
 
@@ -573,6 +576,7 @@ static void trace_read(taut_reader *document, taut_problem *problem, void *into)
     taut_reader_word(document, "trace", nets, &net);
     take_reason(document, was_fine, "net");
     data->net = (taut_trace_net)net;
+    taut_reader_flag(document, "untrim", &to.untrim);
     taut_reader_member(document, "of", read_of, &to);
     take_unit(document, problem, data);
     if (taut_reader_has(document, "surface")) {
