@@ -142,11 +142,20 @@ int taut_bonnet_is_algebraic(const taut_surface *surface)
     taut_bonnet_finding found = {0, 0, {0, 0}};
     taut_bonnet_proof smooth = {.holds = TAUT_TRUE};
     taut_bonnet_scale scale;
+    double sign = 0;
 
+    if (taut_surface_weights(surface) != NULL ||
+        !taut_bonnet_sign_of(taut_surface_u(surface), &sign) ||
+        !taut_bonnet_sign_of(taut_surface_v(surface), &sign)) {
+        return 0;
+    }
     taut_bonnet_scale_of(surface, 0, &scale);
+    if (!taut_bonnet_algebra(surface, &scale, &found) ||
+        !(found.residual <= fmin(roundings[ALGEBRAIC] * found.noise, largest_limit))) {
+        return 0;
+    }
     taut_bonnet_smooth(surface, &scale, 0, &smooth);
-    return smooth.holds == TAUT_TRUE && taut_bonnet_algebra(surface, &scale, &found) &&
-           found.residual <= fmin(roundings[ALGEBRAIC] * found.noise, largest_limit);
+    return smooth.holds == TAUT_TRUE;
 }
 
 static taut_status measure(const taut_surface *surface, const taut_bonnet_scale *scale, int few,
