@@ -18,7 +18,7 @@ words() { # words EXAMPLE
     asymptotic*) echo --no-net --isolines 9 ;;
     harmonic-extension | harmonic-neighbour) echo --no-net --isolines 7 --view 300,15 ;;
     bonnet*-frames* | *-film*) echo --side-by-side --no-net ;;
-    bonnet* | pipe* | trace*) echo --no-net ;;
+    bonnet* | pipe* | trace* | film-bubbles | film-ridge | film-schwarz-* | film-tent) echo --no-net ;;
     esac
 }
 

@@ -122,6 +122,25 @@ typedef struct taut_film_cell {
     double from[3];
 } taut_film_cell;
 
+/* The most surfaces of a film with its images, and the most control points of all of them. */
+enum { TAUT_FILM_IMAGES_MAX = 4096, TAUT_FILM_IMAGES_POINTS_MAX = 4000000 };
+
+typedef enum taut_film_image_kind {
+    TAUT_FILM_MIRROR = 0, /* in the plane `guide` */
+    TAUT_FILM_HALF_TURN,  /* about the line `guide` */
+    TAUT_FILM_TURN, /* about it by `angle`, counter-clockwise as one looks against its direction */
+    TAUT_FILM_TRANSLATE /* by `vector` */
+} taut_film_image_kind;
+
+/* A map that the film is repeated by: its first `count` powers add a copy each of all that is there so far. */
+typedef struct taut_film_image {
+    taut_film_image_kind kind;
+    taut_film_guide guide;
+    double angle;     /* radians */
+    double vector[3]; /* not 0 */
+    int count;        /* 1 or more; 0: 1 */
+} taut_film_image;
+
 typedef struct taut_film_problem taut_film_problem;
 
 /* How a film is found. */
@@ -167,6 +186,9 @@ typedef struct taut_film_problem {
     /* Of films of one patch too, with cables of force, the method full, and without start, refine, updates and threads. */
     int cell_count;
     const taut_film_cell *cells;
+    /* Of all films: each in turn. Copy n of surface "a" is called a with n primes, "a'", "a''", and from the ninth on "a'9". */
+    int image_count;
+    const taut_film_image *images;
 } taut_film_problem;
 
 /* Reasons: word, meaning, remedy. */
@@ -211,6 +233,8 @@ typedef struct taut_film_problem {
       "name each side once, the other one with a minus sign")                                      \
     X("open-cell", "a cell has an edge that moves, and its cone is not flat there",                \
       "close the cell, or give it a `from` in the plane of that edge")                             \
+    X("image-twice", "an image lies where another surface of the film lies already",               \
+      "give each image once, of a film that it does not map to itself")                            \
     X("pressure-too-high", "no film holds this pressure",                                          \
       "lower the pressure to what the message names, or give a volume")                            \
     X("unstable", "the start lies at a film that is no minimum",                                   \

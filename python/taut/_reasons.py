@@ -58,6 +58,7 @@ REMEDIES = {
     'gauss-points': 'even out the weights or the bases, or take more control points',
     'helper': 'install taut anew, or correct what $TAUT_CAD names',
     'ill-conditioned': 'take weights that differ less; or lower the degree, change the width, or allow it with "allow_ill_conditioned"; or lower the degree, or even out knots and weights; or lower the degree, or even out the knots; or lower the degree, give data from one edge, or allow it with "allow_ill_conditioned"',
+    'image-twice': 'give each image once, of a film that it does not map to itself',
     'inconsistent': 'choose a repair with "even", or take an odd degree',
     'inflection': 'take surface "5n-7"',
     'interrupted': 'start it again',

@@ -207,6 +207,13 @@
     X(taut_film_guide, point, "double[3]") \
     X(taut_film_guide, direction, "double[3]")
 
+#define TAUT_ABI_MEMBERS_taut_film_image(X) \
+    X(taut_film_image, kind, "taut_film_image_kind") \
+    X(taut_film_image, guide, "taut_film_guide") \
+    X(taut_film_image, angle, "double") \
+    X(taut_film_image, vector, "double[3]") \
+    X(taut_film_image, count, "int")
+
 #define TAUT_ABI_MEMBERS_taut_film_problem(X) \
     X(taut_film_problem, name, "const char *") \
     X(taut_film_problem, u, "const taut_basis *") \
@@ -235,7 +242,9 @@
     X(taut_film_problem, seam_count, "int") \
     X(taut_film_problem, seams, "const taut_film_seam *") \
     X(taut_film_problem, cell_count, "int") \
-    X(taut_film_problem, cells, "const taut_film_cell *")
+    X(taut_film_problem, cells, "const taut_film_cell *") \
+    X(taut_film_problem, image_count, "int") \
+    X(taut_film_problem, images, "const taut_film_image *")
 
 #define TAUT_ABI_MEMBERS_taut_film_seam(X) \
     X(taut_film_seam, count, "int") \
@@ -569,6 +578,7 @@
     X(taut_film_face) \
     X(taut_film_gradient_request) \
     X(taut_film_guide) \
+    X(taut_film_image) \
     X(taut_film_problem) \
     X(taut_film_seam) \
     X(taut_film_side) \
@@ -661,6 +671,12 @@
     X(TAUT_FILM_GRADIENT_LENGTH, "length") \
     X(TAUT_FILM_GRADIENT_TENSION, "tension") \
     X(TAUT_FILM_GRADIENT_REACTION, "reaction")
+
+#define TAUT_ABI_VALUES_taut_film_image_kind(X) \
+    X(TAUT_FILM_MIRROR, "mirror") \
+    X(TAUT_FILM_HALF_TURN, "half-turn") \
+    X(TAUT_FILM_TURN, "turn") \
+    X(TAUT_FILM_TRANSLATE, "translate")
 
 #define TAUT_ABI_VALUES_taut_film_law(X) \
     X(TAUT_FILM_FORCE, "force") \
@@ -813,6 +829,7 @@
     X(taut_film_corner_kind) \
     X(taut_film_edge_kind) \
     X(taut_film_gradient_of) \
+    X(taut_film_image_kind) \
     X(taut_film_law) \
     X(taut_film_method) \
     X(taut_film_ring) \
@@ -857,6 +874,8 @@
     X(TAUT_FILM_PATCHES_MAX, "TAUT_FILM_PATCHES_MAX") \
     X(TAUT_FILM_PATCHES_POINTS_MAX, "TAUT_FILM_PATCHES_POINTS_MAX") \
     X(TAUT_FILM_CELLS_MAX, "TAUT_FILM_CELLS_MAX") \
+    X(TAUT_FILM_IMAGES_MAX, "TAUT_FILM_IMAGES_MAX") \
+    X(TAUT_FILM_IMAGES_POINTS_MAX, "TAUT_FILM_IMAGES_POINTS_MAX") \
     X(TAUT_FILM_REFINE_MAX, "TAUT_FILM_REFINE_MAX") \
     X(TAUT_FILM_UPDATES_MAX, "TAUT_FILM_UPDATES_MAX") \
     X(TAUT_DEGREE_MAX, "TAUT_DEGREE_MAX") \

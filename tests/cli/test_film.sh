@@ -86,8 +86,7 @@ film 3 'type /edges/u0/fixed/line/1' '"edges": { "u0": { "fixed": { "line": [[0,
 film 3 'type /edges/u0/fixed/line found null expected two points' '"edges": { "u0": { "fixed": { "line": null } } }'
 film 3 'conflict /edges/u0/fixed found 2 expected 1' '"edges": { "u0": { "fixed": { "arc": [], "line": [] } } }'
 film 3 'unknown-member /edges/u0/fixed/t' '"edges": { "u0": { "fixed": { "arc": [], "t": {} } } }'
-for member in '"cables": []' \
-    '"images": []' '"boundary": "x.step"'; do
+for member in '"cables": []' '"boundary": "x.step"'; do
     name=$(printf '%s' "$member" | sed 's/"\([a-z_]*\)".*/\1/')
     film 3 "not-yet /$name" "$member"
 done

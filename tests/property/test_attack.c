@@ -308,6 +308,8 @@ static const attack_row rows[] = {
     {"film", "seams", "film-ring", corner, 0},
     {"film", "mirror", "film-mirror", corner_along_y, OPEN},
     {"film", "boundary", "film-mirror", second_rim, OPEN},
+    {"film", "images", "film-bubbles", last_surface, OPEN},
+    {"film", "volume", "film-cap", inside, OPEN},
     {"harmonic", "harmonic", "harmonic-rows", inside, OPEN},
     {"harmonic", "boundary", "harmonic-rows", rim, 0},
     {"harmonic", "nearest", "harmonic-fit", everywhere, OPEN},

@@ -7,6 +7,7 @@
 
 #include <math.h>
 #include <stddef.h>
+#include <string.h>
 
 enum { FIT = 2 };
 
@@ -88,4 +89,14 @@ taut_status taut_film_judge_edge(const taut_surface *surface, int e, const taut_
     taut_curve_free(wanted);
     taut_curve_free(found);
     return status;
+}
+
+const taut_surface *taut_film_find_surface(const taut_model *model, const char *name)
+{
+    for (int k = 0; k < taut_model_surface_count(model); k++) {
+        if (strcmp(taut_surface_name(taut_model_surface(model, k)), name) == 0) {
+            return taut_model_surface(model, k);
+        }
+    }
+    return NULL;
 }

@@ -7,7 +7,7 @@
 #define TAUT_CERTIFY_FILM_EDGE_H
 
 #include "taut/curve.h"
-#include "taut/surface.h"
+#include "taut/model.h"
 
 /* What an edge has to be. */
 typedef struct taut_film_asked {
@@ -25,5 +25,8 @@ typedef struct taut_film_boundary {
 /* Edge e of a surface; *is_worst: it is the one that is kept now. */
 taut_status taut_film_judge_edge(const taut_surface *surface, int e, const taut_film_asked *asked,
                                  taut_film_boundary *boundary, int *is_worst, taut_error *error);
+
+/* The first surface of a name, or NULL. */
+const taut_surface *taut_film_find_surface(const taut_model *model, const char *name);
 
 #endif /* TAUT_CERTIFY_FILM_EDGE_H */

@@ -31,6 +31,7 @@
 #include "certify/common/verdict.h"
 #include "certify/film/complex/complex.h"
 #include "certify/film/edge.h"
+#include "certify/film/images.h"
 #include "certify/film/least.h"
 #include "certify/film/lines.h"
 #include "certify/film/moves.h"
@@ -800,6 +801,10 @@ static taut_status certify(const taut_model *model, const void *data, const taut
     if (status == TAUT_OK) {
         status = add_boundary(&r, certificate, error);
     }
+    if (status == TAUT_OK) {
+        const char *name = problem->name != NULL ? problem->name : "film";
+        status = taut_film_images_certify(model, problem, 1, &name, certificate, error);
+    }
     if (status != TAUT_OK) {
         return status;
     }
@@ -820,7 +825,9 @@ static void identify(const taut_model *model, const void *data, taut_identity *i
         return;
     }
     const taut_expected_basis u = {.same = problem->u}, v = {.same = problem->v};
-    taut_identity_surface(identity, 0, problem->name != NULL ? problem->name : "film", &u, &v);
+    const char *name = problem->name != NULL ? problem->name : "film";
+    taut_identity_surface(identity, 0, name, &u, &v);
+    taut_film_images_identify(problem, name, &u, &v, identity);
     for (int e = 0; e < 4; e++) {
         if (problem->edges[e].kind == TAUT_FILM_CABLE) {
             taut_identity_curve(identity, taut_identity_find_curve(identity, edge_names[e]),

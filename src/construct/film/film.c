@@ -12,6 +12,7 @@
 #include "construct/construct_ops.h"
 #include "construct/film/complex/complex.h"
 #include "construct/film/flat.h"
+#include "construct/film/images.h"
 #include "construct/film/refine.h"
 #include "construct/film/ring.h"
 #include "construct/film/solve.h"
@@ -447,6 +448,9 @@ static taut_status check_problem(const taut_film_problem *problem, taut_error *e
     if (status == TAUT_OK) {
         status = check_ring(problem, error);
     }
+    if (status == TAUT_OK) {
+        status = taut_film_images_check(problem, count, error);
+    }
     return status == TAUT_OK ? check_options(problem, error) : status;
 }
 
@@ -606,6 +610,9 @@ static taut_status build(void *context, taut_arena *arena, taut_model *model, ta
         if (space.ratios[e] > 0) {
             status = add_cable(&space, e, solution.points, arena, model, error);
         }
+    }
+    if (status == TAUT_OK) {
+        status = taut_film_images_add(problem, arena, model, error);
     }
     return status == TAUT_OK ? add_details(r, &space, &solution, model, error) : status;
 }

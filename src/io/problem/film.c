@@ -7,6 +7,8 @@
  *     "points":  [[P | null, ..], ..]             in place of corners; "start": a model
  *     SHAPE      { "arc": [P, Q, R] } | { "line": [P, R] } | { "circle": { "center", "normal", "radius", "start" } }
  *     LINE       { "point": P, "direction": D }    PLANE  { "point": P, "normal": N }
+ *     "images":  [IMAGE, ..]
+ *     IMAGE      { "mirror": PLANE } | { "half_turn": LINE } | { "turn": LINE, "angle": t } | { "translate": V }; "count": k
  *     LAW        { "force": T } | { "length": L } | { "sag": f } | { "unstressed": L0, "stiffness": EA }
  *
  * Members and words that films will have are known by name and refused as not built yet, so that
@@ -26,7 +28,13 @@
 
 #include <string.h>
 
-enum { DEGREE = 4, COUNT = 12 };
+enum { DEGREE = 4, COUNT = 12, IMAGES = 64 };
+
+/* Images that are being read. */
+typedef struct image_list {
+    taut_film_image *images;
+    int count;
+} image_list;
 
 static const char *const members[] = {
     "name",          "u",         "v",         "corners",  "edges",          "points",
@@ -34,8 +42,7 @@ static const char *const members[] = {
     "least",         "patches",   "curves",    "boundary", "degree",         "count",
     "seams",         "cables",    "cells",     "images",   "start",          "refine",
     "force_density", "prestress", "reference", "updates",  "through",        NULL};
-static const char *const not_yet[] = {"curves", "boundary", "degree", "count",
-                                      "cables", "images",   NULL};
+static const char *const not_yet[] = {"curves", "boundary", "degree", "count", "cables", NULL};
 static const char *const corner_members[] = {"u0v0", "u1v0", "u0v1", "u1v1", NULL};
 static const char *const edge_members[] = {"u0", "u1", "v0", "v1", NULL};
 static const char *const kind_members[] = {"fixed",  "cable", "plane", "slide",
@@ -45,6 +52,8 @@ static const char *const circle_members[] = {"center", "normal", "radius", "star
 static const char *const plane_members[] = {"point", "normal", NULL};
 static const char *const line_members[] = {"point", "direction", NULL};
 static const char *const near_members[] = {"near", "line", "plane", NULL};
+static const char *const image_members[] = {"mirror", "half_turn", "turn", "translate",
+                                            "angle",  "count",     NULL};
 static const char *const seam_members[] = {"edges", "cable", "plane", NULL};
 static const char *const law_members[] = {"force",      "length",    "sag",
                                           "unstressed", "stiffness", NULL};
@@ -657,6 +666,63 @@ static void read_alone(taut_reader *document, taut_problem *problem, taut_film_p
     read_threads(document, problem, data);
 }
 
+/* One of a mirror, a turn, a translation. */
+static taut_status read_image(const taut_json *at, void *into, taut_error *error)
+{
+    static const char *const kinds[] = {"mirror", "half_turn", "turn", "translate", NULL};
+    image_list *list = into;
+    taut_film_image *image = &list->images[list->count++];
+    taut_reader in = taut_reader_of(at, image_members, error);
+    int count = 0;
+
+    for (int k = 0; in.status == TAUT_OK && kinds[k] != NULL; k++) {
+        if (taut_reader_has(&in, kinds[k])) {
+            image->kind = (taut_film_image_kind)k;
+            count++;
+        }
+    }
+    if (in.status == TAUT_OK && count != 1) {
+        in.status = taut_json_fail(at, error, count == 0 ? "missing" : "conflict", count, 1,
+                                   "found %d of \"mirror\", \"half_turn\", \"turn\" and "
+                                   "\"translate\", expected one",
+                                   count);
+    }
+    if (in.status != TAUT_OK) {
+        return in.status;
+    }
+    if (image->kind == TAUT_FILM_TRANSLATE) {
+        taut_reader_member(&in, "translate", read_point, image->vector);
+    } else {
+        read_guide(&in, kinds[image->kind],
+                   image->kind == TAUT_FILM_MIRROR ? plane_members : line_members, &image->guide);
+    }
+    if (image->kind == TAUT_FILM_TURN) {
+        taut_reader_number(&in, "angle", &image->angle);
+    } else if (in.status == TAUT_OK && taut_reader_has(&in, "angle")) {
+        const taut_json angle = taut_json_member(at, "angle");
+        in.status =
+            taut_json_fail(&angle, error, "conflict", 1, 0, "found \"angle\" without \"turn\"");
+    }
+    taut_reader_optional_integer(&in, "count", 1, TAUT_FILM_IMAGES_MAX, &image->count);
+    return in.status;
+}
+
+static void read_images(taut_reader *document, taut_arena *arena, taut_film_problem *data)
+{
+    const taut_json at = taut_json_member(document->object, "images");
+    image_list list = {NULL, 0};
+
+    if (document->status != TAUT_OK || at.value == NULL) {
+        return;
+    }
+    list.images = taut_arena_take(arena, IMAGES + 1, sizeof *list.images);
+    document->status = list.images == NULL ? taut_fail_memory(document->error)
+                                           : taut_json_each(&at, 0, IMAGES, "images", read_image,
+                                                            &list, document->error);
+    data->images = list.images;
+    data->image_count = list.count;
+}
+
 static void film_read(taut_reader *document, taut_problem *problem, void *into)
 {
     taut_film_problem *const data = into;
@@ -668,6 +734,7 @@ static void film_read(taut_reader *document, taut_problem *problem, void *into)
     } else {
         read_alone(document, problem, data);
     }
+    read_images(document, problem->arena, data);
     if (taut_reader_has(document, "cells")) {
         taut_film_document_cells(document, problem, data);
     }

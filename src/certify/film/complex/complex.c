@@ -18,6 +18,7 @@
 #include "certify/common/verdict.h"
 #include "certify/film/complex/defects.h"
 #include "certify/film/edge.h"
+#include "certify/film/images.h"
 #include "core/constants.h"
 #include "core/fail.h"
 #include "core/vec3.h"
@@ -52,23 +53,13 @@ typedef struct request {
     int below;
 } request;
 
-static const taut_surface *find_surface(const taut_model *model, const char *name)
-{
-    for (int k = 0; k < taut_model_surface_count(model); k++) {
-        if (strcmp(taut_surface_name(taut_model_surface(model, k)), name) == 0) {
-            return taut_model_surface(model, k);
-        }
-    }
-    return NULL;
-}
-
 static taut_status find_surfaces(request *r, taut_error *error)
 {
     double largest = 0;
 
     for (int p = 0; p < r->problem->patch_count; p++) {
         const taut_film_problem *patch = &r->problem->patches[p];
-        const taut_surface *surface = find_surface(r->model, patch->name);
+        const taut_surface *surface = taut_film_find_surface(r->model, patch->name);
         if (surface == NULL || !taut_basis_equal(patch->u, taut_surface_u(surface)) ||
             !taut_basis_equal(patch->v, taut_surface_v(surface)) ||
             taut_surface_weights(surface) != NULL) {
@@ -610,6 +601,20 @@ static taut_status add_figures(const request *r, taut_certificate *certificate, 
     return status;
 }
 
+static taut_status add_images(const request *r, taut_certificate *certificate, taut_error *error)
+{
+    const int count = r->problem->patch_count;
+    const char **names = taut_arena_take(r->arena, (size_t)count, sizeof *names);
+
+    if (names == NULL) {
+        return taut_fail_memory(error);
+    }
+    for (int p = 0; p < count; p++) {
+        names[p] = r->problem->patches[p].name;
+    }
+    return taut_film_images_certify(r->model, r->problem, count, names, certificate, error);
+}
+
 /* ---- the whole ---- */
 
 static taut_status prove(request *r, taut_certificate *certificate, taut_error *error)
@@ -624,6 +629,9 @@ static taut_status prove(request *r, taut_certificate *certificate, taut_error *
     }
     if (status == TAUT_OK) {
         status = add_mirror(r, certificate, error);
+    }
+    if (status == TAUT_OK) {
+        status = add_images(r, certificate, error);
     }
     if (status == TAUT_OK) {
         status = add_cables(r, certificate, error);
@@ -685,6 +693,7 @@ static void identify(const taut_film_problem *problem, taut_identity *identity)
         const taut_expected_basis u = {.same = patch->u}, v = {.same = patch->v};
         taut_identity_surface(identity, taut_identity_find_surface(identity, patch->name),
                               patch->name, &u, &v);
+        taut_film_images_identify(problem, patch->name, &u, &v, identity);
         for (int e = 0; e < 4; e++) {
             const int s = taut_film_complex_seam(problem, p, e);
             const int speaks = s < 0 || (problem->seams[s].sides[0].patch == p &&

@@ -9,6 +9,7 @@
 
 #include "construct/common/build.h"
 #include "construct/film/complex/solve.h"
+#include "construct/film/images.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 #include "problem/film_cells.h"
@@ -184,6 +185,9 @@ static taut_status check_problem(const taut_film_problem *problem, taut_error *e
                          "%.0f control points, expected at most %d: give fewer to the bases",
                          points, TAUT_FILM_PATCHES_POINTS_MAX);
     }
+    if (status == TAUT_OK) {
+        status = taut_film_images_check(problem, points, error);
+    }
     for (int c = 0; status == TAUT_OK && c < problem->cell_count; c++) {
         status = check_cell(problem, c, error);
     }
@@ -328,6 +332,9 @@ static taut_status build(void *context, taut_arena *arena, taut_model *model, ta
     }
     for (int p = 0; status == TAUT_OK && p < r->problem->patch_count; p++) {
         status = add_patch(&layout.complex, p, rest.points, arena, model, error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_film_images_add(r->problem, arena, model, error);
     }
     for (int k = 0; status == TAUT_OK && k < layout.complex.strand_count; k++) {
         status = add_strand(&layout.complex, k, rest.points, arena, model, error);
