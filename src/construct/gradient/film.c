@@ -620,8 +620,9 @@ static taut_status check_request(const taut_film_problem *problem,
 
 static taut_status check_kind(const taut_film_problem *problem, taut_error *error)
 {
-    if (problem->patch_count > 0) {
-        return taut_gradient_refuse("films of many patches have no derivatives yet", error);
+    if (problem->patch_count > 0 || problem->cell_count > 0) {
+        return taut_gradient_refuse("films of many patches or with cells have no derivatives yet",
+                                    error);
     }
     if (problem->ring != TAUT_FILM_OPEN) {
         return taut_gradient_refuse("rings have no derivatives yet", error);
