@@ -8,6 +8,7 @@
 #include "io/dxf/layers.h"
 #include "io/dxf/panels.h"
 #include "io/dxf/r12.h"
+#include "io/dxf/read.h"
 #include "io/flat/flat.h"
 #include "io/format.h"
 #include "io/mesh/out.h"
@@ -178,4 +179,4 @@ static taut_status write_dxf(const taut_model *model, const taut_write_options *
                      "films and pipes, and what `taut panels` makes");
 }
 
-const taut_format_ops taut_format_dxf = {.write = write_dxf};
+const taut_format_ops taut_format_dxf = {.write = write_dxf, .read = taut_dxf_read};

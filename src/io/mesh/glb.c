@@ -44,7 +44,7 @@ typedef struct glb_plan {
 /* Numbers that glTF gives to kinds of data. */
 enum { UNSIGNED_SHORT = 5123, UNSIGNED_INT = 5125, FLOAT = 5126 };
 enum { ARRAY_BUFFER = 34962, ELEMENT_ARRAY_BUFFER = 34963 };
-enum { VECTOR_BYTES = 12, COLOUR_BYTES = 8, INDEX_BYTES = 4, PLAIN_COLOURS = 8 };
+enum { VECTOR_BYTES = 12, COLOUR_BYTES = 8, INDEX_BYTES = 4 };
 
 static const struct {
     const char *unit;
@@ -133,7 +133,7 @@ static void put_nodes(taut_json_out *out, const glb_plan *plan, const taut_model
 
 static void put_meshes(taut_json_out *out, const glb_plan *plan)
 {
-    const int views = views_of(plan), surfaces = taut_mesh_out_surfaces(plan->mesh);
+    const int views = views_of(plan);
     taut_json_open_pair(out, "meshes", '[');
     for (int g = 0; g < plan->count; g++) {
         char room[TAUT_NAME_MAX + 1];
@@ -150,10 +150,7 @@ static void put_meshes(taut_json_out *out, const glb_plan *plan)
         }
         taut_json_close(out, '}');
         taut_json_pair_number(out, "indices", views * g + views - 1);
-        taut_json_pair_number(out, "material",
-                              plan->values != NULL
-                                  ? 0
-                                  : taut_mesh_out_colour(plan->mesh, surfaces, g) % PLAIN_COLOURS);
+        taut_json_pair_number(out, "material", plan->values != NULL ? 0 : g);
         taut_json_close(out, '}');
         taut_json_close(out, ']');
         taut_json_close(out, '}');
@@ -161,18 +158,24 @@ static void put_meshes(taut_json_out *out, const glb_plan *plan)
     taut_json_close(out, ']');
 }
 
-/* One white one where the vertices carry the colour, with what the colours mean; else the plain
- * colours of figures. */
+/* One white one where the vertices carry the colour, with what the colours mean; else one a surface, under
+ * its name, in its colour of figures. */
 static void put_materials(taut_json_out *out, const glb_plan *plan)
 {
     const int surfaces = taut_mesh_out_surfaces(plan->mesh);
-    const int some = surfaces < PLAIN_COLOURS ? surfaces : PLAIN_COLOURS;
-    const int count = plan->values != NULL ? 1 : some;
+    const int count = plan->values != NULL ? 1 : plan->count;
     taut_json_open_pair(out, "materials", '[');
     for (int i = 0; i < count; i++) {
         const taut_ink white = {255, 255, 255};
-        const taut_ink ink = plan->values != NULL ? white : taut_colour_plain(i);
+        const taut_ink ink = plan->values != NULL
+                                 ? white
+                                 : taut_colour_plain(taut_mesh_out_colour(plan->mesh, surfaces, i));
+        char room[TAUT_NAME_MAX + 1];
         taut_json_open_inline(out, '{');
+        if (plan->values == NULL) {
+            taut_json_pair_text(out, "name",
+                                taut_mesh_out_name(taut_mesh_group_at(plan->mesh, i), room));
+        }
         taut_json_open_pair(out, "pbrMetallicRoughness", '{');
         taut_json_pair_numbers(
             out, "baseColorFactor", 4,

@@ -1,4 +1,4 @@
-/* obj.c -- the format `obj` (Wavefront): v, vt, vn and quads, a group per surface. */
+/* obj.c -- the format `obj` (Wavefront): v, vt, vn and quads, an object and a group per surface. */
 #include "core/fail.h"
 #include "core/memory.h"
 #include "io/format.h"
@@ -41,9 +41,9 @@ static void write_faces(taut_sink *sink, const taut_mesh_group *group, const uin
 }
 
 /* A name ends at the line: white space and control characters become '_'. */
-static void write_name(taut_sink *sink, const taut_mesh_group *group)
+static void write_name(taut_sink *sink, const char *word, const taut_mesh_group *group)
 {
-    taut_sink_text(sink, "g ");
+    taut_sink_text(sink, word);
     if (group->name[0] == '\0') {
         taut_sink_text(sink, "surface");
         taut_sink_count(sink, (size_t)group->surface + 1);
@@ -80,7 +80,8 @@ static taut_status write_obj(const taut_model *model, const taut_write_options *
     write_rows(&sink, "vn", vertices, 3, normals);
     for (int i = 0; i < taut_mesh_group_count(mesh); i++) {
         const taut_mesh_group *group = taut_mesh_group_at(mesh, i);
-        write_name(&sink, group);
+        write_name(&sink, "o ", group);
+        write_name(&sink, "g ", group);
         write_faces(&sink, group, taut_mesh_quads(mesh) + 4 * group->first_quad);
     }
     taut_free(normals);

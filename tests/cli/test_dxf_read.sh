@@ -1,0 +1,80 @@
+# test_dxf_read.sh -- DXF in: drawings that ezdxf writes in every release, lines to splines and blocks in blocks; what taut writes
+# comes back; a boundary out of a drawing; files that are none.
+. "$SOURCE/tests/cli/cli.sh"
+
+python=python3
+$python -c 'import ezdxf' 2> /dev/null || python=/usr/bin/python3
+if $python -c 'import ezdxf' 2> /dev/null; then
+    $python "$SOURCE/tests/cli/read_dxf_in.py" write . || complain "ezdxf did not write"
+    for release in R12 R2000 R2004 R2007 R2010 R2013 R2018; do
+        run 0 convert $release.dxf -o model.json
+        contains err.txt 'TEXT is left out \(1\)'
+        $python "$SOURCE/tests/cli/read_dxf_in.py" check $release.dxf model.json > said.txt 2>&1 || complain "$release: $(tail -n 1 said.txt)"
+    done
+    run 0 convert R12.dxf -o model.json
+    contains err.txt 'says no unit'
+else
+    missing ezdxf 'tools/deps.sh check'
+fi
+
+# Lines as the oldest programs write them, with carriage returns, blanks and numbers as they spell them.
+printf '  0\r\nSECTION\r\n  2\r\nENTITIES\r\n' > plain.dxf
+line() { # line LAYER X Y Z X Y Z
+    printf '  0\r\nLINE\r\n  8\r\n%s\r\n 10\r\n%s\r\n 20\r\n%s\r\n 30\r\n%s\r\n 11\r\n%s\r\n 21\r\n%s\r\n 31\r\n%s\r\n' "$@"
+}
+{
+    line south 0 0. .0 +4 -.0 0
+    line east 4.0E0 0 0 004 3 1e0
+    line north 4 3 1 0 3 0
+    line west 0 3 0 0 0 0
+    line mast 2 1.5 -1 2 1.5 3
+} >> plain.dxf
+printf '  0\r\nENDSEC\r\n  0\r\nEOF\r\n' >> plain.dxf
+run 0 boundary plain.dxf
+contains out.txt '^ *2  curve  east  .* from 4 0 0  to 4 3 1$'
+printf '{ "taut": 1, "construct": "dirichlet", "boundary": { "file": "plain.dxf", "edges": ["south", "east", "north", "west"] } }\n' > problem.json
+run 0 make problem.json --quiet -o made.json
+run 0 certify made.json problem.json
+
+# What taut writes: names, knots and points, bit for bit.
+cat > odd.json <<'JSON'
+{ "taut": 1, "unit": "ft", "curves": [
+  { "name": "line", "t": { "type": "bspline", "degree": 1, "knots": [0,0,1,1] }, "points": [[0,0,0],[1,1e-300,-2.5]] },
+  { "name": "circle \u00e4", "t": { "type": "bspline", "degree": 2, "knots": [0,0,0,1,1,2,2,3,3,4,4,4] },
+    "points": [[1,0,0],[1,1,0],[0,1,0],[-1,1,0],[-1,0,0],[-1,-1,0],[0,-1,0],[1,-1,0],[1,0,0]],
+    "weights": [1,0.7071067811865476,1,0.7071067811865476,1,0.7071067811865476,1,0.7071067811865476,1] },
+  { "name": "cubic", "t": { "type": "bspline", "degree": 3, "knots": [0,0,0,0,5,5,5,5] }, "points": [[0,0,0],[1,2,3],[0.1,0.2,0.3],[4,5,6]] } ] }
+JSON
+run 0 convert odd.json -o odd.dxf
+run 0 convert odd.dxf -o back.json
+[ ! -s err.txt ] || complain "read back: $(cat err.txt)"
+python3 - <<'PY' || complain "not the same curves come back"
+import json
+there, back = (json.load(open(f, encoding="utf-8")) for f in ("odd.json", "back.json"))
+assert back["unit"] == "ft" and len(there["curves"]) == len(back["curves"])
+for a, b in zip(there["curves"], back["curves"]):
+    assert a["name"] == b["name"] and a["points"] == b["points"] and a.get("weights") == b.get("weights"), (a, b)
+    assert a["name"] == "line" or a["t"]["knots"] == b["t"]["knots"], (a, b)
+PY
+
+bad() { # bad PATTERN SED: of plain.dxf
+    sed "$2" plain.dxf > bad.dxf
+    refused 3 "$1" convert bad.dxf -o never.json
+    absent never.json
+}
+bad 'broken' '$d'
+contains err.txt 'ends the file'
+bad 'broken' '13s/.*/nine/'
+contains err.txt 'line 1[34]: '
+bad 'broken' '10s/.*/1e999/'
+bad 'broken' 's/ENTITIES/TABLES/'
+printf 'AutoCAD Binary DXF\r\n\032\000' > bad.dxf
+refused 3 broken convert bad.dxf -o never.json
+contains err.txt 'binary DXF'
+: > bad.dxf
+refused 3 broken convert bad.dxf -o never.json
+# A block that holds itself has no end, and ends all the same.
+printf '0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\na\n10\n0\n0\nINSERT\n2\na\n0\nINSERT\n2\na\n0\nENDBLK\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n0\nINSERT\n2\na\n0\nENDSEC\n0\nEOF\n' > bad.dxf
+refused 3 size convert bad.dxf -o never.json
+absent never.json
+finish
