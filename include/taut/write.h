@@ -95,6 +95,7 @@ typedef struct taut_write_options {
     double thickness; /* meshes: of a sheet (taut/mesh.h), in the model's unit; 0: none */
     int coefficients; /* vtu: nonzero: fields of Bezier cells as coefficients, not as values */
     int reactions;    /* figures: nonzero: arrows, as the supports of a film pull at it */
+    int column; /* figures: nonzero: 88 mm wide, a paper's column, no letter smaller than 6 point */
 } taut_write_options;
 
 /* The library's own formats, i = 0 .. count-1: its ending without the dot, and one line on what it holds. */

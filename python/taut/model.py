@@ -217,7 +217,7 @@ class Model:
         tolerance   0: the format's own (1e-3 of the size for meshes)
         options     divide, thickness (of meshes), coefficients (of VTU), surface (name), colour ("plain", "mean", "gaussian",
                     "isothermality", "gap"), no_net,
-                    view (azimuth, elevation in degrees), title, isolines, reflections, combs, reactions, side_by_side, width
+                    view (azimuth, elevation in degrees), title, isolines, reflections, combs, reactions, side_by_side, column, width
         """
         error, chosen = c.ErrorStruct(), write_options(tolerance, threads, options)
         status = library.taut_model_write(self._pointer, encoded(os.fspath(path)), byref(chosen), byref(error))
@@ -312,7 +312,7 @@ def write_options(tolerance: float, threads: int | None, options: Mapping[str, A
             setattr(chosen, name, int(value))
         elif name == "thickness":
             chosen.thickness = float(value)
-        elif name in ("no_net", "combs", "reactions", "side_by_side", "short_knots", "coefficients"):
+        elif name in ("no_net", "combs", "reactions", "side_by_side", "column", "short_knots", "coefficients"):
             setattr(chosen, name, int(bool(value)))
         else:
             raise TypeError(f"there is no option {name!r}")

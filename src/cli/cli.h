@@ -74,6 +74,7 @@ typedef struct cli_options {
     int reflections;
     int combs;
     int reactions;
+    int column;
     int side_by_side;
     int width;
     int help;
@@ -208,9 +209,11 @@ typedef struct cli_command {
          0,        "AZ,EL",  "figures: camera in degrees"},                                        \
         {"--title", CLI_TEXT, offsetof(cli_options, title), 0, 0,                                  \
          0,         "TEXT",   "figures: a line above"},                                            \
+        {"--no-net", CLI_FLAG, offsetof(cli_options, no_net),       0, 0,                          \
+         0,          NULL,     "figures: leave the control net out"},                              \
     {                                                                                              \
-        "--no-net", CLI_FLAG, offsetof(cli_options, no_net), 0, 0, 0, NULL,                        \
-            "figures: leave the control net out"                                                   \
+        "--column", CLI_FLAG, offsetof(cli_options, column), 0, 0, 0, NULL,                        \
+            "figures: 88 mm wide, for a paper's column"                                            \
     }
 #define CLI_FIGURE                                                                                 \
     CLI_FIGURE_BUT_WIDTH,                                                                          \

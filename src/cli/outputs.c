@@ -81,6 +81,7 @@ int cli_write_options(const cli_options *options, taut_write_options *chosen)
                                    .reflections = options->reflections,
                                    .combs = options->combs,
                                    .reactions = options->reactions,
+                                   .column = options->column,
                                    .side_by_side = options->side_by_side,
                                    .width = options->width,
                                    .monitor = cli_monitor(options->quiet || options->json)};

@@ -547,7 +547,8 @@
     X(taut_write_options, bound, "double *") \
     X(taut_write_options, thickness, "double") \
     X(taut_write_options, coefficients, "int") \
-    X(taut_write_options, reactions, "int")
+    X(taut_write_options, reactions, "int") \
+    X(taut_write_options, column, "int")
 
 #define TAUT_ABI_STRUCT_LIST(X) \
     X(taut_abi_enum) \

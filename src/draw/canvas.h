@@ -17,6 +17,7 @@
 typedef struct taut_page {
     const char *kind; /* "svg", "pdf" or "png" */
     double width, height;
+    double point;      /* of a page unit, in points of 1/72 inch */
     int pixels;        /* png: across, the height in proportion */
     const char *title; /* UTF-8, or NULL */
     int64_t date;      /* seconds since 1970 for formats that carry a date, or -1: none */

@@ -147,14 +147,14 @@ static taut_status svg_begin(taut_canvas *canvas, const taut_page *page)
     canvas->page = page;
     put_text(canvas, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
                      "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"");
-    put_number(canvas, page->width / 2); /* half a point to the unit */
+    put_number(canvas, page->width * page->point);
     put_text(canvas, "pt\" height=\"");
-    put_number(canvas, page->height / 2);
+    put_number(canvas, page->height * page->point);
     put_text(canvas, "pt\" viewBox=\"0 0 ");
     put_number(canvas, page->width);
     put_text(canvas, " ");
     put_number(canvas, page->height);
-    put_text(canvas, "\">\n");
+    put_text(canvas, "\" role=\"img\">\n");
     if (page->title != NULL) {
         put_text(canvas, "<title>");
         put_escaped(canvas, page->title);

@@ -1,12 +1,11 @@
 /* figure.c -- from models to a page: choose what is drawn, sample it, aim the cameras, cut into
  * pieces, paint. */
 #include "draw/figure.h"
-#include "draw/flat_page.h"
-#include "draw/flat_svg.h"
 
 #include "core/arena.h"
 #include "core/elementary/elementary.h"
 #include "core/fail.h"
+#include "draw/flat_page.h"
 #include "draw/flat_svg.h"
 #include "draw/label.h"
 #include "draw/legend.h"
@@ -22,10 +21,15 @@
 #include <limits.h>
 #include <math.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-static const double page_width = 1200, page_height = 900;
+/* A page before it is cropped: 600 points wide, or a column of 88 mm. Letters of a column are at least 6 point. */
+static const double page_width = 1200, page_height = 900, page_point = 0.5;
+static const double column_width = 700, column_height = 900, column_point = 88 / 25.4 * 72 / 700;
+/* Beside the picture for names or a scale, below for the scale bar, for a title. */
+static const double legend_width = 160, foot = 52, title_height = 44;
 
 /* All of one figure. */
 typedef struct figure {
@@ -37,6 +41,14 @@ typedef struct figure {
     taut_scene scene;
     double limit; /* of the colours */
     int cut, has_grey;
+    int is_noise;         /* no value is more than rounding */
+    int sign;             /* of all values, 0: both */
+    double width, height; /* of the page */
+    double point;         /* of a page unit */
+    double top, right;    /* what title and legend take */
+    double axes[2];       /* where the axes meet */
+    double foot;          /* what the scale bar and the note take below */
+    char note[256];
 } figure;
 
 static int is_interrupted(const figure *f, double done)
@@ -69,14 +81,50 @@ static taut_status sample_panes(figure *f)
     return status;
 }
 
-/* Rows of names beside a figure of several plain things, too many for none. */
-static int names_shown(const figure *f)
+/* A row of the names beside a figure: of all things of one colour. */
+typedef struct named {
+    int colour, is_curve, count;
+    const char *first, *last;
+} named;
+
+/* The rows, as they appear, once drawn of what is seen; returns how many there are, more than `most` where not all found room. */
+static int name_rows(const taut_pane *pane, int drawn, int most, named *rows)
 {
-    const taut_pane *pane = f->panes.pane;
-    const int things = f->panes.count == 1 ? pane->sheet_count + pane->curve_count : 0;
-    return f->options.colour == TAUT_COLOUR_PLAIN && things > 1 && things <= TAUT_LEGEND_ROWS
-               ? things
-               : 0;
+    int count = 0;
+    for (int i = 0; i < pane->sheet_count + pane->curve_count; i++) {
+        const int c = i - pane->sheet_count, is_curve = c >= 0;
+        if (is_curve && drawn && !pane->curves[c].is_seen) {
+            continue;
+        }
+        const int colour =
+            is_curve ? taut_pane_curve_colour(pane, c) : taut_pane_sheet_colour(pane, i);
+        const char *name = is_curve ? taut_curve_name(pane->curves[c].curve)
+                                    : taut_surface_name(pane->sheets[i].surface);
+        int row = 0;
+        while (row < count && row < most &&
+               (rows[row].is_curve != is_curve || rows[row].colour != colour)) {
+            row++;
+        }
+        if (row == count) {
+            count++;
+        }
+        if (row < most) {
+            rows[row] = (named){colour, is_curve, rows[row].count + 1,
+                                rows[row].count > 0 ? rows[row].first : name, name};
+        }
+    }
+    return count;
+}
+
+/* Rows of names beside a figure of several plain things, too many for none. */
+static int names_shown(const figure *f, int drawn, named rows[TAUT_LEGEND_ROWS])
+{
+    memset(rows, 0, TAUT_LEGEND_ROWS * sizeof *rows);
+    if (f->panes.count != 1 || f->options.colour != TAUT_COLOUR_PLAIN) {
+        return 0;
+    }
+    const int count = name_rows(f->panes.pane, drawn, TAUT_LEGEND_ROWS, rows);
+    return count > 1 && count <= TAUT_LEGEND_ROWS ? count : 0;
 }
 
 static size_t cell_count(const taut_sheet *sheet)
@@ -123,7 +171,11 @@ static taut_status choose_limit(figure *f)
     for (size_t i = 0; i < count; i++) {
         f->has_grey |= isnan(values[i]);
     }
+    f->sign = f->options.colour >= TAUT_COLOUR_ISOTHERMALITY
+                  ? 1
+                  : taut_colour_sign(count, values, noise_of(f));
     f->limit = taut_colour_limit(count, values, noise_of(f), &f->cut);
+    f->is_noise = f->options.colour < TAUT_COLOUR_ISOTHERMALITY && f->limit <= 1.1 * noise_of(f);
     return TAUT_OK;
 }
 
@@ -145,31 +197,57 @@ static taut_status add_all(figure *f)
 
 static void draw_names(const figure *f, const taut_legend *legend)
 {
-    const taut_pane *pane = f->panes.pane;
-    const int shown = names_shown(f);
+    named rows[TAUT_LEGEND_ROWS];
+    const int shown = names_shown(f, 1, rows);
     for (int row = 0; row < shown; row++) {
-        const int curve = row - pane->sheet_count;
-        if (curve < 0) {
-            taut_legend_name(legend, row, taut_colour_plain(row), 0,
-                             taut_surface_name(pane->sheets[row].surface));
+        const named *r = &rows[row];
+        char name[512];
+        const char *number = r->last + strcspn(r->last, "0123456789");
+        if (r->count == 2) {
+            snprintf(name, sizeof name, "%.200s, %.200s", r->first, r->last);
+        } else if (r->count > 2) {
+            snprintf(name, sizeof name, "%.200s %s %.200s", r->first, "\xe2\x80\xa6", number);
         } else {
-            taut_legend_name(legend, row, taut_colour_curve(curve), 1,
-                             taut_curve_name(pane->curves[curve].curve));
+            snprintf(name, sizeof name, "%.400s", r->first);
         }
+        taut_legend_name(legend, row,
+                         r->is_curve ? taut_colour_curve(r->colour) : taut_colour_plain(r->colour),
+                         r->is_curve, name);
     }
+}
+
+/* The smallest letters, in page units: 6 point in a column. */
+static double least_of(const figure *f)
+{
+    return f->options.column ? 6 / f->point : 0;
+}
+
+/* Sizes mean the same in all panes. */
+static int has_bar(const figure *f)
+{
+    return f->panes.count == 1 || f->panes.is_one_size;
+}
+
+/* Do the axes lie beside the scale bar? */
+static int has_axes_below(const figure *f)
+{
+    return f->axes[1] > f->height - f->foot - 28;
 }
 
 static void draw_legend(const figure *f, const taut_legend *legend)
 {
     const taut_write_options *o = &f->options;
-    char note[256] = "";
+    const char *unit = taut_model_unit(f->panes.pane[0].model);
+    const double y = legend->height - f->foot + 34;
+    double x = has_axes_below(f) ? 24 + 2 * TAUT_LEGEND_AXES : 24;
 
     if (o->title != NULL) {
         taut_legend_title(legend, o->title);
     }
     if (o->colour != TAUT_COLOUR_PLAIN && taut_panes_sheets(&f->panes, o) > 0) {
-        taut_legend_scale(legend, o->colour, f->limit, f->cut, f->has_grey,
-                          taut_model_unit(f->panes.pane[0].model));
+        const taut_legend_range range = {
+            .limit = f->limit, .sign = f->sign, .cut = f->cut, .has_grey = f->has_grey};
+        taut_legend_scale(legend, o->colour, &range, unit);
     }
     for (int i = 0; i < f->panes.count; i++) {
         if (f->panes.pane[i].label != NULL) {
@@ -177,8 +255,48 @@ static void draw_legend(const figure *f, const taut_legend *legend)
         }
     }
     draw_names(f, legend);
-    taut_panes_note(&f->panes, o, f->limit, note, sizeof note);
-    taut_legend_note(legend, note);
+    if (has_bar(f)) {
+        x = taut_legend_bar(legend, &f->panes.pane[0].camera, x, y, unit) + 36;
+    }
+    taut_legend_note(legend, x, y + 2, f->note);
+}
+
+/* Is nothing drawn within `reach` of a point of the page? */
+static int is_free(const figure *f, double x, double y, double reach)
+{
+    for (double dy = -reach; dy <= reach; dy += 3) {
+        for (double dx = -reach; dx <= reach; dx += 3) {
+            if (isfinite(taut_depth_at(&f->scene.depth, x + dx, y + dy))) {
+                return 0;
+            }
+        }
+    }
+    for (size_t i = 0; i < f->scene.point_count; i++) {
+        const double *p = f->scene.points[i];
+        if (fabs(p[0] - x) <= reach && fabs(p[1] - y) <= reach) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* The axes go into a corner of the picture that is free, or else below it. */
+static void place_axes(figure *f)
+{
+    const double reach = TAUT_LEGEND_AXES, right = f->width - f->right, low = f->height - f->foot;
+    const double corner[4][2] = {{reach + 10, low - reach + 18},
+                                 {right - reach - 12, low - reach + 18},
+                                 {reach + 10, f->top + reach},
+                                 {right - reach - 12, f->top + reach}};
+    for (int k = 0; k < 4; k++) {
+        if (is_free(f, corner[k][0], corner[k][1], reach)) {
+            memcpy(f->axes, corner[k], sizeof f->axes);
+            return;
+        }
+    }
+    f->height += 2 * reach - 30;
+    f->axes[0] = reach + 10;
+    f->axes[1] = f->height - reach;
 }
 
 static int write_bytes(void *context, const void *bytes, size_t count)
@@ -197,37 +315,53 @@ static int64_t source_date(void)
                : -1;
 }
 
+/* What the file is called within: the title, or what the model is. */
+static void name_page(const figure *f, char *title, size_t size)
+{
+    const taut_model *model = f->panes.pane[0].model;
+    const taut_certificate *certificate = taut_model_certificate(model);
+    if (f->options.title != NULL) {
+        taut_label_clean(f->options.title, size, title, size);
+        return;
+    }
+    snprintf(title, size, "%s, a figure by taut",
+             certificate != NULL && taut_certificate_construct(certificate)[0] != '\0'
+                 ? taut_certificate_construct(certificate)
+                 : "surface");
+}
+
 /* TAUT_IO when the bytes do not arrive. */
 static taut_status paint_page(figure *f, const taut_canvas_ops *ops, const char *kind, FILE *out)
 {
     char title[512] = "";
+    const int pixels = f->options.column ? 1039 /* 300 an inch */ : (int)page_width;
     taut_page page = {.kind = kind,
-                      .width = page_width,
-                      .height = page_height,
+                      .width = f->width,
+                      .height = f->height,
+                      .point = f->point,
+                      .title = title,
                       .date = source_date(),
-                      .pixels = f->options.width > 0 ? f->options.width : (int)page_width,
+                      .pixels = f->options.width > 0 ? f->options.width : pixels,
                       .write = write_bytes,
                       .context = out};
     taut_canvas *canvas = taut_arena_take(f->arena, 1, ops->size);
-    const taut_legend legend = {ops, canvas, page_width, page_height};
+    const taut_legend legend = {ops, canvas, f->width, f->height, f->top, least_of(f)};
 
     if (canvas == NULL) {
         return TAUT_NO_MEMORY;
     }
-    if (f->options.title != NULL) {
-        taut_label_clean(f->options.title, sizeof title, title, sizeof title);
-        page.title = title;
-    }
+    name_page(f, title, sizeof title);
     errno = 0;
     taut_status status = ops->begin(canvas, &page);
     if (status != TAUT_OK) {
         return status;
     }
-    taut_legend_axes(&legend, &f->panes.pane[0].camera);
     taut_scene_paint(&f->scene, ops, canvas);
+    taut_legend_axes(&legend, &f->panes.pane[0].camera, f->axes);
     draw_legend(f, &legend);
     const taut_status sheets =
-        f->pieces != NULL ? taut_flat_page(f->pieces, ops, canvas, f->arena, NULL) : TAUT_OK;
+        f->pieces != NULL ? taut_flat_page(f->pieces, f->point, ops, canvas, f->arena, NULL)
+                          : TAUT_OK;
     status = ops->finish(canvas);
     if (status != TAUT_OK || sheets != TAUT_OK) {
         return sheets != TAUT_OK ? sheets : status;
@@ -253,27 +387,79 @@ static taut_status make_scene(figure *f)
     if (f->options.colour != TAUT_COLOUR_PLAIN && choose_limit(f) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
-    taut_status status = taut_scene_init(&f->scene, page_width, page_height, f->arena);
+    taut_status status = taut_scene_init(&f->scene, f->width, f->height, f->arena);
     if (status != TAUT_OK) {
         return status;
     }
+    f->scene.tag_size = fmax(15, least_of(f));
     status = add_all(f);
     return status == TAUT_OK && is_interrupted(f, 0.7) ? TAUT_INTERRUPTED : status;
+}
+
+static int aim(figure *f)
+{
+    const double page[4] = {0, f->top, f->width - f->right, f->height - f->foot};
+    return taut_panes_aim(&f->panes, &f->options, page);
+}
+
+/* Aims at a page, and crops it to what that takes. 0 where there is nothing to draw. A column keeps its width. */
+static int lay_out(figure *f)
+{
+    named rows[TAUT_LEGEND_ROWS];
+    const int names = names_shown(f, 0, rows), has_scale = f->options.colour != TAUT_COLOUR_PLAIN;
+    double size[2];
+
+    f->point = f->options.column ? column_point : page_point;
+    f->width = f->options.column ? column_width : page_width;
+    f->height = f->options.column ? column_height : page_height;
+    f->top = f->options.title != NULL ? title_height : 0;
+    f->right = has_scale || names > 0 ? legend_width : 0;
+    f->foot = foot;
+    if (!aim(f)) {
+        return 0;
+    }
+    taut_panes_used(&f->panes, size);
+    const double least = has_scale ? 480 : fmax(30.0 * names + 60, 240);
+    f->height = fmin(f->height, fmax(f->top + size[1], least) + f->foot);
+    if (!f->options.column) { /* no taller than wide: letters would be large beside others' */
+        f->width = fmin(f->width, fmax(fmax(size[0], 420) + f->right, f->height));
+    }
+    return aim(f);
+}
+
+/* Room for the note, once the scale of the colours is known; names of nothing that is seen take none. */
+static void finish_layout(figure *f)
+{
+    named rows[TAUT_LEGEND_ROWS];
+    const taut_legend legend = {.width = f->width, .least = least_of(f)};
+
+    if (f->right > 0 && f->options.colour == TAUT_COLOUR_PLAIN && names_shown(f, 1, rows) == 0 &&
+        !f->options.column) {
+        f->width -= f->right;
+        f->right = 0;
+    }
+    place_axes(f);
+    taut_panes_note(&f->panes, &f->options, f->limit, f->note, sizeof f->note);
+    if (f->is_noise) {
+        const size_t used = strlen(f->note);
+        snprintf(f->note + used, sizeof f->note - used, "%s0 to rounding everywhere",
+                 used > 0 ? "; " : "");
+    }
+    const double x = 0.2 * f->width + 24 + 120 + (has_axes_below(f) ? 124 : 0);
+    const int lines = taut_legend_note(&legend, x, 0, f->note);
+    f->height += fmax(lines - 1, 0) * TAUT_LEGEND_LINE;
+    f->foot += fmax(lines - 1, 0) * TAUT_LEGEND_LINE;
 }
 
 static taut_status draw_panes(figure *f, const taut_canvas_ops *ops, const char *kind, FILE *out,
                               taut_error *error)
 {
-    const int wide = f->options.colour != TAUT_COLOUR_PLAIN;
     taut_status status = sample_panes(f);
 
     if (status != TAUT_OK) {
         return taut_fail_status(error, status);
     }
-    const double title = f->options.title == NULL ? 0 : f->panes.count > 1 ? 60 : 30;
-    const double page[4] = {0, title, page_width - (wide || names_shown(f) > 0 ? 160 : 0),
-                            page_height};
-    if (!taut_panes_aim(&f->panes, &f->options, page)) {
+    if (!lay_out(f)) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, 0, 1,
                          "there is nothing to draw: no surface or curve has a finite point");
     }
@@ -281,6 +467,7 @@ static taut_status draw_panes(figure *f, const taut_canvas_ops *ops, const char 
     if (status != TAUT_OK) {
         return taut_fail_status(error, status);
     }
+    finish_layout(f);
     status = paint_page(f, ops, kind, out);
     return status == TAUT_OK ? TAUT_OK : fail_painting(status, error);
 }

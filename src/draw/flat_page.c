@@ -5,10 +5,10 @@
 
 static const taut_ink inks[TAUT_FLAT_LAYERS] = {
     {208, 0, 0}, {0, 0, 208}, {0, 128, 0}, {128, 128, 128}}; /* as taut_flat_svg_write has them */
-static const double per_millimetre = 2 * 72 / 25.4, line_width = 0.1; /* mm */
+static const double line_width = 0.1;                        /* mm */
 
-/* A line with its first point once more where it is closed; y goes down. */
-static taut_status put_line(const taut_flat_line *line, double scale, double top,
+/* As many page units as scale says to the model's, and width units wide. A line with its first point once more where it is closed; y goes down. */
+static taut_status put_line(const taut_flat_line *line, double scale, double top, double width,
                             const taut_canvas_ops *ops, taut_canvas *canvas, taut_arena *arena)
 {
     const size_t count = line->count + (size_t)(line->is_closed != 0);
@@ -20,14 +20,14 @@ static taut_status put_line(const taut_flat_line *line, double scale, double top
         xy[k][0] = scale * line->points[k % line->count][0];
         xy[k][1] = top - scale * line->points[k % line->count][1];
     }
-    ops->line(canvas, (int)count, (const double(*)[2])xy, inks[line->layer],
-              line_width * per_millimetre);
+    ops->line(canvas, (int)count, (const double(*)[2])xy, inks[line->layer], width);
     return TAUT_OK;
 }
 
-taut_status taut_flat_page(const taut_model *model, const taut_canvas_ops *ops, taut_canvas *canvas,
-                           taut_arena *arena, taut_error *error)
+taut_status taut_flat_page(const taut_model *model, double point, const taut_canvas_ops *ops,
+                           taut_canvas *canvas, taut_arena *arena, taut_error *error)
 {
+    const double per_millimetre = 72 / 25.4 / point;
     const double scale = taut_unit_ratio(taut_model_unit(model), "mm") * per_millimetre;
     taut_flat flat;
 
@@ -41,7 +41,8 @@ taut_status taut_flat_page(const taut_model *model, const taut_canvas_ops *ops, 
     const double top = scale * flat.size[1];
     ops->next_page(canvas, scale * flat.size[0], top);
     for (size_t k = 0; status == TAUT_OK && k < flat.line_count; k++) {
-        status = put_line(&flat.lines[k], scale, top, ops, canvas, arena);
+        status =
+            put_line(&flat.lines[k], scale, top, line_width * per_millimetre, ops, canvas, arena);
     }
     for (size_t k = 0; k < flat.text_count; k++) {
         const taut_flat_text *text = &flat.texts[k];

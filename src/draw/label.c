@@ -98,3 +98,25 @@ void taut_label_clean(const char *from, size_t most, char *text, size_t size)
     }
     text[at] = '\0';
 }
+
+/* Digits and most letters are 0.6 em wide; bytes that go on a letter are none. */
+double taut_label_width(const char *text, double size)
+{
+    size_t letters = 0;
+    for (const unsigned char *s = (const unsigned char *)text; *s != 0; s++) {
+        letters += (*s & 0xc0) != 0x80;
+    }
+    return 0.61 * size * (double)letters;
+}
+
+void taut_label_short(double value, char *text, size_t size)
+{
+    const int e = (int)floor(taut_log10(value) + 1e-9);
+    if (e >= -4 && e <= 5) {
+        taut_label_fixed(value, e < 0 ? -e : 0, text, size);
+    } else {
+        char digits[48];
+        taut_label_fixed(value / taut_pow(10, e), 0, digits, sizeof digits);
+        snprintf(text, size, "%se%d", digits, e);
+    }
+}

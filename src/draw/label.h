@@ -15,4 +15,9 @@ void taut_label_number(double value, char *text, size_t size);
  * becomes "?", what is too long ends in an ellipsis. */
 void taut_label_clean(const char *from, size_t most, char *text, size_t size);
 
+/* Of a number of one digit times a power of ten: as short as it can be said. */
+void taut_label_short(double value, char *text, size_t size);
+/* About how wide a text is in page units, in letters of this size: what no font need be asked for. */
+double taut_label_width(const char *text, double size);
+
 #endif /* TAUT_DRAW_LABEL_H */

@@ -211,13 +211,34 @@ void taut_pane_visit_nets(const taut_pane *pane, const taut_write_options *optio
     }
 }
 
+static const char *sheet_name(const void *of, int i)
+{
+    return taut_surface_name(((const taut_pane *)of)->sheets[i].surface);
+}
+
+static const char *curve_name(const void *of, int i)
+{
+    return taut_curve_name(((const taut_pane *)of)->curves[i].curve);
+}
+
+/* One surface alone is the first colour. */
+int taut_pane_sheet_colour(const taut_pane *pane, int i)
+{
+    return pane->surface >= 0 ? 0 : taut_colour_group(sheet_name, pane, pane->sheet_count, i);
+}
+
+int taut_pane_curve_colour(const taut_pane *pane, int i)
+{
+    return taut_colour_group(curve_name, pane, pane->curve_count, i);
+}
+
 taut_status taut_pane_add_cells(taut_pane *pane, const taut_write_options *options, double limit,
                                 taut_arena *arena, taut_scene *scene)
 {
     taut_status status = TAUT_OK;
     for (int i = 0; i < pane->sheet_count && status == TAUT_OK; i++) {
         taut_sheet *sheet = &pane->sheets[i];
-        const int colour = pane->surface >= 0 ? 0 : i;
+        const int colour = taut_pane_sheet_colour(pane, i);
         if (options->reflections > 0) {
             status = taut_sheet_stripes(options, &pane->camera, arena, sheet);
             if (status != TAUT_OK) {
@@ -247,9 +268,12 @@ static taut_status add_isolines(const taut_pane *pane, const taut_write_options 
     if (options->colour == TAUT_COLOUR_PLAIN) {
         return taut_parts_parameter_lines(sheet->surface, count, &pane->camera, arena, scene);
     }
-    return taut_parts_isolines(sheet, pane->pages[i], limit / count,
-                               options->colour >= TAUT_COLOUR_ISOTHERMALITY ? 0 : -count, count,
-                               scene);
+    const int first = options->colour >= TAUT_COLOUR_ISOTHERMALITY ? 0 : -count;
+    const taut_status status =
+        taut_parts_isolines(sheet, pane->pages[i], limit / count, first, count, scene);
+    return status == TAUT_OK ? taut_parts_isoline_names(sheet, pane->pages[i], limit / count, first,
+                                                        count, limit, scene)
+                             : status;
 }
 
 static taut_status add_lines(const taut_pane *pane, const taut_write_options *options, int i,
@@ -260,7 +284,7 @@ static taut_status add_lines(const taut_pane *pane, const taut_write_options *op
     taut_status status = taut_parts_silhouette(sheet, pane->pages[i], arena, scene);
 
     if (status == TAUT_OK && has_knot_lines(pane, options, i)) {
-        const taut_ink ink = taut_colour_plain(pane->surface >= 0 ? 0 : i);
+        const taut_ink ink = taut_colour_plain(taut_pane_sheet_colour(pane, i));
         status = taut_parts_outline(sheet, pane->pages[i], 0, ink, arena, scene);
     }
     if (status == TAUT_OK && options->isolines > 0) {
@@ -285,10 +309,37 @@ taut_status taut_pane_add_lines(taut_pane *pane, const taut_write_options *optio
         status = add_lines(pane, options, i, limit, arena, scene);
     }
     for (int i = 0; i < pane->sheet_count && status == TAUT_OK; i++) {
-        status = taut_parts_outline(&pane->sheets[i], pane->pages[i], 1, taut_colour_plain(i),
-                                    arena, scene);
+        status =
+            taut_parts_outline(&pane->sheets[i], pane->pages[i], 1,
+                               taut_colour_plain(taut_pane_sheet_colour(pane, i)), arena, scene);
     }
     return status == TAUT_OK ? taut_arrows_add(&pane->arrows, &pane->camera, scene) : status;
+}
+
+/* On the page, of the strokes from number `first` on. */
+static double length_since(const taut_scene *scene, size_t first)
+{
+    double length = 0;
+    for (size_t i = first; i < scene->stroke_count; i++) {
+        const taut_stroke *s = &scene->strokes[i];
+        for (size_t k = s->first; k + 1 < s->first + (size_t)s->count; k++) {
+            const double(*xy)[2] = (const double(*)[2])(scene->points + k);
+            length += taut_hypot(xy[1][0] - xy[0][0], xy[1][1] - xy[0][1]);
+        }
+    }
+    return length;
+}
+
+static double length_of(const taut_polyline *line, const taut_camera *camera)
+{
+    double length = 0, last[3], at[3];
+    for (size_t i = 0; i < line->count; i++) {
+        taut_camera_project(camera, line->points + 3 * i, at);
+        const double piece = i > 0 ? taut_hypot(at[0] - last[0], at[1] - last[1]) : 0;
+        length += isfinite(piece) ? piece : 0;
+        memcpy(last, at, sizeof last);
+    }
+    return length;
 }
 
 taut_status taut_pane_add_curves(taut_pane *pane, const taut_write_options *options,
@@ -296,9 +347,11 @@ taut_status taut_pane_add_curves(taut_pane *pane, const taut_write_options *opti
 {
     taut_status status = TAUT_OK;
     for (int i = 0; i < pane->curve_count && status == TAUT_OK; i++) {
-        const taut_polyline *line = &pane->curves[i];
-        status = taut_parts_curve(line->count, line->points, &pane->camera, taut_colour_curve(i),
-                                  arena, scene);
+        taut_polyline *line = &pane->curves[i];
+        const size_t before = scene->stroke_count;
+        status = taut_parts_curve(line->count, line->points, &pane->camera,
+                                  taut_colour_curve(taut_pane_curve_colour(pane, i)), arena, scene);
+        line->is_seen = length_since(scene, before) > 0.2 * length_of(line, &pane->camera);
         if (status == TAUT_OK && draws_net(pane, options, pane->sheet_count + i)) {
             status = taut_parts_net(1, taut_basis_count(taut_curve_t(line->curve)),
                                     taut_curve_points(line->curve), &pane->camera, arena, scene);

@@ -12,6 +12,7 @@ typedef struct taut_polyline {
     const taut_curve *curve;
     size_t count;
     double *points;
+    int is_seen; /* once drawn: at least a fifth of it */
 } taut_polyline;
 
 typedef struct taut_pane {
@@ -42,6 +43,9 @@ void taut_pane_visit_core(const taut_pane *pane, taut_camera *camera,
 void taut_pane_visit_nets(const taut_pane *pane, const taut_write_options *options,
                           taut_camera *camera,
                           void (*visit)(taut_camera *, size_t, const double *));
+/* The number of a surface's plain colour, and of a curve's (mesh/colour.h). */
+int taut_pane_sheet_colour(const taut_pane *pane, int i);
+int taut_pane_curve_colour(const taut_pane *pane, int i);
 /* How many nets the pane leaves out as they lie far beyond its core, and how many there are. */
 int taut_pane_far_nets(const taut_pane *pane, const taut_write_options *options);
 int taut_pane_nets(const taut_pane *pane, const taut_write_options *options);

@@ -10,9 +10,6 @@
 #include <stdio.h>
 #include <string.h>
 
-/* What the axes and the note below take, and a bit. */
-static const double axes_height = 130;
-
 /* Are the surfaces of a model the frames of a deformation? So it is when `details.lambda` lists one
  * number for each of several surfaces. */
 static const taut_record *lambdas_of(const taut_model *model)
@@ -111,33 +108,59 @@ int taut_panes_sheets(const taut_panes *panes, const taut_write_options *options
     return sheets;
 }
 
-/* Rows and columns such that a pane of 4 by 3 is largest; room for a label above each. */
-static void place_panes(taut_panes *panes, const double page[4])
-{
-    const double width = page[2] - page[0], height = page[3] - page[1];
-    int columns = 1;
-    double best = 0;
+/* Around each pane, and above it for its label. */
+static const double beside = 24, above = 52, below = 8;
 
-    if (panes->count == 1) {
-        const double only[4] = {page[0] + 60, page[1] + 60, page[2] - 60, page[3] - 60};
-        memcpy(panes->place[0], only, sizeof only);
-        return;
-    }
-    for (int c = 1; c <= panes->count; c++) {
-        const int rows = (panes->count + c - 1) / c;
-        const double size = fmin(width / c / 4, (height - axes_height) / rows / 3);
+/* Columns such that a pane of 4 by 3 is largest. */
+static int choose_columns(int count, double width, double height)
+{
+    double best = 0;
+    int columns = 1;
+    for (int c = 1; c <= count; c++) {
+        const double size = fmin(width / c / 4, height / ((count + c - 1) / c) / 3);
         if (size >= best) {
             best = size;
             columns = c;
         }
     }
-    const int rows = (panes->count + columns - 1) / columns;
+    return columns;
+}
+
+static int rows_of(const taut_panes *panes)
+{
+    return (panes->count + panes->columns - 1) / panes->columns;
+}
+
+/* In rows and columns; room for a label above each of several. */
+static void place_panes(taut_panes *panes, const double page[4])
+{
+    const double width = page[2] - page[0], height = page[3] - page[1];
+
+    if (panes->columns == 0) {
+        panes->columns = choose_columns(panes->count, width, height);
+    }
     for (int i = 0; i < panes->count; i++) {
-        const double w = width / columns, h = (height - axes_height) / rows;
-        const double x = page[0] + i % columns * w, y = page[1] + i / columns * h;
-        const double place[4] = {x + 24, y + 52, x + w - 24, y + h - 8};
+        const double w = width / panes->columns, h = height / rows_of(panes);
+        const double x = page[0] + i % panes->columns * w, y = page[1] + i / panes->columns * h;
+        const double single = panes->count == 1 ? TAUT_PANES_MARGIN : 0;
+        const double place[4] = {x + fmax(single, beside), y + (panes->count > 1 ? above : single),
+                                 x + w - fmax(single, beside), y + h - fmax(single, below)};
         memcpy(panes->place[i], place, sizeof place);
     }
+}
+
+void taut_panes_used(const taut_panes *panes, double size[2])
+{
+    double most[2] = {0, 0};
+    for (int i = 0; i < panes->count; i++) {
+        const taut_camera *camera = &panes->pane[i].camera;
+        for (int c = 0; c < 2; c++) {
+            most[c] = fmax(most[c], camera->scale * (camera->seen[1][c] - camera->seen[0][c]));
+        }
+    }
+    const int single = panes->count == 1;
+    size[0] = panes->columns * (most[0] + 2 * (single ? TAUT_PANES_MARGIN : beside));
+    size[1] = rows_of(panes) * (most[1] + (single ? 2 * TAUT_PANES_MARGIN : above + below));
 }
 
 /* The same teeth mean the same in all panes of one model. */

@@ -22,6 +22,10 @@ taut_status taut_parts_outline(const taut_sheet *sheet, const double *page, int 
 /* Where its values are k step, k = first .. last; its corners are filled. Zero is drawn bolder. */
 taut_status taut_parts_isolines(const taut_sheet *sheet, const double *page, double step, int first,
                                 int last, taut_scene *scene);
+/* The values on them, one name a level where there is room; all cells and no tag of the page's
+ * other sheets are behind. */
+taut_status taut_parts_isoline_names(const taut_sheet *sheet, const double *page, double step,
+                                     int first, int last, double limit, taut_scene *scene);
 /* `count` inner lines of equal u and of equal v, evenly spread. */
 taut_status taut_parts_parameter_lines(const taut_surface *surface, int count,
                                        const taut_camera *camera, taut_arena *arena,

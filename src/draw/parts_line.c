@@ -7,7 +7,7 @@
 
 enum { LINES_SHOWN = 33, POINTS_ALONG = 132 };
 
-static const taut_ink net_ink = {68, 74, 90};
+static const taut_ink net_ink = {68, 74, 90}, faint_ink = {150, 160, 178};
 static const taut_ink point_ink = {250, 250, 250}, point_rim = {60, 66, 82};
 
 /* Of `count` points in one direction every `line`-th has a line across, and a line along runs
@@ -30,10 +30,16 @@ static int next_line(int i, int step, int count)
     return i + step < count || i == count - 1 ? i + step : count - 1;
 }
 
+/* A net lies near its surface, within a part of its own gaps: so far behind it is not hidden, so
+ * that a line that runs along the surface is not torn where it dips below. */
+typedef struct net_style {
+    double width, slack;
+} net_style;
+
 /* The lines along one direction: `along` points `stride` apart, `across` lines `stride_across`
  * apart. row: double[along][3]. */
 static void add_net_lines(int along, size_t stride, int across, size_t stride_across,
-                          const double *points, const taut_camera *camera, double width,
+                          const double *points, const taut_camera *camera, const net_style *style,
                           double *row, taut_scene *scene)
 {
     const int step_along = thinning_of(along).point, step_across = thinning_of(across).line;
@@ -43,7 +49,7 @@ static void add_net_lines(int along, size_t stride, int across, size_t stride_ac
             taut_camera_project(camera, points + (size_t)i * stride + (size_t)j * stride_across,
                                 row + 3 * count++);
         }
-        taut_scene_line(scene, count, row, net_ink, width);
+        taut_scene_line_through(scene, count, row, net_ink, faint_ink, style->width, style->slack);
     }
 }
 
@@ -73,15 +79,16 @@ taut_status taut_parts_net(int nu, int nv, const double *points, const taut_came
                            taut_arena *arena, taut_scene *scene)
 {
     const size_t row = 3 * (size_t)nv, count = (size_t)nu * (size_t)nv;
-    const double width = fmax(0.3 * point_radius(count, points, camera), 0.6);
+    const double radius = point_radius(count, points, camera); /* 0.03 of the gaps */
+    const net_style style = {fmax(0.3 * radius, 0.6), fmin(1.5 + 5 * radius, 8)};
     double *page = taut_arena_take(arena, (size_t)(nu > nv ? nu : nv), 3 * sizeof(double));
 
     if (page == NULL) {
         return TAUT_NO_MEMORY;
     }
-    add_net_lines(nv, 3, nu, row, points, camera, width, page, scene);
+    add_net_lines(nv, 3, nu, row, points, camera, &style, page, scene);
     if (nu > 1) {
-        add_net_lines(nu, row, nv, 3, points, camera, width, page, scene);
+        add_net_lines(nu, row, nv, 3, points, camera, &style, page, scene);
     }
     return scene->status;
 }

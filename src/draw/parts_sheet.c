@@ -1,4 +1,6 @@
 /* parts_sheet.c -- the shaded cells of a surface, its boundary and its knot lines. */
+#include "core/constants.h"
+#include "core/elementary/elementary.h"
 #include "draw/parts.h"
 #include "mesh/colour.h"
 
@@ -60,6 +62,25 @@ static void add_lit(const double *const p[3], const double s[3], taut_ink ink, t
     }
 }
 
+/* Page units from lamp to lamp, below which they are a grey and above which they are seen whole. */
+static const double finest = 8, clear = 16;
+
+/* How clearly the lamps are seen in a cell, 0 to 1, from their phase at its corners: where the
+ * normals fan out, lines would lie closer than any page shows them, and scribble. Phases are equal
+ * that differ by whole turns. */
+static double contrast_of(const double *const corner[4], const double phase[4])
+{
+    double steepest = 0; /* in turns a page unit */
+    for (int k = 0; k < 4; k++) {
+        const double *a = corner[k], *b = corner[(k + 1) % 4];
+        const double turns = (phase[(k + 1) % 4] - phase[k]) / (2 * TAUT_PI);
+        const double length = fmax(taut_hypot(b[0] - a[0], b[1] - a[1]), 0.5);
+        steepest = fmax(steepest, fabs(turns - round(turns)) / length);
+    }
+    const double gap = 1 / fmax(steepest, 1e-3);
+    return fmin(fmax((gap - finest) / (clear - finest), 0), 1);
+}
+
 /* Lamps mirrored in a cell, s at its corners; none where there is no normal. */
 static void add_stripes(const double *const corner[4], const double s[4], taut_ink ink,
                         taut_scene *scene)
@@ -95,6 +116,7 @@ taut_status taut_parts_cells(const taut_sheet *sheet, const taut_camera *camera,
                              double limit, taut_arena *arena, taut_scene *scene, double **page)
 {
     static const taut_ink dark = {30, 36, 52};
+    static const double lit_mix = 0.72;
     const size_t columns = (size_t)sheet->v.count, count = (size_t)sheet->u.count * columns;
     double *p = taut_arena_take(arena, count, 3 * sizeof(double));
 
@@ -111,9 +133,18 @@ taut_status taut_parts_cells(const taut_sheet *sheet, const taut_camera *camera,
                                              first + 3};
             const size_t cell = i * (columns - 1) + j, before = scene->cell_count;
             const taut_ink shown = cell_ink(sheet, cell, ink, limit, corner);
-            taut_scene_cell(scene, corner, shown);
-            if (sheet->stripes != NULL && scene->cell_count > before) {
-                add_stripes(corner, sheet->stripes + 4 * cell, taut_colour_mix(shown, dark, 0.72),
+            if (sheet->stripes == NULL) {
+                taut_scene_cell(scene, corner, shown);
+                continue;
+            }
+            const double *phase = sheet->stripes + 4 * cell;
+            const double contrast = contrast_of(corner, phase);
+            taut_scene_cell(scene, corner,
+                            taut_colour_mix(shown, dark, lit_mix / 2 * (1 - contrast)));
+            if (contrast > 0 && scene->cell_count > before) {
+                const double s[4] = {taut_sin(phase[0]), taut_sin(phase[1]), taut_sin(phase[2]),
+                                     taut_sin(phase[3])};
+                add_stripes(corner, s, taut_colour_mix(shown, dark, lit_mix / 2 * (1 + contrast)),
                             scene);
             }
         }

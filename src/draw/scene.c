@@ -2,6 +2,7 @@
 
 #include "core/elementary/elementary.h"
 #include "core/memory.h"
+#include "draw/label.h"
 
 #include <assert.h>
 #include <math.h>
@@ -10,7 +11,7 @@
 
 /* A point this much behind a surface, in page units, still counts as on it; a line is judged every
  * STEP units; fewer than SHORTEST steps in a row are a ripple and follow what is around them. */
-static const double slack = 1.5, step_length = 2;
+static const double usual_slack = 1.5, step_length = 2;
 enum { SHORTEST = 4 };
 
 taut_status taut_scene_init(taut_scene *scene, double width, double height, taut_arena *arena)
@@ -27,6 +28,7 @@ void taut_scene_clear(taut_scene *scene)
     taut_free(scene->strokes);
     taut_free(scene->points);
     taut_free(scene->hidden);
+    taut_free(scene->tags);
     memset(scene, 0, sizeof *scene);
 }
 
@@ -135,7 +137,7 @@ static size_t steps_of(const double a[3], const double b[3])
 }
 
 /* hidden[k] for every step of the line, judged at its middle. Returns how many. */
-static size_t mark_hidden(taut_scene *scene, size_t count, const double *points)
+static size_t mark_hidden(taut_scene *scene, size_t count, const double *points, double slack)
 {
     size_t used = 0;
     for (size_t i = 0; i + 1 < count; i++) {
@@ -180,9 +182,10 @@ static void add_point_between(taut_scene *scene, const double a[3], const double
     add_point(scene, a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]));
 }
 
-/* The visible runs as strokes: cut within a piece where the state changes, broken where a point is
+/* The visible runs, or the hidden ones, as strokes: cut within a piece where the state changes, broken where a point is
  * not finite. */
-static void add_runs(taut_scene *scene, size_t count, const double *points, taut_stroke style)
+static void add_runs(taut_scene *scene, size_t count, const double *points, taut_stroke style,
+                     int hidden)
 {
     size_t judged = 0;
     int open = 0;
@@ -190,7 +193,7 @@ static void add_runs(taut_scene *scene, size_t count, const double *points, taut
         const double *a = points + 3 * i, *b = a + 3;
         const size_t steps = steps_of(a, b);
         for (size_t k = 0; k < steps; k++) {
-            const int visible = !scene->hidden[judged++];
+            const int visible = scene->hidden[judged++] == hidden;
             if (visible && !open) {
                 style.first = scene->point_count;
                 add_point_between(scene, a, b, (double)k / (double)steps);
@@ -216,10 +219,23 @@ void taut_scene_line(taut_scene *scene, size_t count, const double *points, taut
                      double width)
 {
     const taut_stroke style = {.size = width, .ink = ink};
-    const size_t steps = mark_hidden(scene, count, points);
+    const size_t steps = mark_hidden(scene, count, points, usual_slack);
     if (scene->status == TAUT_OK) {
         smooth_hidden(steps, scene->hidden);
-        add_runs(scene, count, points, style);
+        add_runs(scene, count, points, style, 0);
+    }
+}
+
+void taut_scene_line_through(taut_scene *scene, size_t count, const double *points, taut_ink ink,
+                             taut_ink faint, double width, double slack)
+{
+    const taut_stroke seen = {.size = width, .ink = ink};
+    const taut_stroke behind = {.size = 0.7 * width, .ink = faint};
+    const size_t steps = mark_hidden(scene, count, points, slack);
+    if (scene->status == TAUT_OK) {
+        smooth_hidden(steps, scene->hidden);
+        add_runs(scene, count, points, behind, 1);
+        add_runs(scene, count, points, seen, 0);
     }
 }
 
@@ -228,10 +244,53 @@ void taut_scene_disc(taut_scene *scene, const double at[3], taut_ink ink, taut_i
 {
     const taut_stroke style = {
         .size = radius, .ink = ink, .rim = rim, .first = scene->point_count, .count = 1};
-    if (is_finite(at) && !taut_depth_hides(&scene->depth, at, slack)) {
+    if (is_finite(at) && !taut_depth_hides(&scene->depth, at, usual_slack)) {
         add_point(scene, at[0], at[1]);
         add_stroke(scene, style);
     }
+}
+
+int taut_scene_has_room(const taut_scene *scene, const double at[3], const double size[2],
+                        double gap)
+{
+    if (!is_finite(at) || taut_depth_hides(&scene->depth, at, usual_slack)) {
+        return 0;
+    }
+    for (int k = 0; k < 4; k++) {
+        const double x = at[0] + (k % 2 == 0 ? -0.5 : 0.5) * size[0];
+        const double y = at[1] + (k < 2 ? -0.5 : 0.5) * size[1];
+        if (!isfinite(taut_depth_at(&scene->depth, x, y))) {
+            return 0;
+        }
+    }
+    for (size_t i = 0; i < scene->tag_count; i++) {
+        const double *other = scene->tags[i].xy;
+        if (taut_hypot(at[0] - other[0], at[1] - other[1]) < gap) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+void taut_scene_tag(taut_scene *scene, const taut_tag *tag)
+{
+    scene->tags =
+        with_room(scene, scene->tags, scene->tag_count, 1, sizeof *scene->tags, &scene->tag_room);
+    if (scene->status == TAUT_OK) {
+        scene->tags[scene->tag_count++] = *tag;
+    }
+}
+
+static void paint_tag(const taut_scene *scene, const taut_tag *tag, const taut_canvas_ops *ops,
+                      taut_canvas *canvas)
+{
+    const double w = 0.5 * taut_label_width(tag->text, scene->tag_size) + 2,
+                 h = 0.56 * scene->tag_size;
+    const double x = tag->xy[0], y = tag->xy[1];
+    const double box[4][2] = {{x - w, y - h}, {x + w, y - h}, {x + w, y + h}, {x - w, y + h}};
+    ops->polygon(canvas, 4, box, tag->paper);
+    ops->text(canvas, x, y + 0.36 * scene->tag_size, scene->tag_size, TAUT_ANCHOR_MIDDLE, tag->ink,
+              tag->text);
 }
 
 static int farther_first(const void *a, const void *b)
@@ -260,5 +319,8 @@ void taut_scene_paint(taut_scene *scene, const taut_canvas_ops *ops, taut_canvas
         } else {
             ops->disc(canvas, xy[0], s->size, s->ink, s->rim, 0.4 * s->size);
         }
+    }
+    for (size_t i = 0; i < scene->tag_count; i++) {
+        paint_tag(scene, &scene->tags[i], ops, canvas);
     }
 }

@@ -26,11 +26,21 @@ typedef struct taut_stroke {
     taut_ink ink, rim;
 } taut_stroke;
 
+/* A number on a line, on paper of its own. */
+typedef struct taut_tag {
+    double xy[2]; /* its middle */
+    char text[24];
+    taut_ink ink, paper;
+} taut_tag;
+
 typedef struct taut_scene {
     taut_cell *cells;
     taut_stroke *strokes;
     double (*points)[2];
     unsigned char *hidden; /* scratch of taut_scene_line */
+    taut_tag *tags;
+    size_t tag_count, tag_room;
+    double tag_size; /* of their letters, in page units */
     size_t cell_count, stroke_count, point_count;
     size_t cell_room, stroke_room, point_room, hidden_room;
     taut_depth depth;
@@ -49,10 +59,19 @@ void taut_scene_over(taut_scene *scene, const double *const corner[4], taut_ink 
 /* points: double[count][3] */
 void taut_scene_line(taut_scene *scene, size_t count, const double *points, taut_ink ink,
                      double width);
+/* The same, where hidden by no more than `slack` still seen, and where hidden by more a thinner
+ * line of the ink `faint`: of nets, which lie along their surface and behind it. */
+void taut_scene_line_through(taut_scene *scene, size_t count, const double *points, taut_ink ink,
+                             taut_ink faint, double width, double slack);
 void taut_scene_disc(taut_scene *scene, const double at[3], taut_ink ink, taut_ink rim,
                      double radius);
 
-/* Sorts and draws: cells, then lines and discs as they were added. */
+/* Does a box of this size about a point lie on surfaces whole, and away from all tags by `gap`? */
+int taut_scene_has_room(const taut_scene *scene, const double at[3], const double size[2],
+                        double gap);
+void taut_scene_tag(taut_scene *scene, const taut_tag *tag);
+
+/* Sorts and draws: cells, then lines and discs as they were added, then tags. */
 void taut_scene_paint(taut_scene *scene, const taut_canvas_ops *ops, taut_canvas *canvas);
 
 #endif /* TAUT_DRAW_SCENE_H */

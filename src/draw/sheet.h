@@ -23,7 +23,9 @@ typedef struct taut_sheet {
     double *values;  /* [u.count-1][v.count-1] what the colour shows; NaN: none; NULL when plain */
     double *corners; /* [u.count-1][v.count-1][4] the same at the corners of the cells, seen from
                         within, for isolines; NULL without */
-    double *stripes; /* likewise: above 0 where a light is mirrored; NULL without */
+    double
+        *stripes; /* likewise: the phase of the lights, whose sine is above 0 where one is mirrored;
+                        NULL without */
 } taut_sheet;
 
 /* What a colour shows at a point; NaN where it has none. */

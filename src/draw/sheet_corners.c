@@ -85,7 +85,7 @@ static double ask_light(const void *context, const taut_forms *forms)
     const double *n = forms->normal;
     const double across = n[0] * c->right[0] + n[1] * c->right[1] + n[2] * c->right[2];
     const double toward = n[0] * c->eye[0] + n[1] * c->eye[1] + n[2] * c->eye[2];
-    return taut_sin(lit->lights * taut_atan2(2 * toward * across, 2 * toward * toward - 1));
+    return lit->lights * taut_atan2(2 * toward * across, 2 * toward * toward - 1);
 }
 
 taut_status taut_sheet_stripes(const taut_write_options *options, const taut_camera *camera,

@@ -4,6 +4,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 static unsigned char to_byte(double x)
 {
@@ -54,6 +55,63 @@ taut_ink taut_colour_plain(int i)
         {200, 186, 228}, {158, 214, 216}, {222, 214, 158}, {210, 194, 180},
     };
     return palette[(size_t)i % (sizeof palette / sizeof palette[0])];
+}
+
+/* The letters of a name before its number. */
+static size_t stem_of(const char *name)
+{
+    size_t length = strlen(name);
+    while (length > 0 && name[length - 1] >= '0' && name[length - 1] <= '9') {
+        length--;
+    }
+    return length;
+}
+
+static int is_alike(const char *a, const char *b)
+{
+    const size_t length = stem_of(a);
+    return length > 0 && length == stem_of(b) && memcmp(a, b, length) == 0;
+}
+
+/* Straight and bent, in every model alike. */
+static const char *const meanings[] = {"pipe", "blend"};
+enum { MEANINGS = sizeof meanings / sizeof meanings[0], GROUPS_MOST = 64 };
+
+static int meaning_of(const char *name)
+{
+    for (int k = 0; k < MEANINGS; k++) {
+        if (is_alike(meanings[k], name)) {
+            return k;
+        }
+    }
+    return -1;
+}
+
+/* The first thing that shares i's colour. */
+static int first_alike(const char *(*name)(const void *of, int i), const void *of, int i)
+{
+    int first = 0;
+    while (first < i && !is_alike(name(of, first), name(of, i))) {
+        first++;
+    }
+    return first;
+}
+
+int taut_colour_group(const char *(*name)(const void *of, int i), const void *of, int count, int i)
+{
+    const int meaning = meaning_of(name(of, i)), first = first_alike(name, of, i);
+    int before = 0;
+
+    if (meaning >= 0 || first >= GROUPS_MOST) { /* so many are not told apart by colour anyway */
+        return meaning >= 0 ? meaning : first;
+    }
+    for (int k = 0; k < count && k < GROUPS_MOST && before == 0; k++) {
+        before = meaning_of(name(of, k)) >= 0 ? MEANINGS : 0;
+    }
+    for (int k = 0; k < first; k++) {
+        before += meaning_of(name(of, k)) < 0 && first_alike(name, of, k) == k;
+    }
+    return before;
 }
 
 taut_ink taut_colour_curve(int i)
@@ -117,4 +175,17 @@ double taut_colour_limit(size_t count, double *values, double noise, int *cut)
     step = taut_pow(10, floor(taut_log10(limit)) - 1);
     return isfinite(ceil(limit / step - 1e-9) * step) && step > 0 ? ceil(limit / step - 1e-9) * step
                                                                   : limit;
+}
+
+int taut_colour_sign(size_t count, const double *values, double noise)
+{
+    double low = 0, high = 0;
+    for (size_t i = 0; i < count; i++) {
+        if (isfinite(values[i])) {
+            low = fmin(low, values[i]);
+            high = fmax(high, values[i]);
+        }
+    }
+    const double most = fmax(high, -low), none = fmax(noise, 1e-6 * most);
+    return most <= noise ? 0 : -low <= none ? 1 : high <= none ? -1 : 0;
 }

@@ -18,6 +18,12 @@ taut_ink taut_colour_diverging(double t);
 /* The i-th plain surface colour; they repeat. */
 taut_ink taut_colour_plain(int i);
 
+/* Which plain or curve colour thing i of a model takes: things whose names differ in their number
+ * only ("blend1", "blend2") share one, in the order in which they appear; what is called pipe is
+ * the first colour and what is called blend the second, in every model. Things without a name, or
+ * of a number alone, take one each. name(of, i): never NULL. */
+int taut_colour_group(const char *(*name)(const void *of, int i), const void *of, int count, int i);
+
 /* The i-th curve colour; they repeat. */
 taut_ink taut_colour_curve(int i);
 
@@ -32,5 +38,9 @@ taut_ink taut_colour_mix(taut_ink a, taut_ink b, double t);
  * them, unless a few stand far out: then `*cut` is 1. Never below `noise` (> 0), so that rounding
  * does not show as colour. */
 double taut_colour_limit(size_t count, double *values, double noise, int *cut);
+
+/* 1: no value is below 0, -1: none above it, but for rounding (noise, or 1e-6 of the largest); 0: there are both, or nothing
+ * but noise. Such values need one arm of the map only. */
+int taut_colour_sign(size_t count, const double *values, double noise);
 
 #endif /* TAUT_MESH_COLOUR_H */

@@ -123,6 +123,16 @@ static void put_basis(taut_json_out *out, const char *key, const taut_basis *bas
     put_text(out, key, text);
 }
 
+static const char *surface_name(const void *of, int i)
+{
+    return taut_surface_name(((const taut_page_model *)of)->surfaces[i].surface);
+}
+
+static const char *curve_name(const void *of, int i)
+{
+    return taut_curve_name(((const taut_page_model *)of)->curves[i].curve);
+}
+
 static taut_status put_surface(taut_json_out *out, const taut_page_model *p,
                                const taut_page_surface *s)
 {
@@ -138,6 +148,7 @@ static taut_status put_surface(taut_json_out *out, const taut_page_model *p,
     }
     taut_json_open(out, '{');
     put_text(out, "name", taut_surface_name(surface));
+    put_number(out, "colour", taut_colour_group(surface_name, p, p->count, (int)(s - p->surfaces)));
     put_basis(out, "basis_u", taut_surface_u(surface));
     put_basis(out, "basis_v", taut_surface_v(surface));
     put_lines(out, "u", &s->u, room);
@@ -182,6 +193,8 @@ static taut_status put_curve(taut_json_out *out, const taut_page_model *p,
     }
     taut_json_open(out, '{');
     put_text(out, "name", taut_curve_name(curve));
+    put_number(out, "colour",
+               taut_colour_group(curve_name, p, p->curve_count, (int)(line - p->curves)));
     put_shorts(out, "points", 3 * count, room.shorts, room.text);
     put_net(out, p, 1, points, every, taut_curve_points(curve), room);
     taut_json_close(out, '}');
@@ -292,6 +305,12 @@ static void put_head(taut_json_out *out, const taut_page_model *p)
     put_map(out);
     taut_json_key(out, "limits");
     taut_json_put_numbers(out, TAUT_PAGE_FIELDS, p->limits);
+    taut_json_key(out, "sign");
+    taut_json_open_inline(out, '[');
+    for (int k = 0; k < TAUT_PAGE_FIELDS; k++) {
+        taut_json_put_number(out, p->sign[k]);
+    }
+    taut_json_close(out, ']');
     taut_json_key(out, "cut");
     taut_json_open_inline(out, '[');
     for (int k = 0; k < TAUT_PAGE_FIELDS; k++) {

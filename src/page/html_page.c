@@ -148,8 +148,9 @@ static taut_status choose_limits(taut_page_model *p)
             memcpy(values + at, s->fields[k], own * sizeof *values);
             at += own;
         }
-        p->limits[k] =
-            taut_colour_limit(count, values, fmin(fmax(noise[k], 1e-290), 1e290), &p->cut[k]);
+        const double none = fmin(fmax(noise[k], 1e-290), 1e290);
+        p->sign[k] = k >= TAUT_PAGE_I ? 1 : taut_colour_sign(count, values, none);
+        p->limits[k] = taut_colour_limit(count, values, none, &p->cut[k]);
     }
     return values != NULL ? TAUT_OK : TAUT_NO_MEMORY;
 }

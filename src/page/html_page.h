@@ -77,6 +77,7 @@ typedef struct taut_page_model {
     taut_camera box;
     double limits[TAUT_PAGE_FIELDS];
     int cut[TAUT_PAGE_FIELDS];
+    int sign[TAUT_PAGE_FIELDS]; /* of all values; 0: both (mesh/colour.h) */
     double view[2];
 } taut_page_model;
 

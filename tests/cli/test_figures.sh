@@ -71,6 +71,16 @@ refused 2 'several two\.obj found 2 expected 1' convert saddle.json other.json -
 refused 5 'read missing\.json' convert saddle.json missing.json -o none.svg
 absent two.obj none.svg
 
+# A paper's column; a page is no taller than what is on it; runs of pipes have two colours and no name for what is not seen.
+run 0 convert saddle.json -o column.svg -o column.png --column
+contains column.svg 'width="249\.4'
+contains column.svg '<title>surface, a figure by taut</title>'
+"$TAUT" example pipe-run | "$TAUT" make - --quiet -o run.json -o run.svg --no-net
+contains run.svg '>pipe1 … 6<'
+contains run.svg '>blend1 … 5<'
+grep -q '>axis' run.svg && complain "the axes of pipes are named, which are not seen"
+contains run.svg '> *100 mm<'
+
 # Small enough to be sent: vectors stay vectors.
 [ "$(wc -c < k.svg)" -lt 800000 ] || complain "a figure of $(wc -c < k.svg) bytes"
 grep -q '<image' k.svg && complain "a figure holds pixels"

@@ -60,12 +60,11 @@ static int pixels_down(const taut_page *page)
     return (int)(page->pixels * page->height / page->width + 0.5);
 }
 
-/* PNG: as many pixels as asked for. PDF: half a point, so that letters of 18 units print as 9
- * point. */
+/* PNG: as many pixels as asked for. PDF: as the page says. */
 static taut_status cairo_begin(taut_canvas *canvas, const taut_page *page)
 {
     const int png = strcmp(page->kind, "png") == 0;
-    const double unit = png ? OVERSAMPLING * page->pixels / page->width : 0.5;
+    const double unit = png ? OVERSAMPLING * page->pixels / page->width : page->point;
     taut_status status = TAUT_OK;
 
     canvas->page = page;
@@ -73,8 +72,8 @@ static taut_status cairo_begin(taut_canvas *canvas, const taut_page *page)
         canvas->surface = cairo_image_surface_create(
             CAIRO_FORMAT_RGB24, OVERSAMPLING * page->pixels, OVERSAMPLING * pixels_down(page));
     } else {
-        canvas->surface = cairo_pdf_surface_create_for_stream(write_bytes, (void *)page,
-                                                              page->width / 2, page->height / 2);
+        canvas->surface = cairo_pdf_surface_create_for_stream(
+            write_bytes, (void *)page, page->width * page->point, page->height * page->point);
         set_metadata(canvas->surface, page);
     }
     canvas->cairo = cairo_create(canvas->surface);
@@ -152,7 +151,8 @@ static void cairo_next_page(taut_canvas *canvas, double width, double height)
 {
     cairo_show_page(canvas->cairo);
     if (strcmp(canvas->page->kind, "pdf") == 0) {
-        cairo_pdf_surface_set_size(canvas->surface, width / 2, height / 2);
+        cairo_pdf_surface_set_size(canvas->surface, width * canvas->page->point,
+                                   height * canvas->page->point);
     }
 }
 

@@ -158,6 +158,36 @@ static void test_camera(void)
     }
 }
 
+static const char *name_of(const void *of, int i)
+{
+    return ((const char *const *)of)[i];
+}
+
+/* Names that differ in their number share a colour; pipes and bends have theirs in every model. */
+static void test_groups(void)
+{
+    static const char *const run[] = {"blend1", "pipe1", "pipe2", "blend2", "cap", "cap7"};
+    static const int run_groups[] = {1, 0, 0, 1, 2, 2};
+    static const char *const parts[] = {"p", "", "extension", "h2", "p3", "7", ""};
+    static const int part_groups[] = {0, 1, 2, 3, 0, 4, 5};
+    for (int i = 0; i < 6; i++) {
+        CHECK(taut_colour_group(name_of, run, 6, i) == run_groups[i], "%s: %d", run[i],
+              taut_colour_group(name_of, run, 6, i));
+    }
+    for (int i = 0; i < 7; i++) {
+        CHECK(taut_colour_group(name_of, parts, 7, i) == part_groups[i], "%s: %d", parts[i],
+              taut_colour_group(name_of, parts, 7, i));
+    }
+}
+
+static void test_signs(void)
+{
+    const double up[] = {0, 2, -1e-9, (double)NAN}, down[] = {-3, 1e-8, -1}, both[] = {-1, 0.1};
+    CHECK(taut_colour_sign(4, up, 1e-12) == 1 && taut_colour_sign(3, down, 1e-12) == -1, "one");
+    CHECK(taut_colour_sign(2, both, 1e-12) == 0, "both");
+    CHECK(taut_colour_sign(4, up, 5) == 0, "nothing but noise");
+}
+
 int main(void)
 {
     random_seed(20260411);
@@ -166,5 +196,7 @@ int main(void)
     test_limit();
     test_labels();
     test_camera();
+    test_groups();
+    test_signs();
     return check_failures != 0;
 }

@@ -202,6 +202,28 @@ static void test_line(void)
     }
 }
 
+/* A line of a net: what a surface hides is there too, and what lies behind by less than the slack counts as seen. */
+static void test_through(void)
+{
+    for (int near = 0; near < 2; near++) {
+        const double depth = near ? -4 : -40;
+        const double line[6] = {20, 200, depth, 380, 200, depth};
+        double q[4][3] = {{100, 100, 0}, {300, 100, 0}, {300, 300, 0}, {100, 300, 0}};
+        const double *const corner[4] = {q[0], q[1], q[2], q[3]};
+        taut_canvas canvas = {.count = 0};
+        taut_arena *arena = taut_arena_new();
+        taut_scene scene;
+        CHECK(taut_scene_init(&scene, PAGE, PAGE, arena) == TAUT_OK, "scene");
+        taut_scene_cell(&scene, corner, (taut_ink){0, 0, 0});
+        taut_scene_line_through(&scene, 2, line, (taut_ink){0, 0, 0}, (taut_ink){9, 9, 9}, 1, 8);
+        taut_scene_paint(&scene, &recorder, &canvas);
+        CHECK(canvas.lines == (near ? 1 : 3), "%d pieces", canvas.lines);
+        CHECK_NEAR(canvas.drawn, 360, 1e-9, "all of it");
+        taut_scene_clear(&scene);
+        taut_arena_free(arena);
+    }
+}
+
 /* What is not finite or has no length leaves nothing, and nothing else is harmed. */
 static void test_not_finite(void)
 {
@@ -231,6 +253,7 @@ int main(void)
     random_seed(20260412);
     test_painter();
     test_line();
+    test_through();
     test_not_finite();
     return check_failures != 0;
 }

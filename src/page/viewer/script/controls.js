@@ -15,9 +15,16 @@ function tickStep(limit) {
     return power * (first < 2 ? 0.5 : first < 5 ? 1 : 2);
 }
 
+/* Where the scale begins and ends, in its limit: values of one sign take one arm of it. */
+function legendEnds() {
+    const sign = model.sign[fieldNames.indexOf(shown.colour)];
+    return [sign > 0 ? 0 : -1, sign < 0 ? 0 : 1];
+}
+
 /* The colours of the scale, from its upper end. */
 function legendColours() {
-    return model.map.slice(shown.colour === 'I' || shown.colour === 'G' ? 16 : 0).reverse();
+    const [from, to] = legendEnds();
+    return model.map.slice(16 + 16 * from, 17 + 16 * to).reverse();
 }
 
 function fillLegend() {
@@ -28,7 +35,7 @@ function fillLegend() {
     }
     const k = fieldNames.indexOf(shown.colour);
     const limit = model.limits[k];
-    const from = shown.colour === 'I' || shown.colour === 'G' ? 0 : -1;
+    const [from, to] = legendEnds();
     const [name, over, power] = headings[shown.colour];
     const colours = legendColours().map(css);
     const title = name + (over ? ', ' + over + model.unit + power : '') + (model.cut[k] ? '; ends: beyond' : '');
@@ -37,12 +44,12 @@ function fillLegend() {
     const ticks = byId('legend-ticks');
     const step = tickStep(limit);
     ticks.replaceChildren();
-    for (let i = from * Math.floor(limit / step + 1e-9); i <= Math.floor(limit / step + 1e-9); i++) {
+    for (let i = from * Math.floor(limit / step + 1e-9); i <= to * Math.floor(limit / step + 1e-9); i++) {
         const item = element('li', show(Number((i * step).toPrecision(3))));
-        item.style.top = (100 - 100 * (i * step / limit - from) / (1 - from)) + '%';
+        item.style.top = (100 - 100 * (i * step / limit - from) / (to - from)) + '%';
         ticks.append(item);
     }
-    legend.setAttribute('aria-label', title + ', from ' + show(from * limit) + ' to ' + show(limit));
+    legend.setAttribute('aria-label', title + ', from ' + show(from * limit) + ' to ' + show(to * limit));
 }
 
 /* Worst flatness of the panels that are shown. */
@@ -161,7 +168,7 @@ const keys = {
 /* A box for each part of a model that has some, but not hundreds. */
 function fillParts() {
     const parts = model.surfaces.map((s, i) => ['surface ' + i, s.name || 'surface ' + (i + 1), plainColours[colourIndex(i) % plainColours.length]])
-        .concat(model.curves.map((c, i) => ['curve ' + i, c.name || 'curve ' + (i + 1), curveColours[i % curveColours.length]]));
+        .concat(model.curves.map((c, i) => ['curve ' + i, c.name || 'curve ' + (i + 1), curveColours[c.colour % curveColours.length]]));
     if (parts.length < 2 || parts.length > 40) {
         return;
     }

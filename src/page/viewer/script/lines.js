@@ -107,9 +107,9 @@ function netObject(net) {
     return group;
 }
 
-function curveObject(curve, index) {
+function curveObject(curve) {
     const points = unpackPoints(curve.points);
     const pairs = [];
     addPolyline(pairs, points, row(0, points.length / 3));
-    return lineObject(pairs, curveColours[index % curveColours.length], 3);
+    return lineObject(pairs, curveColours[curve.colour % curveColours.length], 3);
 }

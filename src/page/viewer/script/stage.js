@@ -117,7 +117,7 @@ function part(i) {
 
 /* Frames are one surface that moves: they keep one colour. */
 function colourIndex(i) {
-    return model.frames ? 0 : i;
+    return model.frames ? 0 : model.surfaces[i].colour;
 }
 
 /* The surfaces that are shown now. */
@@ -254,7 +254,7 @@ function setStage() {
     stage.orbit.addEventListener('change', draw);
     model.curves.forEach((curve, i) => {
         const group = new THREE.Group();
-        group.add(curveObject(curve, i), netObject(curve.net));
+        group.add(curveObject(curve), netObject(curve.net));
         stage.curves.add(group);
     });
     stage.scene.add(stage.curves, stage.marks);
