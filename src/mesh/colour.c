@@ -114,6 +114,26 @@ int taut_colour_group(const char *(*name)(const void *of, int i), const void *of
     return before;
 }
 
+static const char *surface_name(const void *of, int i)
+{
+    return taut_surface_name(taut_model_surface(of, i));
+}
+
+static const char *curve_name(const void *of, int i)
+{
+    return taut_curve_name(taut_model_curve(of, i));
+}
+
+int taut_colour_of_surface(const taut_model *model, int i)
+{
+    return taut_colour_group(surface_name, model, taut_model_surface_count(model), i);
+}
+
+int taut_colour_of_curve(const taut_model *model, int i)
+{
+    return taut_colour_group(curve_name, model, taut_model_curve_count(model), i);
+}
+
 taut_ink taut_colour_curve(int i)
 {
     static const taut_ink palette[] = {{176, 42, 48}, {22, 78, 140},  {30, 112, 64},

@@ -3,6 +3,8 @@
 #ifndef TAUT_MESH_COLOUR_H
 #define TAUT_MESH_COLOUR_H
 
+#include "taut/model.h"
+
 #include <stddef.h>
 
 typedef struct taut_ink {
@@ -23,6 +25,10 @@ taut_ink taut_colour_plain(int i);
  * the first colour and what is called blend the second, in every model. Things without a name, or
  * of a number alone, take one each. name(of, i): never NULL. */
 int taut_colour_group(const char *(*name)(const void *of, int i), const void *of, int count, int i);
+
+/* The same of surface i, and of curve i, of a model. */
+int taut_colour_of_surface(const taut_model *model, int i);
+int taut_colour_of_curve(const taut_model *model, int i);
 
 /* The i-th curve colour; they repeat. */
 taut_ink taut_colour_curve(int i);

@@ -169,7 +169,7 @@ static void put_materials(taut_json_out *out, const glb_plan *plan)
         const taut_ink white = {255, 255, 255};
         const taut_ink ink = plan->values != NULL
                                  ? white
-                                 : taut_colour_plain(taut_mesh_out_colour(plan->mesh, surfaces, i));
+                                 : taut_colour_plain(taut_mesh_out_plain(plan->mesh, surfaces, i));
         char room[TAUT_NAME_MAX + 1];
         taut_json_open_inline(out, '{');
         if (plan->values == NULL) {

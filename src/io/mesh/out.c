@@ -2,6 +2,7 @@
 
 #include "core/fail.h"
 #include "core/memory.h"
+#include "mesh/colour.h"
 
 #include <float.h>
 #include <math.h>
@@ -126,6 +127,17 @@ int taut_mesh_out_colour(const taut_mesh *mesh, int surfaces, int g)
         }
     }
     return lo;
+}
+
+static const char *group_name(const void *of, int i)
+{
+    return taut_mesh_group_at(of, i)->name;
+}
+
+int taut_mesh_out_plain(const taut_mesh *mesh, int surfaces, int g)
+{
+    const int first = taut_mesh_out_colour(mesh, surfaces, g);
+    return taut_colour_group(group_name, mesh, surfaces, first);
 }
 
 const char *taut_mesh_out_name(const taut_mesh_group *group, char *room)

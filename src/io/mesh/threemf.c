@@ -126,7 +126,7 @@ static void put_materials(threemf *file)
         taut_sink_text(sink, "<base name=\"");
         taut_xml_text(sink, taut_mesh_out_name(taut_mesh_group_at(file->mesh, g), room));
         taut_sink_text(sink, "\" displaycolor=\"");
-        put_colour(sink, taut_colour_plain(g));
+        put_colour(sink, taut_colour_plain(taut_mesh_out_plain(file->mesh, file->surfaces, g)));
         taut_sink_text(sink, "\"/>\n");
     }
     taut_sink_text(sink, "</basematerials>\n");

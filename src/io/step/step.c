@@ -14,6 +14,7 @@
 #include "io/cad/prepare.h"
 #include "io/format.h"
 #include "io/step/entities.h"
+#include "mesh/colour.h"
 #include "taut/version.h"
 
 #include <math.h>
@@ -66,7 +67,8 @@ static void put_curves(taut_part21 *out, const taut_model *nurbs, taut_step_cont
         const size_t made = taut_step_put_curve(out, curve);
         content->items[TAUT_STEP_CURVES][++content->counts[TAUT_STEP_CURVES]] = TAUT_NEW(
             out, "GEOMETRIC_CURVE_SET(%,(%))", TAUT_TEXT(taut_curve_name(curve)), TAUT_REF(made));
-        content->styles[content->style_count++] = taut_step_style_curve(out, made, i, styles);
+        content->styles[content->style_count++] =
+            taut_step_style_curve(out, made, taut_colour_of_curve(nurbs, i), styles);
     }
 }
 

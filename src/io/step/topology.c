@@ -12,6 +12,7 @@
 #include "core/fail.h"
 #include "io/step/elementary.h"
 #include "io/step/entities.h"
+#include "mesh/colour.h"
 #include "shell/shell.h"
 
 /* Numbers of instances, by face, edge and vertex. */
@@ -266,7 +267,8 @@ taut_status taut_step_put_faces(taut_part21 *out, const taut_model *model,
     put_edges(&p);
     for (int f = 0; f < shells->face_count; f++) {
         p.faces[f] = put_face(&p, f);
-        content->styles[content->style_count++] = taut_step_style_face(out, p.faces[f], f, styles);
+        content->styles[content->style_count++] =
+            taut_step_style_face(out, p.faces[f], taut_colour_of_surface(model, f), styles);
     }
     for (int s = 0; s < shells->shell_count; s++) {
         put_shell(&p, &shells->shells[s], list, content);
