@@ -6,6 +6,7 @@
 #include "io/cad/cad.h"
 #include "io/format.h"
 #include "io/problem/boundary_file.h"
+#include "io/problem/film_curves.h"
 #include "io/problem/film_patches.h"
 #include "mesh/parts.h"
 
@@ -87,6 +88,19 @@ void taut_film_document_patches(taut_reader *document, taut_problem *problem,
     const taut_json at = taut_json_member(document->object, "patches");
     (void)readers;
     (void)problem;
+    (void)data;
+    if (document->status == TAUT_OK) {
+        document->status = taut_json_fail(&at, document->error, "not-installed", taut_none,
+                                          taut_none, "%s", no_patches);
+    }
+}
+
+void taut_film_document_curves(taut_reader *document, taut_problem *problem,
+                               taut_film_curve_read *read, taut_film_problem *data)
+{
+    const taut_json at = taut_json_member(document->object, "curves");
+    (void)problem;
+    (void)read;
     (void)data;
     if (document->status == TAUT_OK) {
         document->status = taut_json_fail(&at, document->error, "not-installed", taut_none,

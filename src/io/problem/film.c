@@ -20,7 +20,9 @@
 #include "geometry/arc.h"
 #include "geometry/keep.h"
 #include "io/model/basis.h"
+#include "io/model/surface.h"
 #include "io/problem/document_ops.h"
+#include "io/problem/film_curves.h"
 #include "io/problem/film_net.h"
 #include "io/problem/film_patches.h"
 #include "io/problem/member.h"
@@ -42,7 +44,7 @@ static const char *const members[] = {
     "least",         "patches",   "curves",    "boundary", "degree",         "count",
     "seams",         "cables",    "cells",     "images",   "start",          "refine",
     "force_density", "prestress", "reference", "updates",  "through",        NULL};
-static const char *const not_yet[] = {"curves", "boundary", "degree", "count", "cables", NULL};
+static const char *const not_yet[] = {"boundary", "cables", NULL};
 static const char *const corner_members[] = {"u0v0", "u1v0", "u0v1", "u1v1", NULL};
 static const char *const edge_members[] = {"u0", "u1", "v0", "v1", NULL};
 static const char *const kind_members[] = {"fixed",  "cable", "plane", "slide",
@@ -355,19 +357,33 @@ static void read_shape(taut_reader *edge, const taut_json *at, taut_arena *arena
 }
 
 /* A curve, or a shape. */
+static void read_curve(taut_reader *document, const taut_json *at, taut_arena *arena,
+                       const taut_curve **curve)
+{
+    taut_curve *read = NULL;
+    int is_shape = 0;
+
+    for (int k = 0; taut_json_kind_at(at) == TAUT_JSON_OBJECT && shape_members[k] != NULL; k++) {
+        is_shape += taut_json_member(at, shape_members[k]).value != NULL;
+    }
+    if (document->status != TAUT_OK) {
+        return;
+    }
+    if (is_shape) {
+        read_shape(document, at, arena, curve);
+        return;
+    }
+    document->status = taut_curve_document_read(at, &read, document->error);
+    if (document->status == TAUT_OK && !taut_keep_curve(arena, read)) {
+        document->status = taut_fail_memory(document->error);
+    }
+    *curve = read;
+}
+
 static void read_fixed(taut_reader *edge, taut_arena *arena, const taut_curve **curve)
 {
     const taut_json at = taut_json_member(edge->object, "fixed");
-    int is_shape = 0;
-
-    for (int k = 0; taut_json_kind_at(&at) == TAUT_JSON_OBJECT && shape_members[k] != NULL; k++) {
-        is_shape += taut_json_member(&at, shape_members[k]).value != NULL;
-    }
-    if (edge->status == TAUT_OK && is_shape) {
-        read_shape(edge, &at, arena, curve);
-    } else {
-        taut_member_curve(edge, "fixed", arena, curve);
-    }
+    read_curve(edge, &at, arena, curve);
 }
 
 static const char no_support[] = "a point holds no film: use a ring, or cables that end there";
@@ -723,14 +739,35 @@ static void read_images(taut_reader *document, taut_arena *arena, taut_film_prob
     data->image_count = list.count;
 }
 
+/* What only curves have. */
+static void refuse_without_curves(taut_reader *document)
+{
+    static const char *const theirs[] = {"degree", "count", NULL};
+
+    for (int k = 0; document->status == TAUT_OK && theirs[k] != NULL; k++) {
+        const taut_json at = taut_json_member(document->object, theirs[k]);
+        if (at.value != NULL && !taut_reader_has(document, "curves")) {
+            document->status =
+                taut_json_fail(&at, document->error, "conflict", 1, 0,
+                               "found \"%s\" without \"curves\": bases have their own", theirs[k]);
+        }
+    }
+}
+
 static void film_read(taut_reader *document, taut_problem *problem, void *into)
 {
     taut_film_problem *const data = into;
 
     refuse_members(document, not_yet);
+    refuse_without_curves(document);
     if (taut_reader_has(document, "patches")) {
         static const taut_film_patch_readers readers = {read_one, read_film_tension, read_cable};
         taut_film_document_patches(document, problem, &readers, data);
+    } else if (taut_reader_has(document, "curves")) {
+        taut_member_name(document, problem->arena, &data->name);
+        check_name(document, data->name);
+        read_film_tension(document, data);
+        taut_film_document_curves(document, problem, read_curve, data);
     } else {
         read_alone(document, problem, data);
     }

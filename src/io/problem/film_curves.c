@@ -1,0 +1,223 @@
+#include "io/problem/film_curves.h"
+
+#include "core/fail.h"
+#include "core/vec3.h"
+#include "geometry/keep.h"
+#include "taut/operations.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { DEGREE = 4, COUNT = 12, DEGREE_MOST = 10, COUNT_MOST = 100 };
+static const double gap_closed = 1e-9; /* of the size */
+static const char *const strangers[] = {"corners", "edges",         "points",    "patches",
+                                        "seams",   "start",         "u",         "v",
+                                        "refine",  "force_density", "prestress", NULL};
+
+typedef struct reading {
+    taut_problem *problem;
+    taut_film_curve_read *read;
+    taut_reader *document;
+    int count;
+    const taut_curve *curves[TAUT_FILM_CURVES_MAX];
+} reading;
+
+static taut_status read_curve(const taut_json *at, void *into, taut_error *error)
+{
+    reading *r = into;
+
+    (void)error; /* that of the document */
+    r->read(r->document, at, r->problem->arena, &r->curves[r->count++]);
+    return r->document->status;
+}
+
+static void end_of(const taut_curve *curve, int end, double x[3])
+{
+    const taut_basis *t = taut_curve_t(curve);
+    (void)taut_curve_eval(curve, end == 0 ? taut_basis_lo(t) : taut_basis_hi(t), 0, x);
+}
+
+static double distance(const taut_curve *a, int end_a, const taut_curve *b, int end_b)
+{
+    double x[3], y[3];
+    end_of(a, end_a, x);
+    end_of(b, end_b, y);
+    return taut_distance(x, y);
+}
+
+static taut_status keep(taut_arena *arena, taut_curve *made, const taut_curve **curve)
+{
+    if (!taut_keep_curve(arena, made)) {
+        return TAUT_NO_MEMORY;
+    }
+    *curve = made;
+    return TAUT_OK;
+}
+
+static taut_status reverse(taut_arena *arena, const taut_curve **curve, taut_error *error)
+{
+    taut_curve *made = NULL;
+    const taut_status status = taut_curve_reverse(*curve, &made, error);
+    return status == TAUT_OK && keep(arena, made, curve) != TAUT_OK ? taut_fail_memory(error)
+                                                                    : status;
+}
+
+static double size_of(const reading *r)
+{
+    double size = 0, first[3], x[3];
+
+    end_of(r->curves[0], 0, first);
+    for (int k = 0; k < r->count; k++) {
+        for (int end = 0; end < 2; end++) {
+            end_of(r->curves[k], end, x);
+            size = fmax(size, taut_distance(x, first));
+        }
+    }
+    return size;
+}
+
+/* Every curve begins where the one before it ends; the first as the second meets it. */
+static taut_status run_round(reading *r, taut_error *error)
+{
+    const double gap = gap_closed * size_of(r);
+    const taut_curve **c = r->curves;
+    taut_status status = TAUT_OK;
+
+    if (fmin(distance(c[0], 0, c[1], 0), distance(c[0], 0, c[1], 1)) <
+        fmin(distance(c[0], 1, c[1], 0), distance(c[0], 1, c[1], 1))) {
+        status = reverse(r->problem->arena, &c[0], error);
+    }
+    for (int k = 1; status == TAUT_OK && k < r->count; k++) {
+        if (distance(c[k - 1], 1, c[k], 1) < distance(c[k - 1], 1, c[k], 0)) {
+            status = reverse(r->problem->arena, &c[k], error);
+        }
+    }
+    for (int k = 0; status == TAUT_OK && k < r->count; k++) {
+        const int next = (k + 1) % r->count;
+        const double away = distance(c[k], 1, c[next], 0);
+        if (!(away <= gap)) {
+            const taut_json at = taut_json_member(r->document->object, "curves");
+            status = taut_json_fail(&at, error, "curve-ends", away, gap,
+                                    "curve %d ends %.3g away from where curve %d begins: expected "
+                                    "curves that go round, in their order",
+                                    k, away, next);
+        }
+    }
+    return status;
+}
+
+static taut_status halve(taut_arena *arena, const taut_curve *curve, const taut_curve *halves[2],
+                         taut_error *error)
+{
+    const taut_basis *t = taut_curve_t(curve);
+    taut_model *pieces = NULL;
+    taut_status status =
+        taut_curve_split(curve, 0.5 * (taut_basis_lo(t) + taut_basis_hi(t)), &pieces, error);
+
+    for (int k = 0; status == TAUT_OK && k < 2; k++) {
+        taut_curve *made = NULL;
+        status = taut_curve_copy(taut_model_curve(pieces, k), &made);
+        if (status != TAUT_OK || keep(arena, made, &halves[k]) != TAUT_OK) {
+            status = taut_fail_memory(error);
+        }
+    }
+    taut_model_free(pieces);
+    return status;
+}
+
+static void set_curve(taut_film_problem *patch, int edge, const taut_curve *curve)
+{
+    patch->edges[edge] = (taut_film_edge){.kind = TAUT_FILM_FIXED, .curve = curve};
+}
+
+static taut_status make_one(reading *r, const taut_basis *basis, taut_film_problem *data,
+                            taut_error *error)
+{
+    taut_status status = reverse(r->problem->arena, &r->curves[2], error);
+    if (status == TAUT_OK) {
+        status = reverse(r->problem->arena, &r->curves[3], error);
+    }
+    data->u = data->v = basis;
+    set_curve(data, 2, r->curves[0]);
+    set_curve(data, 1, r->curves[1]);
+    set_curve(data, 3, r->curves[2]);
+    set_curve(data, 0, r->curves[3]);
+    return status;
+}
+
+static taut_status make_round(reading *r, const taut_basis *basis, taut_film_problem *data,
+                              taut_error *error)
+{
+    taut_arena *arena = r->problem->arena;
+    const size_t n = (size_t)r->count;
+    const taut_curve *halves[TAUT_FILM_CURVES_MAX][2];
+    taut_film_problem *patches = taut_arena_take(arena, n, sizeof *patches);
+    taut_film_seam *seams = taut_arena_take(arena, n, sizeof *seams);
+    taut_film_side *sides = taut_arena_take(arena, 2 * n, sizeof *sides);
+    taut_status status = taut_arena_status(arena) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
+
+    for (int k = 0; status == TAUT_OK && k < r->count; k++) {
+        status = halve(arena, r->curves[k], halves[k], error);
+        if (status == TAUT_OK) {
+            status = reverse(arena, &halves[k][1], error);
+        }
+    }
+    for (int k = 0; status == TAUT_OK && k < r->count; k++) {
+        char name[160];
+        const char *of = data->name != NULL ? data->name : "film";
+        snprintf(name, sizeof name, "%.120s-%d", of, k);
+        patches[k] = (taut_film_problem){.u = basis, .v = basis, .tension = data->tension};
+        patches[k].name = taut_arena_text(arena, name);
+        patches[k].corner_kinds[3] = TAUT_FILM_FREE;
+        set_curve(&patches[k], 2, halves[k][0]);
+        set_curve(&patches[k], 0, halves[(k + r->count - 1) % r->count][1]);
+        sides[2 * k] = (taut_film_side){k, 1, 0};
+        sides[2 * k + 1] = (taut_film_side){(k + 1) % r->count, 3, 0};
+        seams[k] = (taut_film_seam){.count = 2, .sides = sides + 2 * k};
+        status = patches[k].name != NULL ? TAUT_OK : taut_fail_memory(error);
+    }
+    data->patch_count = data->seam_count = r->count;
+    data->patches = patches;
+    data->seams = seams;
+    data->name = NULL;
+    return status;
+}
+
+void taut_film_document_curves(taut_reader *document, taut_problem *problem,
+                               taut_film_curve_read *read, taut_film_problem *data)
+{
+    const taut_json at = taut_json_member(document->object, "curves");
+    reading r = {.problem = problem, .read = read, .document = document};
+    taut_basis_spec spec = {.type = "bspline", .degree = DEGREE, .count = COUNT};
+    taut_basis *basis = NULL;
+
+    for (int k = 0; document->status == TAUT_OK && strangers[k] != NULL; k++) {
+        const taut_json other = taut_json_member(document->object, strangers[k]);
+        if (other.value != NULL) {
+            document->status =
+                taut_json_fail(&other, document->error, "conflict", 2, 1,
+                               "found \"%s\" beside \"curves\": leave it out", strangers[k]);
+        }
+    }
+    taut_reader_optional_integer(document, "degree", 2, DEGREE_MOST, &spec.degree);
+    spec.count = spec.count > spec.degree ? spec.count : spec.degree + 1;
+    taut_reader_optional_integer(document, "count", spec.degree + 1, COUNT_MOST, &spec.count);
+    if (document->status == TAUT_OK) {
+        document->status =
+            taut_json_each(&at, 3, TAUT_FILM_CURVES_MAX, "curves", read_curve, &r, document->error);
+    }
+    if (document->status == TAUT_OK) {
+        document->status = run_round(&r, document->error);
+    }
+    if (document->status == TAUT_OK) {
+        document->status = taut_basis_new(&spec, spec.count, &basis, document->error);
+    }
+    if (document->status == TAUT_OK && !taut_keep_basis(problem->arena, basis)) {
+        document->status = taut_fail_memory(document->error);
+    }
+    if (document->status == TAUT_OK) {
+        document->status = r.count == 4 ? make_one(&r, basis, data, document->error)
+                                        : make_round(&r, basis, data, document->error);
+    }
+}
