@@ -40,8 +40,8 @@ def asymptotic(*, unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, degr
     surface                one of "5n-7", "n+3"; "5n-7" if not given
     singular               one of "refuse", "report"; "refuse" if not given
     free                   one of "points", "all"; "points" if not given
-    boundary               a file with four curves (.step, .igs, .json), beside this document; they bound the net; or a
-                           file and which of its curves and edges
+    boundary               a file with four curves (.step, .igs, .dxf, .json), beside this document; they bound the net;
+                           or with others that are joined to four; or a file and which of its curves and edges
     """
     said: dict[str, Any] = {"unit": unit, "degree": degree, "corners": corners, "edges": edges, "curves": curves,
         "branch": branch, "surface": surface, "singular": singular, "free": free, "boundary": boundary}
@@ -119,8 +119,8 @@ def dirichlet(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None
     name                   at most 255 bytes of UTF-8
     weights                weights[i][j], the shape of points
     aspect                 1 if not given
-    boundary               a file with four curves (.step, .igs, .json), beside this document; they bound the net; or a
-                           file and which of its curves and edges
+    boundary               a file with four curves (.step, .igs, .dxf, .json), beside this document; they bound the net;
+                           or with others that are joined to four; or a file and which of its curves and edges
     degree                 at least these along u and v
     refine                 how often the spans along u and v are halved
     regular                true: the certificate claims `regular`, the surface has a tangent plane everywhere; false if
@@ -211,8 +211,8 @@ def harmonic(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None,
     even                   one of "refuse", "corner", "project", "raise"; "refuse" if not given
     allow_ill_conditioned  build also where rounding grows past 1e15; false if not given
     fit                    the harmonic surface nearest to four boundary rows; false if not given
-    boundary               a file with four curves (.step, .igs, .json), beside this document; they bound the net; or a
-                           file and which of its curves and edges
+    boundary               a file with four curves (.step, .igs, .dxf, .json), beside this document; they bound the net;
+                           or with others that are joined to four; or a file and which of its curves and edges
     known                  with boundary: edges u0 and u1, or v0 and v1, are kept; one of "u", "v"; "v" if not given
     widths                 with boundary: of the parameter rectangle; [1, 1] if not given
     members                also as the document spells them: from, insist
@@ -316,8 +316,8 @@ def plateau(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None, 
     max_iterations         at least 1; 500 if not given
     method                 one of "full", "normal"; "full" if not given
     curves                 the boundary, in place of points: fitted to u and v
-    boundary               a file with four curves (.step, .igs, .json), beside this document; they bound the net; or a
-                           file and which of its curves and edges
+    boundary               a file with four curves (.step, .igs, .dxf, .json), beside this document; they bound the net;
+                           or with others that are joined to four; or a file and which of its curves and edges
     degree                 with boundary: at least these along u and v
     refine                 how many finer spaces tell of the least area; with boundary: how often its spans are halved
     tolerance_area         at least 1e-11

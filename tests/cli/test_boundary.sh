@@ -181,6 +181,71 @@ sed 's/"right"/"left"/' beside/more.json > beside/twice.json
 refuse_edges 'name /boundary/edges/0' '"file": "twice.json", "edges": ["left", "top", 4, "bottom"]'
 contains err.txt '2 have this one'
 
+# More curves than four, in any order and direction, and one closed one with kinks: joined between the four sharpest corners. What
+# is plane has the area that they enclose, and edges are as long as the curves.
+python3 - <<'PY'
+import json, math, random
+random.seed(5)
+vertices = [(0, 0), (4, 0.3), (8, 0.2), (12, 0), (12.5, 5), (12, 10), (6, 10.5), (0, 10), (-0.4, 6), (-0.3, 3)]
+bulges = [0.1, 0.05, 0, 0.1, 0, -0.1, 0, 0.2, 0, 0]
+def arc(p, q, b):
+    """Points and weights of a rational curve of degree 2, the area between it and its chord, its length."""
+    d = (q[0] - p[0], q[1] - p[1]); chord = math.hypot(*d); angle = 4 * math.atan(b)
+    if b == 0:
+        return [p, q], None, 0, chord
+    h = chord / 2 * math.tan(angle / 2)
+    middle = ((p[0] + q[0]) / 2 + h * d[1] / chord, (p[1] + q[1]) / 2 - h * d[0] / chord)
+    r = chord / 2 / math.sin(angle / 2)
+    return [p, middle, q], [1, math.cos(angle / 2), 1], r * r * (angle - math.sin(angle)) / 2 * (1 if b > 0 else 1), abs(r * angle)
+curves, area, length = [], 0, 0
+for i, p in enumerate(vertices):
+    q = vertices[(i + 1) % len(vertices)]
+    points, weights, segment, along = arc(p, q, bulges[i])
+    area += (p[0] * q[1] - p[1] * q[0]) / 2 + segment
+    length += along
+    if random.random() < 0.5:
+        points, weights = points[::-1], weights and weights[::-1]
+    curve = {"name": f"piece {i}", "t": {"type": "bezier", "degree": len(points) - 1}, "points": [[x, y, 0] for x, y in points]}
+    if weights:
+        curve["weights"] = [7 * w for w in weights]
+    curves.append(curve)
+random.shuffle(curves)
+json.dump({"taut": 1, "curves": curves}, open("beside/pieces.json", "w"))
+json.dump([area, length], open("beside/known.json", "w"))
+json.dump({"taut": 1, "curves": [{"name": "loop", "t": {"type": "bspline", "degree": 1, "knots": [0] + list(range(11)) + [10]},
+           "points": [[x, y, i % 10 % 3] for i, (x, y) in enumerate(vertices + vertices[:1])]}]}, open("beside/loop.json", "w"))
+turn = [2 * math.pi * i / 8 for i in range(9)]
+json.dump({"taut": 1, "curves": [{"t": {"type": "bspline", "degree": 1, "knots": [0] + list(range(9)) + [8]},
+           "points": [[round(math.cos(t), 9), round(math.sin(t), 9), 0] for t in turn[:8]] + [[1, 0, 0]]}]}, open("beside/octagon.json", "w"))
+json.dump({"taut": 1, "curves": curves[:-1]}, open("beside/open.json", "w"))
+PY
+printf '{ "taut": 1, "construct": "dirichlet", "boundary": "pieces.json" }\n' > beside/problem.json
+run 0 make beside/problem.json --quiet -o made.json --report report.json
+run 0 certify made.json beside/problem.json
+run 0 boundary made.json --json
+python3 - report.json out.txt <<'PY' || complain "joined curves enclose another area, or are longer"
+import json, sys
+area, length = json.load(open("beside/known.json"))
+report, listed = (json.load(open(f)) for f in sys.argv[1:3])
+def find(node, key):
+    if isinstance(node, dict):
+        return node[key] if key in node else next((x for x in map(lambda v: find(v, key), node.values()) if x is not None), None)
+    if isinstance(node, list):
+        return next((x for x in map(lambda v: find(v, key), node) if x is not None), None)
+assert abs(find(report, "area") / area - 1) < 1e-10, (find(report, "area"), area)
+assert abs(sum(c["length"] for c in listed["curves"]) / length - 1) < 1e-10, (listed, length)
+PY
+printf '{ "taut": 1, "construct": "dirichlet", "boundary": { "file": "loop.json", "edges": ["loop"] } }\n' > beside/problem.json
+run 0 make beside/problem.json --quiet -o made.json
+run 0 certify made.json beside/problem.json
+refuse_loop() { # refuse_loop CODE PATTERN FILE
+    printf '{ "taut": 1, "construct": "dirichlet", "boundary": "%s" }\n' "$3" > beside/problem.json
+    refused "$1" "$2" make beside/problem.json
+}
+refuse_loop 3 'size /boundary found 8' octagon.json
+contains err.txt 'no four are sharper'
+refuse_loop 4 'gap /boundary' open.json
+
 # The list of them: numbers, names, lengths (by Simpson's rule on the cubic), ends.
 run 0 boundary beside/more.json
 contains out.txt '^ *2  curve  left  .* mm  from 0 3 0  to 0 0 0$'

@@ -141,6 +141,27 @@ static taut_status fit(const void *context, void **result, taut_error *error)
     return status;
 }
 
+/* One closed curve with kinks, joined to four sides. */
+static const char loop_text[] =
+    "{\"taut\": 1, \"curves\": [{\"name\": \"loop\", \"t\": {\"type\": \"bspline\", \"degree\": 1, "
+    "\"knots\": [0,0,1,2,3,4,4]}, \"points\": [[0,0,0],[4,0,0],[4,3,0],[2,3.1,0],[0,0,0]]}]}";
+
+static taut_status join(const void *context, void **result, taut_error *error)
+{
+    const taut_curve *loop = taut_model_curve(context, 0);
+    taut_curve *joined[TAUT_SIDES] = {NULL, NULL, NULL, NULL};
+    const taut_status status = taut_boundary_join(1, &loop, 1e-9, joined, error);
+    taut_boundary_free(joined);
+    (void)result;
+    return status;
+}
+
+/* A block inserted twice, of an arc and a text. */
+static const char drawing_text[] =
+    "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\nb\n0\nARC\n8\nl\n40\n2\n50\n0\n51\n200\n0\nTEXT\n0\nENDBLK"
+    "\n0\n"
+    "ENDSEC\n0\nSECTION\n2\nENTITIES\n0\nINSERT\n2\nb\n0\nINSERT\n2\nb\n10\n5\n0\nENDSEC\n0\nEOF\n";
+
 static taut_model *model_of(const char *text)
 {
     taut_model *model = NULL;
@@ -190,6 +211,12 @@ int main(void)
         file_put_text(path, problems[i]);
         fault_check(problems[i], read_problem, release_problem, path, 30);
     }
+    path = in_folder("b.dxf");
+    file_put_text(path, drawing_text);
+    fault_check("dxf in", read_model, release_model, path, 20);
+    taut_model *loop = model_of(loop_text);
+    fault_check("loop", join, NULL, loop, 20);
+    taut_model_free(loop);
     path = in_folder("b.geomdl.json");
     CHECK(taut_model_write(surfaces, path, NULL, NULL) == TAUT_OK, "write");
     fault_check("geomdl in", read_model, release_model, path, 30);

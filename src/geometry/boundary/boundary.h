@@ -17,6 +17,12 @@ enum { TAUT_SIDE_U0, TAUT_SIDE_U1, TAUT_SIDE_V0, TAUT_SIDE_V1, TAUT_SIDES };
 taut_status taut_boundary_order(const taut_curve *const curves[TAUT_SIDES], double tolerance,
                                 taut_curve *sides[TAUT_SIDES], taut_error *error);
 
+/* Four curves out of any number, 1 or more, that make one loop: cut at their kinks and joined, as B-splines, between
+ * the four sharpest corners (chain.c). TAUT_NO_SOLUTION: a gap is left, or a curve is no polynomial's;
+ * TAUT_BAD_INPUT: the loop has fewer corners, or no four that are sharper than the others. */
+taut_status taut_boundary_join(int count, const taut_curve *const *curves, double tolerance,
+                               taut_curve *joined[TAUT_SIDES], taut_error *error);
+
 /* The same sides with u0 and u1 on one basis, and v0 and v1: exactly, by raising degrees and
  * putting knots in, over the ranges of u0 and v0. degree and halvings ask for at least these
  * degrees along u and v and for spans cut in two so often. Rational sides are scaled so that

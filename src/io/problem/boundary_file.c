@@ -13,7 +13,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { PATH_ROOM = 4096, HALVINGS_MAX = 16, NOTE_ROOM = 400 };
+enum { PATH_ROOM = 4096, HALVINGS_MAX = 16, NOTE_ROOM = 400, PICKS_MAX = 1000 };
 /* What a net gets that would have nothing inside: 11 x 11 points between straight lines. */
 enum { CHOSEN_DEGREE = 3, CHOSEN_SPANS = 8 };
 
@@ -76,21 +76,35 @@ static taut_status find_source(const taut_json *at, boundary_source *source, tau
     return taut_json_object(at, members, error);
 }
 
-/* All four curves of the file. */
-static taut_status take_all(const taut_json *at, const taut_model *model,
-                            const taut_curve *curves[TAUT_SIDES], taut_error *error)
+/* Curves of the loop: four, or any number that are joined to four. */
+typedef struct loop {
+    int count;
+    const taut_curve **curves;
+} loop;
+
+static taut_status take_room(taut_arena *arena, int count, loop *all, taut_error *error)
+{
+    all->count = count;
+    all->curves = taut_arena_take(arena, (size_t)count, sizeof *all->curves);
+    return all->curves != NULL ? TAUT_OK : taut_fail_memory(error);
+}
+
+/* All curves of the file. */
+static taut_status take_all(const taut_json *at, const taut_model *model, taut_arena *arena,
+                            loop *all, taut_error *error)
 {
     const int count = taut_model_curve_count(model);
-    if (count != TAUT_SIDES) {
+    if (count == 0 || count > PICKS_MAX) {
         return taut_json_fail(at, error, "size", count, TAUT_SIDES,
                               "found %d curves in that file, expected %d: `taut boundary` lists "
                               "what \"edges\" may pick",
                               count, TAUT_SIDES);
     }
-    for (int i = 0; i < TAUT_SIDES; i++) {
-        curves[i] = taut_model_curve(model, i);
+    const taut_status status = take_room(arena, count, all, error);
+    for (int i = 0; i < count && status == TAUT_OK; i++) {
+        all->curves[i] = taut_model_curve(model, i);
     }
-    return TAUT_OK;
+    return status;
 }
 
 /* The curve of this name, which is to be one. */
@@ -116,14 +130,16 @@ static taut_status find_named(const taut_json *at, const taut_model *listed, int
                                          count);
 }
 
-/* Those that "edges" picks by number, from 1, or name. */
-static taut_status take_picked(const taut_json *edges, const taut_model *listed,
-                               const taut_curve *curves[TAUT_SIDES], taut_error *error)
+/* Those that "edges" picks by number, from 1, or name: four or more, or one that closes. */
+static taut_status take_picked(const taut_json *edges, const taut_model *listed, taut_arena *arena,
+                               loop *all, taut_error *error)
 {
     size_t count = 0;
-    taut_status status = taut_json_array(edges, TAUT_SIDES, TAUT_SIDES,
+    const int one = taut_json_kind_at(edges) == TAUT_JSON_ARRAY && taut_json_count_at(edges) == 1;
+    taut_status status = taut_json_array(edges, one ? 1 : TAUT_SIDES, PICKS_MAX,
                                          "curves or edges, by number or name", &count, error);
-    for (size_t i = 0; i < TAUT_SIDES && status == TAUT_OK; i++) {
+    status = status == TAUT_OK ? take_room(arena, (int)count, all, error) : status;
+    for (size_t i = 0; i < count && status == TAUT_OK; i++) {
         const taut_json item = taut_json_item(edges, i);
         int number = 0;
         if (taut_json_kind_at(&item) == TAUT_JSON_NUMBER) {
@@ -133,30 +149,49 @@ static taut_status take_picked(const taut_json *edges, const taut_model *listed,
             status = find_named(&item, listed, &number, error);
         }
         if (status == TAUT_OK) {
-            curves[i] = taut_model_curve(listed, number);
+            all->curves[i] = taut_model_curve(listed, number);
         }
     }
     return status;
 }
 
-static taut_status order_sides(const boundary_source *source, const taut_model *model,
-                               taut_curve *sides[TAUT_SIDES], taut_error *error)
+/* Four sides of a loop; other numbers than four are joined first. */
+static taut_status order_loop(const taut_json *at, const loop *all, taut_curve *sides[TAUT_SIDES],
+                              taut_error *error)
 {
-    const taut_curve *curves[TAUT_SIDES];
+    taut_curve *joined[TAUT_SIDES] = {NULL, NULL, NULL, NULL};
+    const taut_curve *four[TAUT_SIDES];
+    taut_error found = {.status = TAUT_OK};
+    taut_status status = TAUT_OK;
+    if (all->count != TAUT_SIDES) {
+        status = taut_boundary_join(all->count, all->curves, closed, joined, &found);
+    }
+    for (int s = 0; s < TAUT_SIDES; s++) {
+        four[s] = all->count == TAUT_SIDES ? all->curves[s] : joined[s];
+    }
+    if (status == TAUT_OK) {
+        status = taut_boundary_order(four, closed, sides, &found);
+    }
+    taut_boundary_free(joined);
+    return blame_file(at, &found, status, error);
+}
+
+static taut_status order_sides(const boundary_source *source, const taut_model *model,
+                               taut_arena *arena, taut_curve *sides[TAUT_SIDES], taut_error *error)
+{
     taut_error found = {.status = TAUT_OK};
     taut_model *listed = NULL;
+    loop all = {.count = 0};
     taut_status status = TAUT_OK;
 
     if (source->picks) {
         status = blame_file(source->at, &found, taut_model_boundary(model, &listed, &found), error);
-        status = status == TAUT_OK ? take_picked(&source->edges, listed, curves, error) : status;
+        status =
+            status == TAUT_OK ? take_picked(&source->edges, listed, arena, &all, error) : status;
     } else {
-        status = take_all(source->at, model, curves, error);
+        status = take_all(source->at, model, arena, &all, error);
     }
-    if (status == TAUT_OK) {
-        status = taut_boundary_order(curves, closed, sides, &found);
-        status = blame_file(source->at, &found, status, error);
-    }
+    status = status == TAUT_OK ? order_loop(source->at, &all, sides, error) : status;
     taut_model_free(listed);
     return status;
 }
@@ -208,7 +243,7 @@ static taut_status read_sides(const taut_json *at, taut_problem *problem,
     }
     status = convert_unit(&source.file, problem, &model, error);
     if (status == TAUT_OK) {
-        status = order_sides(&source, model, sides, error);
+        status = order_sides(&source, model, problem->arena, sides, error);
     }
     taut_model_free(model);
     return status;
