@@ -3,6 +3,7 @@
  * cut what is not smooth, and print few digits. */
 #include "occt.hpp"
 
+#include <IGESBasic_GroupWithoutBackP.hxx>
 #include <IGESBasic_Name.hxx>
 #include <IGESControl_Controller.hxx>
 #include <IGESControl_Reader.hxx>
@@ -29,6 +30,15 @@
 #include <cmath>
 #include <sstream>
 #include <string>
+
+/* A name in one line: the lines of the file are of fixed width, so that a control character in a
+ * name makes it unreadable. */
+static std::string printable(std::string name)
+{
+    std::replace_if(
+        name.begin(), name.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+    return name;
+}
 
 /* IGES's number of a unit, and the name in its files. */
 struct unit_row {
@@ -161,9 +171,9 @@ static void set_global(const taut_cad_job &job, const Handle(IGESData_IGESModel)
     date.erase(std::remove(date.begin(), date.end(), '-'), date.end());
     date.erase(std::remove(date.begin(), date.end(), ':'), date.end());
     std::replace(date.begin(), date.end(), 'T', '.');
-    global.SetSendName(to_text(job.name));
-    global.SetReceiveName(to_text(job.name));
-    global.SetFileName(to_text(job.name));
+    global.SetSendName(to_text(printable(job.name)));
+    global.SetReceiveName(to_text(printable(job.name)));
+    global.SetFileName(to_text(printable(job.name)));
     global.SetSystemId(to_text("taut"));
     global.SetInterfaceVersion(to_text("OpenCASCADE 7.6"));
     global.SetUnitFlag(unit.flag);
@@ -178,15 +188,6 @@ static void set_global(const taut_cad_job &job, const Handle(IGESData_IGESModel)
     for (int i = 0; i < job.note_count; i++) {
         model->AddStartLine(job.notes[i]);
     }
-}
-
-/* A name in one line: the lines of the file are of fixed width, so that a control character in a
- * name makes it unreadable. */
-static std::string printable(std::string name)
-{
-    std::replace_if(
-        name.begin(), name.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
-    return name;
 }
 
 static void add_named(const Handle(IGESData_IGESModel) & model,
@@ -207,6 +208,7 @@ std::string occt_write_iges(const taut_cad_job &job, int count, const taut_cad_i
     IGESControl_Controller::Init();
     const Handle(IGESData_Protocol) protocol = IGESSelect_WorkLibrary::DefineProtocol();
     Handle(IGESData_IGESModel) model = new IGESData_IGESModel();
+    Handle(IGESData_HArray1OfIGESEntity) members = new IGESData_HArray1OfIGESEntity(1, count);
     double reach = 0;
 
     for (int i = 0; i < count; i++) {
@@ -214,9 +216,15 @@ std::string occt_write_iges(const taut_cad_job &job, int count, const taut_cad_i
         for (int k = 0; k < 3 * n; k++) {
             reach = std::max(reach, std::fabs(items[i].points[k]));
         }
-        add_named(model,
-                  items[i].count[1] > 0 ? entity_of_surface(items[i]) : entity_of_curve(items[i]),
-                  items[i].name);
+        const Handle(IGESData_IGESEntity) entity =
+            items[i].count[1] > 0 ? entity_of_surface(items[i]) : entity_of_curve(items[i]);
+        add_named(model, entity, items[i].name);
+        members->SetValue(i + 1, entity);
+    }
+    if (count > 1) {
+        const Handle(IGESBasic_GroupWithoutBackP) group = new IGESBasic_GroupWithoutBackP();
+        group->Init(members);
+        add_named(model, group, job.name);
     }
     set_global(job, model);
     IGESData_GlobalSection global = model->GlobalSection();

@@ -52,6 +52,14 @@ if [ -e "$helper" ]; then
     absent never.json never.igs
     TAUT_CAD=
     run 0 convert model.igs -o back.json # nothing said
+    # several surfaces and curves are one group, under the name of the construction
+    "$TAUT" example pipe-elbow > problem.json
+    run 0 make problem.json --quiet -o pipe.igs
+    contains pipe.igs '^ +402 '
+    contains pipe.igs '4Hpipe'
+    ! grep -q '^ *402 ' model.igs || complain "a group of one"
+    run 0 convert pipe.igs -o back.json
+    [ "$(grep -c '"name": "' back.json)" = 4 ] || complain "names out of a group: $(grep '"name"' back.json)"
     "$helper" --version | grep -q '^taut-cad, protocol 2, OpenCASCADE [0-9]' || complain "$helper says no version"
     "$helper" model.igs > /dev/null 2>&1 && complain "$helper takes an argument"
 fi

@@ -58,7 +58,7 @@ static taut_status send_items(const taut_model *nurbs, const taut_cad_facts *fac
     list_items(nurbs, items);
     const taut_cad_job job = {.kind = TAUT_CAD_IGES,
                               .unit = taut_model_unit(nurbs),
-                              .name = "taut",
+                              .name = facts->name,
                               .notes = notes,
                               .note_count = 2,
                               .date = facts->date,

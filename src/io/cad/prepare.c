@@ -93,8 +93,21 @@ void taut_cad_say_bound(const char *unit, taut_cad_facts *facts)
     }
 }
 
-static void fill_facts(const taut_model *nurbs, taut_cad_facts *facts)
+/* What the whole is called: its construction, else its first part. */
+static const char *name_of(const taut_model *model, const taut_model *nurbs)
 {
+    const taut_certificate *certificate = taut_model_certificate(model);
+    const char *name = certificate != NULL ? taut_certificate_construct(certificate) : "";
+    if (name[0] == '\0') {
+        name = taut_model_surface_count(nurbs) > 0 ? taut_surface_name(taut_model_surface(nurbs, 0))
+                                                   : taut_curve_name(taut_model_curve(nurbs, 0));
+    }
+    return name[0] != '\0' ? name : "taut";
+}
+
+static void fill_facts(const taut_model *model, const taut_model *nurbs, taut_cad_facts *facts)
+{
+    snprintf(facts->name, sizeof facts->name, "%s", name_of(model, nurbs));
     write_date(facts->date);
     snprintf(facts->made, sizeof facts->made, "NURBS by taut %s", TAUT_VERSION);
     taut_cad_say_bound(taut_model_unit(nurbs), facts);
@@ -118,7 +131,7 @@ taut_status taut_cad_prepare(const taut_model *model, const taut_write_options *
         taut_model_free(made);
         return status;
     }
-    fill_facts(made, facts);
+    fill_facts(model, made, facts);
     *nurbs = made;
     return TAUT_OK;
 }

@@ -2,13 +2,15 @@
 #ifndef TAUT_IO_CAD_PREPARE_H
 #define TAUT_IO_CAD_PREPARE_H
 
+#include "taut/limits.h"
 #include "taut/write.h"
 
 typedef struct taut_cad_facts {
     double bound;     /* how far the NURBS may be from the model: a length, proved */
     double precision; /* what the file states as its uncertainty, above 0 */
     char date[32]; /* "2026-03-01T12:00:00": SOURCE_DATE_EPOCH, else 1970: same model, same bytes */
-    char made[64], exact[128]; /* lines for people */
+    char made[64], exact[128];    /* lines for people */
+    char name[TAUT_NAME_MAX + 1]; /* of the whole: its construction, else its first part */
 } taut_cad_facts;
 
 /* The surfaces and curves that options ask for as NURBS, the caller's. What is polynomial or

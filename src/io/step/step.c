@@ -19,18 +19,6 @@
 
 #include <math.h>
 
-/* What the product is called: its construction, else its first part. */
-static const char *name_of(const taut_model *model, const taut_model *nurbs)
-{
-    const taut_certificate *certificate = taut_model_certificate(model);
-    const char *name = certificate != NULL ? taut_certificate_construct(certificate) : "";
-    if (name[0] == '\0') {
-        name = taut_model_surface_count(nurbs) > 0 ? taut_surface_name(taut_model_surface(nurbs, 0))
-                                                   : taut_curve_name(taut_model_curve(nurbs, 0));
-    }
-    return name[0] != '\0' ? name : "taut";
-}
-
 /* A face that is a single point has no edges: STEP's readers leave it out without a word. */
 static taut_status check_faces(const taut_model *nurbs, taut_error *error)
 {
@@ -46,10 +34,10 @@ static taut_status check_faces(const taut_model *nurbs, taut_error *error)
     return TAUT_OK;
 }
 
-static void put_header(taut_part21 *out, const taut_cad_facts *facts, const char *name)
+static void put_header(taut_part21 *out, const taut_cad_facts *facts)
 {
     const taut_part21_value values[] = {TAUT_TEXT(facts->made), TAUT_TEXT(facts->exact),
-                                        TAUT_TEXT(name), TAUT_TEXT(facts->date),
+                                        TAUT_TEXT(facts->name), TAUT_TEXT(facts->date),
                                         TAUT_TEXT("taut " TAUT_VERSION)};
     taut_part21_put(out,
                     "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((%,%),'2;1');\n"
@@ -130,7 +118,7 @@ static void add_distances(const taut_model *nurbs, const taut_step_form *forms,
 
 /* All between the header and the end. */
 static taut_status put_data(taut_part21 *out, const taut_model *nurbs, taut_cad_facts *facts,
-                            const char *name, taut_arena *arena)
+                            taut_arena *arena)
 {
     taut_shells shells;
     taut_step_form *forms = NULL;
@@ -148,21 +136,21 @@ static taut_status put_data(taut_part21 *out, const taut_model *nurbs, taut_cad_
         return status;
     }
     add_distances(nurbs, forms, facts);
-    put_header(out, facts, name);
+    put_header(out, facts);
     taut_step_put_spaces(out, taut_model_unit(nurbs), fmax(facts->precision, shells.gap), &spaces);
     status = taut_step_put_faces(out, nurbs, &shells, forms, &spaces, arena, &content);
     put_curves(out, nurbs, &content);
-    taut_step_put_product(out, name, &spaces, &content);
+    taut_step_put_product(out, facts->name, &spaces, &content);
     taut_part21_put(out, "ENDSEC;\nEND-ISO-10303-21;\n", NULL);
     return status;
 }
 
-static taut_status put_file(const taut_model *nurbs, taut_cad_facts *facts, const char *name,
-                            FILE *file, taut_error *error)
+static taut_status put_file(const taut_model *nurbs, taut_cad_facts *facts, FILE *file,
+                            taut_error *error)
 {
     taut_part21 out = {.sink = taut_sink_to(file)};
     taut_arena *arena = taut_arena_new();
-    const taut_status put = put_data(&out, nurbs, facts, name, arena);
+    const taut_status put = put_data(&out, nurbs, facts, arena);
     const taut_status sent = taut_sink_finish(&out.sink);
     taut_arena_free(arena);
     return put != TAUT_OK           ? taut_fail_status(error, put)
@@ -182,7 +170,7 @@ static taut_status write_step(const taut_model *model, const taut_write_options 
     }
     status = check_faces(nurbs, error);
     if (status == TAUT_OK) {
-        status = put_file(nurbs, &facts, name_of(model, nurbs), file, error);
+        status = put_file(nurbs, &facts, file, error);
     }
     taut_model_free(nurbs);
     if (status == TAUT_OK && options->bound != NULL) {
