@@ -509,14 +509,15 @@ static taut_status seed_lattice(taut_net *net, int family, const taut_lath *othe
 static taut_status cross_through(taut_net *net, const double at[2], int index, taut_lath through[2],
                                  taut_error *error)
 {
-    const double up[3] = {0, 0, 0};
     if (taut_carrier_is_crease(net->carrier, at)) {
         return fault_of(net, index, at, TAUT_LINEFIELD_CREASE, error);
     }
     for (int family = 0; family < 2; family++) {
         const taut_linefield_kind kind = {net->problem->net, family};
         taut_linefield_fault fault = TAUT_LINEFIELD_FINE;
-        const taut_status status = taut_lath_trace(net->carrier, kind, at, up, 1, &net->options,
+        double along[3];
+        way_of(net, family, at, along);
+        const taut_status status = taut_lath_trace(net->carrier, kind, at, along, 1, &net->options,
                                                    net->arena, &through[family], &fault);
         if (status != TAUT_OK) {
             return taut_fail_status(error, status);

@@ -58,8 +58,25 @@ curves = json.load(open("$PWD/measured.json"))["curves"]
 print("")
 print("LOOK", len(objects) == len(curves), abs(length / sum(c["length"] for c in curves) - 1) < 1e-6, length)
 PY
+    # and pieces to cut: edges as many and as long as those of outlines, slots and marks
+    "$TAUT" example trace-bonnet | "$TAUT" make - --quiet -o laths.json -o laths.dxf
+    cat >> look.py <<PY
+import Import, math
+details = json.load(open("$PWD/laths.json"))["details"]
+lines = [([[0, 0], [w, 0], [w, h], [0, h]], True) for w, h in (sheet["size"] for sheet in details["sheets"])]
+for piece in details["pieces"]:
+    lines += [(piece["outline"], True)] + [(s["outline"], True) for s in piece["slots"]] + [(l, False) for l in piece["lines"]]
+edges = [math.dist(a, b) for points, closed in lines for a, b in zip(points, points[1:] + (points[:1] if closed else []))]
+document = FreeCAD.newDocument("laths")
+FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/Draft").SetBool("dxfUseLegacyImporter", False)
+Import.readDXF("$PWD/laths.dxf", document.Name)
+seen = [e.Length for o in document.Objects if hasattr(o, "Shape") for e in o.Shape.Edges]
+print("")
+print("CUT", len(seen) == len(edges), abs(sum(seen) / sum(edges) - 1) < 1e-9, len(seen), sum(seen))
+PY
     freecadcmd look.py > freecad.txt 2>&1
     contains freecad.txt '^LOOK True True '
+    contains freecad.txt '^CUT True True '
 else
     echo 'left out: FreeCAD is not here: apt-get install freecad (1 GB; continuous integration goes without)'
 fi

@@ -3,6 +3,7 @@
  *     the measure along the seed's line by Gauss's rule between the surface's breaks
  *     the measures at which curves of the family cross it, by their places in the window
  *     of each place that cuts it in equal parts: the nearest of them
+ *     on curves that others are seeded on the measure along them, and the nodes at the lengths that details give
  */
 #include "certify/trace/spacing.h"
 
@@ -11,6 +12,7 @@
 #include "taut/measure.h"
 
 #include <math.h>
+#include <string.h>
 
 enum { PIECES = 16 /* between two breaks */, NODES = 8, HALVINGS = 60 };
 /* Over the window's sides: a place lies on the line. Of |k_n| and such, over R: the line runs along the family. */
@@ -263,6 +265,234 @@ static line line_of(const taut_surface *surface, const taut_trace_problem *probl
     return l;
 }
 
+/* ---- along curves of the net ---- */
+
+/* A curve that is parted, and where others cross it, as lengths along it that details.nodes gives. */
+typedef struct parted {
+    const line *l; /* surface, net, by */
+    const taut_net_line *curve;
+    double *sum; /* [spans + 1]: the measure at its breaks */
+    double whole;
+    double *crossings; /* measures */
+    int count;
+} parted;
+
+/* The forms at t of the curve; 0 where they are not known. */
+static int forms_on(const parted *p, double t, taut_forms *f)
+{
+    double at[2];
+    if (!taut_net_line_window(p->curve, t, at)) {
+        return 0;
+    }
+    for (int d = 0; d < 2; d++) {
+        const taut_basis *basis =
+            d == 0 ? taut_surface_u(p->l->surface) : taut_surface_v(p->l->surface);
+        at[d] = fmin(fmax(at[d], taut_basis_lo(basis)), taut_basis_hi(basis));
+    }
+    return taut_surface_forms_points(p->l->surface, 1, &at[0], &at[1], 1, f) == TAUT_OK;
+}
+
+static double rate_on(const parted *p, double t)
+{
+    taut_forms f;
+    if (p->l->by != TAUT_TRACE_CONFORMAL || p->l->net == TAUT_TRACE_ISOPARAMETRIC) {
+        return 1;
+    }
+    if (!forms_on(p, t, &f)) {
+        return 0;
+    }
+    const double square =
+        p->l->net == TAUT_TRACE_ASYMPTOTIC ? -f.gaussian : f.mean * f.mean - f.gaussian;
+    return sqrt(sqrt(fmax(square, 0)));
+}
+
+static double measure_on(const parted *p, double a, double b)
+{
+    double nodes[NODES], weights[NODES], sum = 0;
+    taut_gauss_rule(NODES, nodes, weights);
+    for (int k = 0; k < NODES; k++) {
+        sum += weights[k] * rate_on(p, (a + b) / 2 + (b - a) / 2 * nodes[k]);
+    }
+    return sum * (b - a) / 2;
+}
+
+static double measure_up_to(const parted *p, double t)
+{
+    const taut_basis *basis = taut_curve_t(p->curve->space);
+    const double lo = taut_basis_lo(basis), hi = taut_basis_hi(basis);
+    const int span = taut_basis_span(basis, fmin(fmax(t, lo), hi));
+    return p->sum[span] + measure_on(p, taut_basis_breaks(basis)[span], fmin(fmax(t, lo), hi));
+}
+
+/* Does a node's name begin with this curve's (side 0), or end with it? */
+static int is_of(const char *node, const char *curve, int side)
+{
+    const size_t length = strlen(curve), whole = strcspn(node, ".");
+    const char *from = side == 0 ? node : node + whole - length;
+    return whole > length && strncmp(from, curve, length) == 0 &&
+           !(side == 0 && node[length] >= '0' && node[length] <= '9');
+}
+
+static taut_status part_curve(const taut_net_lines *lines, const line *l,
+                              const taut_net_line *curve, taut_arena *arena, parted *p)
+{
+    const taut_record *nodes = taut_record_get(taut_model_details(lines->model), "nodes");
+    const taut_basis *basis = taut_curve_t(curve->space);
+    const double *breaks = taut_basis_breaks(basis);
+    const int spans = taut_basis_span_count(basis);
+
+    *p = (parted){.l = l, .curve = curve};
+    p->sum = taut_arena_take(arena, (size_t)spans + 1, sizeof *p->sum);
+    p->crossings = taut_arena_take(arena, taut_record_count(nodes) + 1, sizeof *p->crossings);
+    if (taut_arena_status(arena) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    for (int k = 0; k < spans; k++) {
+        p->sum[k + 1] = p->sum[k] + measure_on(p, breaks[k], breaks[k + 1]);
+    }
+    p->whole = p->sum[spans];
+    for (size_t k = 0; k < taut_record_count(nodes); k++) {
+        const taut_record *node = taut_record_at(nodes, k);
+        if (is_of(taut_record_text(taut_record_get(node, "node")), taut_curve_name(curve->space),
+                  curve->family)) {
+            const taut_record *s = taut_record_get(node, "s");
+            p->crossings[p->count++] =
+                measure_up_to(p, taut_record_number(taut_record_at(s, (size_t)curve->family)));
+        }
+    }
+    return TAUT_OK;
+}
+
+/* Is there a curve of the other family where the measure is `target`? */
+static int exists_on(const parted *p, double target)
+{
+    const taut_basis *basis = taut_curve_t(p->curve->space);
+    const double *breaks = taut_basis_breaks(basis);
+    const int spans = taut_basis_span_count(basis);
+    taut_forms f;
+    int k = 0;
+    while (k + 1 < spans && p->sum[k + 1] < target) {
+        k++;
+    }
+    const double part = p->sum[k + 1] - p->sum[k];
+    const double share = part > 0 ? fmin(fmax((target - p->sum[k]) / part, 0), 1) : 1;
+    if (!forms_on(p, breaks[k] + share * (breaks[k + 1] - breaks[k]), &f) || !f.regular) {
+        return 0;
+    }
+    const double square = f.mean * f.mean - f.gaussian;
+    return p->l->net == TAUT_TRACE_ISOPARAMETRIC ||
+           (square > 0 && (p->l->net != TAUT_TRACE_ASYMPTOTIC || -f.gaussian > 1e-9 * square));
+}
+
+/* How far the nearest crossing is from a target, over a part; 0 where there is no curve to cross, and at the ends of
+ * the curve, where the other one may leave the window at once. */
+static double miss(const parted *p, double target, double part)
+{
+    const double room = 1e-9 * part;
+    double best = INFINITY;
+    if (!(target > room) || !(target < p->whole - room) || !exists_on(p, target)) {
+        return 0;
+    }
+    for (int k = 0; k < p->count; k++) {
+        best = fmin(best, fabs(p->crossings[k] - target));
+    }
+    return best / part;
+}
+
+static taut_status judge_lath(const taut_net_lines *lines, const line *l,
+                              const taut_trace_seed *seed, taut_arena *arena, double *worst)
+{
+    const taut_net_line *curve = NULL;
+    parted p;
+    for (int i = 0; i < lines->count; i++) {
+        const char *name = taut_curve_name(lines->lines[i].space);
+        curve = strcmp(name, seed->lath) == 0 ? &lines->lines[i] : curve;
+    }
+    *worst = INFINITY; /* the curve is missing */
+    if (curve == NULL) {
+        return TAUT_OK;
+    }
+    if (part_curve(lines, l, curve, arena, &p) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    const double part = p.whole / (seed->count + 1);
+    *worst = 0;
+    for (int k = 1; k <= seed->count; k++) {
+        *worst = fmax(*worst, miss(&p, k * part, part));
+    }
+    return TAUT_OK;
+}
+
+/* The two curves that cross at a place, and the length of the first and the second there; 0: none do. */
+static int crossing_at(const taut_net_lines *lines, const taut_surface *surface, const double at[2],
+                       const taut_net_line *through[2], double s[2])
+{
+    const taut_record *nodes = taut_record_get(taut_model_details(lines->model), "nodes");
+    for (size_t k = 0; k < taut_record_count(nodes); k++) {
+        const taut_record *node = taut_record_at(nodes, k), *there = taut_record_get(node, "at");
+        const char *name = taut_record_text(taut_record_get(node, "node"));
+        int is_near = 1;
+        for (size_t d = 0; d < 2; d++) {
+            const taut_basis *basis = d == 0 ? taut_surface_u(surface) : taut_surface_v(surface);
+            const double room = 1e-9 * (taut_basis_hi(basis) - taut_basis_lo(basis));
+            is_near &= fabs(taut_record_number(taut_record_at(there, d)) - at[d]) <= room;
+            s[d] = taut_record_number(taut_record_at(taut_record_get(node, "s"), d));
+        }
+        through[0] = through[1] = NULL;
+        for (int i = 0; is_near && i < lines->count; i++) {
+            const taut_net_line *one = &lines->lines[i];
+            if (is_of(name, taut_curve_name(one->space), one->family)) {
+                through[one->family] = one;
+            }
+        }
+        if (through[0] != NULL && through[1] != NULL) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* The lattice of `cells` on the two curves through its node; -1 where only one family was asked for. */
+static taut_status judge_cells(const taut_net_lines *lines, const line *l,
+                               const taut_trace_seed *seed, int families, taut_arena *arena,
+                               double *worst)
+{
+    const taut_net_line *through[2];
+    double at[2] = {seed->at[0], seed->at[1]}, s[2];
+    parted p[2];
+
+    *worst = -1;
+    for (int d = 0; d < 2 && !seed->has_at; d++) {
+        const taut_basis *basis = d == 0 ? taut_surface_u(l->surface) : taut_surface_v(l->surface);
+        const double lo = taut_basis_lo(basis);
+        at[d] = lo + (taut_basis_hi(basis) - lo) / 2;
+    }
+    if (families != 3) {
+        return TAUT_OK;
+    }
+    *worst = INFINITY;
+    if (!crossing_at(lines, l->surface, at, through, s)) {
+        return TAUT_OK;
+    }
+    for (int f = 0; f < 2; f++) {
+        if (part_curve(lines, l, through[f], arena, &p[f]) != TAUT_OK) {
+            return TAUT_NO_MEMORY;
+        }
+    }
+    const double part = seed->kind == TAUT_TRACE_CELLS ? fmax(p[0].whole, p[1].whole) / seed->count
+                                                       : seed->cell * rate_on(&p[0], s[0]);
+    *worst = 0;
+    for (int f = 0; f < 2; f++) {
+        const double middle = measure_up_to(&p[f], s[f]), room = 1e-9 * part;
+        const double first = ceil((-middle - room) / part),
+                     last = floor((p[f].whole - middle + room) / part);
+        for (double k = first; k <= last && last - first < TAUT_TRACE_LATHS_MAX; k++) {
+            *worst = fmax(*worst, miss(&p[f], middle + k * part, part));
+        }
+    }
+    return TAUT_OK;
+}
+
 taut_status taut_net_spacing(const taut_net_lines *lines, const taut_surface *surface,
                              const taut_trace_problem *problem, taut_arena *arena, double *residual,
                              int *where)
@@ -277,10 +507,24 @@ taut_status taut_net_spacing(const taut_net_lines *lines, const taut_surface *su
         const taut_trace_seed *seed = &problem->seeds[k];
         int families = seed->family != 0 ? seed->family : 3;
         families &= problem->families != 0 ? problem->families : 3;
-        if (seed->kind != TAUT_TRACE_EDGE && seed->kind != TAUT_TRACE_LINE) {
+        line l = line_of(surface, problem, seed);
+        if (seed->kind == TAUT_TRACE_AT || problem->net == TAUT_TRACE_GEODESIC) {
             continue;
         }
-        line l = line_of(surface, problem, seed);
+        if (seed->kind != TAUT_TRACE_EDGE && seed->kind != TAUT_TRACE_LINE) {
+            double here = -1;
+            const taut_status status = seed->kind == TAUT_TRACE_LATH
+                                           ? judge_lath(lines, &l, seed, arena, &here)
+                                           : judge_cells(lines, &l, seed, families, arena, &here);
+            if (status != TAUT_OK) {
+                return status;
+            }
+            if (here > *residual) {
+                *residual = here;
+                *where = k;
+            }
+            continue;
+        }
         if (measure_line(arena, &l) != TAUT_OK) {
             return TAUT_NO_MEMORY;
         }

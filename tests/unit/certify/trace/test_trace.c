@@ -147,6 +147,31 @@ static void test_spacing(void)
     net_free(&other);
 }
 
+/* The same on curves that others are seeded on, and on the two through the node of a lattice. */
+static void test_spacing_of_laths(void)
+{
+    static const char *const seeds[] = {"{ \"at\": [0.3, 0.2], \"family\": \"%s\" }, { \"lath\": "
+                                        "\"A1\", \"count\": 3, \"by\": \"%s\" }",
+                                        "{ \"cells\": 5, \"at\": [0.3, 0.2], \"by\": \"%.0s%s\" }"};
+    for (int k = 0; k < 4; k++) {
+        const int is_asymptotic = k % 2;
+        char members[2][200], list[160];
+        made_net made[2];
+        for (int by = 0; by < 2; by++) {
+            snprintf(list, sizeof list, seeds[k / 2], is_asymptotic ? "+" : "max",
+                     by ? "length" : "conformal");
+            snprintf(members[by], sizeof members[by], "\"seeds\": [%s]", list);
+            made[by] = net_make(is_asymptotic ? "asymptotic" : "principal", SURFACE, members[by]);
+            CHECK(claim_of(made[by].proof, "spacing")->holds == TAUT_TRUE, "%d, %d: %g %s", k, by,
+                  claim_of(made[by].proof, "spacing")->residual, made[by].error.message);
+        }
+        CHECK(judge(&made[0], changed(made[1].model, -1, 0, 0, NULL), "spacing") == TAUT_FALSE,
+              "%d", k);
+        net_free(&made[0]);
+        net_free(&made[1]);
+    }
+}
+
 /* Curves of a minimal surface cross at right angles, those of x y do not. */
 static void test_right_angled(void)
 {
@@ -247,6 +272,7 @@ int main(void)
     test_pieces();
     test_right_angled();
     test_spacing();
+    test_spacing_of_laths();
     test_other();
     return check_failures != 0;
 }
