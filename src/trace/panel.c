@@ -122,17 +122,19 @@ static void look_left(const taut_net *net, const row *rows, int lath, int k, tau
     if (taut_dot(here, there) < 0 && far < lath) {
         return; /* it lies to the left of that one too */
     }
-    const int corners[4] = {p, q, t, r};
-    panels->count++;
-    panels->planarity = fmax(panels->planarity, planarity_of(net, corners));
+    taut_panel *panel = &panels->list[panels->count++];
+    *panel = (taut_panel){.corners = {p, q, t, r}};
+    panel->planarity = planarity_of(net, panel->corners);
+    panels->planarity = fmax(panels->planarity, panel->planarity);
 }
 
 taut_status taut_panels_of(const taut_net *net, taut_panels *panels)
 {
     row *rows = taut_arena_take(net->arena, (size_t)net->count + 1, sizeof *rows);
 
-    *panels = (taut_panels){0};
-    if (rows == NULL || make_rows(net, rows) != TAUT_OK) {
+    *panels = (taut_panels){.list = taut_arena_take(net->arena, (size_t)net->nodes.count + 1,
+                                                    sizeof *panels->list)}; /* one a node at most */
+    if (rows == NULL || panels->list == NULL || make_rows(net, rows) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
     for (int i = 0; i < net->count; i++) {

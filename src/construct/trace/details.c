@@ -281,6 +281,23 @@ static void describe_singular(const taut_net *net, taut_record *details)
     }
 }
 
+static void describe_panel(const taut_net *net, const taut_panel *panel, taut_record *list)
+{
+    taut_record *at = taut_record_add_object(list, NULL);
+    taut_record *nodes = taut_record_add_list(at, "nodes");
+    taut_record *points = taut_record_add_list(at, "points");
+    for (int k = 0; k < 4; k++) {
+        const taut_node *node = &net->nodes.list[panel->corners[k]];
+        char name[2 * TAUT_LATH_NAME + 8];
+        double point[3];
+        taut_trace_node_name(net, node, name, sizeof name);
+        taut_carrier_point(net->carrier, node->x, point);
+        taut_record_add_text(nodes, NULL, name);
+        taut_record_add_numbers(points, NULL, 3, point);
+    }
+    taut_record_add_number(at, "planarity", panel->planarity);
+}
+
 static taut_status describe_panels(const taut_net *net, taut_record *details)
 {
     taut_panels panels;
@@ -291,6 +308,10 @@ static taut_status describe_panels(const taut_net *net, taut_record *details)
     if (status == TAUT_OK) {
         taut_record_add_number(details, "panel_count", panels.count);
         taut_record_add_number(details, "max_planarity", panels.planarity);
+        taut_record *list = taut_record_add_list(details, "panels");
+        for (int k = 0; k < panels.count; k++) {
+            describe_panel(net, &panels.list[k], list);
+        }
     }
     return status;
 }

@@ -347,6 +347,36 @@ static void test_singular(void)
 
 /* On z = 1.1 x y principal curves are asinh 1.1x -+ asinh 1.1y constant: quads at equal steps of them are exactly
  * plane, at others as far as their corners tell. */
+/* Corners go round counter-clockwise seen from where the normal points, z here, and neighbours lie on one lath. */
+static void check_panels(const taut_record *details)
+{
+    const taut_record *list = taut_record_get(details, "panels");
+    double most = 0;
+    CHECK((double)taut_record_count(list) ==
+              taut_record_number(taut_record_get(details, "panel_count")),
+          "%zu panels", taut_record_count(list));
+    for (size_t i = 0; i < taut_record_count(list); i++) {
+        const taut_record *panel = taut_record_at(list, i);
+        const taut_record *points = taut_record_get(panel, "points");
+        const taut_record *nodes = taut_record_get(panel, "nodes");
+        double area = 0;
+        for (size_t k = 0; k < 4; k++) {
+            const taut_record *a = taut_record_at(points, k),
+                              *b = taut_record_at(points, (k + 1) % 4);
+            const char *from = taut_record_text(taut_record_at(nodes, k));
+            const char *to = taut_record_text(taut_record_at(nodes, (k + 1) % 4));
+            area +=
+                taut_record_number(taut_record_at(a, 0)) *
+                    taut_record_number(taut_record_at(b, 1)) -
+                taut_record_number(taut_record_at(a, 1)) * taut_record_number(taut_record_at(b, 0));
+            CHECK(strncmp(from, to, 2) == 0 || strcmp(from + 2, to + 2) == 0, "%s to %s", from, to);
+        }
+        CHECK(area > 0, "panel %zu", i);
+        most = fmax(most, taut_record_number(taut_record_get(panel, "planarity")));
+    }
+    CHECK(most == taut_record_number(taut_record_get(details, "max_planarity")), "the largest");
+}
+
 static void test_panels(void)
 {
     const struct {
@@ -369,6 +399,7 @@ static void test_panels(void)
               "row %zu", k);
         CHECK_NEAR(taut_record_number(taut_record_get(details, "max_planarity")), rows[k].planarity,
                    1e-12, "row %zu", k);
+        check_panels(details);
         net_free(&made);
     }
 }
