@@ -175,6 +175,27 @@ static taut_status put_surface(taut_json_out *out, const taut_page_model *p,
     return TAUT_OK;
 }
 
+/* How far a lath is used, by the details of a net: 1 is all of its strength; negative where they do not say. */
+static double use_of(const taut_page_model *p, const char *name)
+{
+    const taut_record *laths = taut_record_get(taut_model_details(p->model), "laths");
+    for (size_t k = 0; k < taut_record_count(laths); k++) {
+        const taut_record *lath = taut_record_at(laths, k);
+        const taut_record *use = taut_record_get(taut_record_get(lath, "stress"), "use");
+        if (use != NULL && strcmp(taut_record_text(taut_record_get(lath, "name")), name) == 0) {
+            return taut_record_number(use);
+        }
+    }
+    return -1;
+}
+
+/* Laths to half of their strength, to all of it, and beyond: told apart by every common colour vision, dark enough
+ * on the surfaces' colours. */
+static double ink_of(double use)
+{
+    return use <= 0.5 ? 0x0b5d8c : use <= 1 ? 0xa86a00 : 0xb3001b;
+}
+
 static taut_status put_curve(taut_json_out *out, const taut_page_model *p,
                              const taut_page_curve *line)
 {
@@ -195,6 +216,11 @@ static taut_status put_curve(taut_json_out *out, const taut_page_model *p,
     put_text(out, "name", taut_curve_name(curve));
     put_number(out, "colour",
                taut_colour_group(curve_name, p, p->curve_count, (int)(line - p->curves)));
+    const double use = use_of(p, taut_curve_name(curve));
+    if (use >= 0) {
+        put_number(out, "ink", ink_of(use));
+        put_number(out, "use", use);
+    }
     put_shorts(out, "points", 3 * count, room.shorts, room.text);
     put_net(out, p, 1, points, every, taut_curve_points(curve), room);
     taut_json_close(out, '}');

@@ -131,6 +131,9 @@ refused 3 'kind /of' make self.json -o none.json --quiet
 refused 2 'net' trace roof.json --net asymptotic --panels -o none.json
 run 0 trace roof.json --net asymptotic --cells 5 --untrim --quiet -o whole.json
 cmp -s words.json whole.json || complain "--untrim changes a model that has no trimmed faces"
+# the page tells how far laths are used, and colours those that are used too far in red (0xb3001b)
+run 0 trace words.json --net asymptotic --cells 3 --strip standing --width 0.2 --thickness 0.02 --material steel-s235 --quiet -o used.html
+contains used.html '"ink": 11730971'
 # laths go to CAD and to meshes as strips, or as solids of their thickness
 run 0 trace words.json --net asymptotic --cells 3 --strip standing --width 0.02 --thickness 0.002 --quiet -o laths.json -o strips.step -o strips.glb
 run 0 trace words.json --net asymptotic --cells 3 --strip standing --width 0.02 --thickness 0.002 --solid --quiet -o solids.step -o solids.obj

@@ -107,9 +107,14 @@ function netObject(net) {
     return group;
 }
 
+/* Laths by how much of their strength is used, other curves by their place in the model. */
+function curveColour(curve) {
+    return curve.ink || curveColours[curve.colour % curveColours.length];
+}
+
 function curveObject(curve) {
     const points = unpackPoints(curve.points);
     const pairs = [];
     addPolyline(pairs, points, row(0, points.length / 3));
-    return lineObject(pairs, curveColours[curve.colour % curveColours.length], 3);
+    return lineObject(pairs, curveColour(curve), 3);
 }

@@ -78,6 +78,12 @@ function pickCurve(x, y) {
     return found;
 }
 
+/* A curve's name; of a lath how much of its strength is used, too. */
+function curveLabel(curve, i) {
+    const name = curve.name || 'curve ' + (i + 1);
+    return curve.use === undefined ? name : name + ', ' + curve.use.toFixed(2) + ' of its strength';
+}
+
 /* A length or coordinate to the digits that the page has of it. */
 function showLength(x) {
     const digits = 4 - Math.floor(Math.log10(model.half));
@@ -157,7 +163,7 @@ function hover(x, y) {
     const note = document.getElementById('hover');
     const curve = pickCurve(x, y);
     const found = curve < 0 ? pick(x, y) : null;
-    const name = curve >= 0 ? model.curves[curve].name || 'curve ' + (curve + 1) : found ? model.surfaces[found.index].name || 'surface ' + (found.index + 1) : '';
+    const name = curve >= 0 ? curveLabel(model.curves[curve], curve) : found ? model.surfaces[found.index].name || 'surface ' + (found.index + 1) : '';
     note.hidden = name === '';
     note.textContent = name;
     note.style.left = Math.min(x + 14, canvas.clientWidth - note.offsetWidth - 4) + 'px';
