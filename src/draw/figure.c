@@ -202,7 +202,8 @@ static void draw_names(const figure *f, const taut_legend *legend)
     for (int row = 0; row < shown; row++) {
         const named *r = &rows[row];
         char name[512];
-        const char *number = r->last + strcspn(r->last, "0123456789");
+        const size_t stem = strcspn(r->last, "0123456789");
+        const char *number = strncmp(r->first, r->last, stem) == 0 ? r->last + stem : "";
         if (r->count == 2) {
             snprintf(name, sizeof name, "%.200s, %.200s", r->first, r->last);
         } else if (r->count > 2) {

@@ -57,11 +57,14 @@ taut_ink taut_colour_plain(int i)
     return palette[(size_t)i % (sizeof palette / sizeof palette[0])];
 }
 
-/* The letters of a name before its number. */
-static size_t stem_of(const char *name)
+/* The letters of a name: after what it belongs to and a dot, before its number and the primes of an
+ * image. */
+static size_t stem_of(const char *name, const char **first)
 {
-    size_t length = strlen(name);
-    while (length > 0 && name[length - 1] >= '0' && name[length - 1] <= '9') {
+    const char *dot = strrchr(name, '.');
+    *first = dot != NULL ? dot + 1 : name;
+    size_t length = strlen(*first);
+    while (length > 0 && strchr("0123456789'", (*first)[length - 1]) != NULL) {
         length--;
     }
     return length;
@@ -69,8 +72,9 @@ static size_t stem_of(const char *name)
 
 static int is_alike(const char *a, const char *b)
 {
-    const size_t length = stem_of(a);
-    return length > 0 && length == stem_of(b) && memcmp(a, b, length) == 0;
+    const char *first, *other;
+    const size_t length = stem_of(a, &first);
+    return length > 0 && length == stem_of(b, &other) && memcmp(first, other, length) == 0;
 }
 
 /* Straight and bent, in every model alike. */

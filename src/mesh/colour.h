@@ -21,7 +21,7 @@ taut_ink taut_colour_diverging(double t);
 taut_ink taut_colour_plain(int i);
 
 /* Which plain or curve colour thing i of a model takes: things whose names differ in their number
- * only ("blend1", "blend2") share one, in the order in which they appear; what is called pipe is
+ * only ("blend1", "blend2"; "film", its image "film'3"; "a.u0", "b.u1") share one, in the order in which they appear; what is called pipe is
  * the first colour and what is called blend the second, in every model. Things without a name, or
  * of a number alone, take one each. name(of, i): never NULL. */
 int taut_colour_group(const char *(*name)(const void *of, int i), const void *of, int count, int i);

@@ -174,6 +174,11 @@ static void test_groups(void)
         CHECK(taut_colour_group(name_of, run, 6, i) == run_groups[i], "%s: %d", run[i],
               taut_colour_group(name_of, run, 6, i));
     }
+    static const char *const films[] = {"a", "a'", "a''12", "b", "b.u0", "a.u1", "a.v1"};
+    static const int film_groups[] = {0, 0, 0, 1, 2, 2, 3};
+    for (int i = 0; i < 7; i++) {
+        CHECK(taut_colour_group(name_of, films, 7, i) == film_groups[i], "%s", films[i]);
+    }
     for (int i = 0; i < 7; i++) {
         CHECK(taut_colour_group(name_of, parts, 7, i) == part_groups[i], "%s: %d", parts[i],
               taut_colour_group(name_of, parts, 7, i));
