@@ -183,7 +183,7 @@ typedef struct taut_film_problem {
     const taut_film_problem *patches;
     int seam_count;
     const taut_film_seam *seams;
-    /* Of films of one patch too, with cables of force, the method full, and without start, refine, updates and threads. */
+    /* Of films of one patch too, with cables of force, and without start, refine, updates and threads. */
     int cell_count;
     const taut_film_cell *cells;
     /* Of all films: each in turn. Copy n of surface "a" is called a with n primes, "a'", "a''", and from the ninth on "a'9". */

@@ -345,7 +345,7 @@ static void judge(request *r, const taut_sheets *s)
         for (int k = 0; k < hold->count; k++) {
             taut_add_scaled(-taut_dot(g, hold->normals[k]), hold->normals[k], g);
         }
-        if (r->complex.kind[a] != TAUT_FILM_NODE_HELD) {
+        if (r->complex.kind[a] != TAUT_FILM_NODE_HELD && r->problem->method == TAUT_FILM_FULL) {
             largest = taut_certify_max(taut_largest_coordinate(g) * (r->tolerance / largest_limit),
                                        largest);
         }

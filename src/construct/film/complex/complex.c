@@ -135,7 +135,6 @@ static taut_status check_lone(const taut_film_problem *problem, taut_error *erro
         int is_there;
     } rows[] = {{"/start", problem->start != NULL},
                 {"/refine", problem->refine > 0},
-                {"/method", problem->method != TAUT_FILM_FULL},
                 {"/updates", problem->updates > 0},
                 {"/prestress", problem->prestress[0] != 0},
                 {"/force_density", problem->force_density[0] != 0}};
@@ -274,7 +273,8 @@ static taut_record *details_of(const taut_film_layout *l, const taut_film_rest *
 
     taut_record_add_number(details, "unknowns", rest->unknowns);
     taut_record_add_number(details, "iterations", rest->iterations);
-    taut_record_add_text(details, "method", "full");
+    taut_record_add_text(details, "method",
+                         c->problem->method == TAUT_FILM_NORMAL ? "normal" : "full");
     taut_record_add_text(details, "solver", "fronts");
     taut_record_add_number(details, "residual", rest->residual);
     taut_record *cables = taut_record_add_list(details, "cables");

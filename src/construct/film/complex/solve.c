@@ -7,6 +7,7 @@
  *         taken where phi falls by a tenth of what d promises, or, where that is lost in rounding, the derivatives
  *         get less; then theta / 8, else theta * 8, and at theta = 1 half of d
  *     the same in the moves that are seen alone (ways.h), once a step promises little: there it converges to rounding
+ *         (by the method `normal` once it promises 1e-4 of E, with theta held at 1e-3 before, and in all coordinates no more)
  *     both with more Gauss nodes, until these leave the derivatives below the aim
  *
  *     phi = E - sum p_c (V_c - V_c0) + mu / 2 sum (V_c - V_c0)^2        with the step's p
@@ -28,7 +29,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { RULES = 5, ITERATIONS = 200, STALLS = 4, HALVINGS = 6, LED = 60 };
+enum { RULES = 5, ITERATIONS = 200, STALLS = 4, HALVINGS = 6, LED = 30 };
 static const int extra_nodes[RULES] = {2, 4, 8, 15, 27};
 static const double theta_least = 1e-9;
 static const double theta_rounding =
@@ -39,8 +40,13 @@ static const double share_promised = 0.1, rounding = 1e-13;
 static const double aim_share = 0.1; /* of the tolerance */
 static const double gain_least = 1e-11,
                     residual_all = 3e-7; /* of E; of all coordinates: their end */
-static const double blown = 10;          /* times the size */
-static const double led_least = 1e-3;    /* the least step of pressures that are led */
+static const double
+    gain_normal = 1e-4,
+    theta_normal =
+        1e-3; /* of the method `normal`: its end of all coordinates, its least theta there */
+static const double unsettled = 100;  /* times the aim: what the last rule may find */
+static const double blown = 10;       /* times the size */
+static const double led_least = 4e-3; /* the least step of pressures that are led */
 
 typedef struct work {
     const taut_film_layout *layout;
@@ -55,7 +61,8 @@ typedef struct work {
     double *led_from;  /* [nodes][3] */
     double value, largest, residual, theta, least_start, aim, mu;
     int iterations, most;
-    int narrow; /* the moves that are seen alone */
+    int is_narrowed; /* nonzero: it was once */
+    int narrow;      /* the moves that are seen alone */
 } work;
 
 static int must_stop(const work *w)
@@ -200,8 +207,13 @@ static taut_status refuse_fold(const work *w)
     return taut_fail(w->error, TAUT_NOT_CONVERGED, "folds", "/patches", w->energy->least, fold,
                      "after %d steps the least area element is %.3g of the mean: a patch folds or "
                      "shrinks to a line on its way to the least energy; give another layout, or "
-                     "bring its edges together",
+                     "the \"method\" \"normal\", which lets the net lie as it came",
                      w->iterations, w->energy->least);
+}
+
+static int is_normal(const work *w)
+{
+    return w->layout->complex.problem->method == TAUT_FILM_NORMAL;
 }
 
 /* One step, by the least theta that makes one; *taken: 0 where none is better. */
@@ -230,7 +242,8 @@ static taut_status make_step(work *w, double *promised, int *taken)
         if (!*taken && w->theta >= 1) {
             return TAUT_OK;
         }
-        w->theta = *taken ? fmax(theta_least, w->theta / 8) : fmin(1, 8 * w->theta);
+        const double least = is_normal(w) && !w->narrow ? theta_normal : theta_least;
+        w->theta = *taken ? fmax(least, w->theta / 8) : fmin(1, 8 * w->theta);
     }
     return TAUT_OK;
 }
@@ -278,8 +291,9 @@ static taut_status descend(work *w)
                  : promised > rounding * fabs(w->value) ? 0
                  : w->residual > 0.5 * before           ? stalls + 1
                                                         : 0;
-        is_done =
-            !w->narrow && w->residual <= residual_all && promised <= gain_least * fabs(w->value);
+        is_done = !w->narrow && (is_normal(w) ? promised <= gain_normal * fabs(w->value)
+                                              : w->residual <= residual_all &&
+                                                    promised <= gain_least * fabs(w->value));
     }
     return status;
 }
@@ -291,11 +305,11 @@ static taut_status descend_both(work *w)
 
     w->narrow = 0;
     status = look(w);
-    if (status == TAUT_OK && w->residual > residual_all) {
+    if (status == TAUT_OK && w->residual > residual_all && !(is_normal(w) && w->is_narrowed)) {
         status = descend(w);
     }
-    w->narrow = 1;
-    w->theta = fmin(w->theta, 1e-6);
+    w->narrow = w->is_narrowed = 1;
+    w->theta = fmin(w->theta, is_normal(w) ? theta_normal : 1e-6);
     return status == TAUT_OK ? descend(w) : status;
 }
 
@@ -317,10 +331,18 @@ static taut_status settle(work *w)
         if (rule == 0) {
             w->least_start = w->energy->least;
         } else if (w->residual <= 4 * w->aim) {
-            break;
+            return TAUT_OK;
         }
+        const double before = rule > 0 ? w->residual : 0;
         w->theta = rule == 0 ? 1 : fmin(w->theta, 1e-6);
         status = descend_both(w);
+        if (status == TAUT_OK && rule == RULES - 1 && before > unsettled * w->aim) {
+            return taut_fail(w->error, TAUT_NOT_CONVERGED, "not-converged", "/tolerance", before,
+                             w->aim,
+                             "no Gauss rule settles the derivatives: the last one still finds %.3g "
+                             "of the largest; a corner may be near to 180 degrees",
+                             before);
+        }
     }
     return status;
 }

@@ -69,6 +69,26 @@ static void test_schwarz(void)
                2 * 1.279261571171006466, 5e-11, "two quads");
     CHECK_NEAR(area_of(HEXAGON("\"degree\":5,\"count\":13,", "[1,1,0]"), 6, "", ""),
                2 * 1.279261571171006466, 1e-11, "two quads");
+    CHECK_NEAR(
+        area_of(HEXAGON("\"method\":\"normal\",\"degree\":5,\"count\":13,", "[1,1,0]"), 6, "", ""),
+        2 * 1.279261571171006466, 3e-8, "two quads, the net as it came");
+}
+
+/* Five corners, one of 139 degrees, on which the net folds in all coordinates. */
+#define UNEVEN(extra)                                                                              \
+    "{\"taut\":1,\"construct\":\"film\"," extra                                                    \
+    "\"curves\":[{\"line\":[[1.14,0.17,-0.07],[0.14,0.98,0.22]]},{\"line\":[[0.14,0.98,0.22],["    \
+    "-1.11,0.82,0.22]]},{\"line\":[[-1.11,0.82,0.22],[-0.66,-0.26,0.47]]},{\"line\":[[-0.66,-"     \
+    "0.26,0.47],[0.09,-0.61,-0.25]]},{\"line\":[[0.09,-0.61,-0.25],[1.14,0.17,-0.07]]}]}"
+
+/* Against the same on 9 x 9 points of degree 4 in all coordinates. */
+static void test_uneven(void)
+{
+    const double fine = area_of(UNEVEN("\"count\":9,"), 5, "", "");
+    const double coarse =
+        area_of(UNEVEN("\"method\":\"normal\",\"degree\":2,\"count\":6,"), 5, "", "");
+    CHECK_NEAR(coarse, fine, 1e-5, "an uneven pentagon");
+    CHECK(coarse > fine, "the coarse one has more");
 }
 
 static void test_refused(void)
@@ -87,6 +107,7 @@ int main(void)
 {
     test_polygons();
     test_schwarz();
+    test_uneven();
     test_refused();
     return check_failures != 0;
 }
