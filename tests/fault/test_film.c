@@ -31,6 +31,23 @@ static taut_status prove(const void *context, void **result, taut_error *error)
     return status;
 }
 
+static taut_status derive(const void *context, void **result, taut_error *error)
+{
+    static taut_film_slopes slopes;
+    const proof *p = context;
+    const taut_film_gradient_request area = {.of = TAUT_FILM_GRADIENT_AREA};
+    const taut_status status = taut_film_gradient(p->problem, p->model, &area, &slopes, error);
+    if (status == TAUT_OK) {
+        *result = &slopes;
+    }
+    return status;
+}
+
+static void release_nothing(void *result)
+{
+    (void)result;
+}
+
 /* Fails so many allocations of making and proving a sail, or all. */
 static void run_out(int without_least, int most)
 {
@@ -44,6 +61,8 @@ static void run_out(int without_least, int most)
     const proof context = {model, &s.problem};
     const fault_call proving = {"film's certificate", prove, release_certificate, &context};
     CHECK(model == NULL || fault_loop_some(&proving, most) > 100, "a proof takes memory");
+    const fault_call deriving = {"taut_film_gradient", derive, release_nothing, &context};
+    CHECK(model == NULL || fault_loop_some(&deriving, most) > 10, "derivatives take memory");
     taut_model_free(model);
     sail_free(&s);
 }
