@@ -17,7 +17,7 @@ problem:   core
 measure:   core platform numeric basis geometry
 pattern:   core numeric
 trace:     core numeric basis geometry pattern
-construct: core platform numeric basis geometry problem trace
+construct: core platform numeric basis geometry problem trace pattern
 certify:   core platform/parallel.h numeric/kernel/name.h numeric/quadrature.h numeric/sum.h basis geometry measure problem
 mesh:      core basis geometry measure
 shell:     core numeric/quadrature.h basis geometry measure mesh

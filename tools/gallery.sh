@@ -20,7 +20,7 @@ words() { # words EXAMPLE
     bonnet*-frames*) echo --side-by-side --no-net ;;
     film-bubbles | film-ridge | film-schwarz-* | film-tent) echo --no-net ;;
     film* | *-mast | *-through | biharmonic-c?) echo --no-net --isolines 11 ;;
-    bonnet* | pipe* | trace*) echo --no-net ;;
+    bonnet* | pipe* | pattern* | trace*) echo --no-net ;;
     esac
 }
 

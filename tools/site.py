@@ -26,7 +26,7 @@ NAVIGATION = [
     ("Start", ["index.md", "tutorial/README.md", "tutorial/1-tent.md", "tutorial/2-film.md", "tutorial/3-roof.md",
                "tutorial/4-pipes.md", "tutorial/5-certificate.md", "tutorial/6-gridshell.md", "gallery/README.md", "search.md"]),
     ("Constructions", ["dirichlet.md", "plateau.md", "film.md", "harmonic.md", "biharmonic.md", "asymptotic.md",
-                       "bonnet.md", "pipe.md", "trace.md"]),
+                       "bonnet.md", "pipe.md", "trace.md", "pattern.md"]),
     ("Reference", ["commands.md", "format.md", "formats.md", "errors.md", "limits.md", "figures.md", "view.md",
                    "studio.md", "reference/README.md"]),
     ("Trust", ["certificate.md", "least.md", "reproduction.md", "trust.md", "performance.md", "architecture.md",

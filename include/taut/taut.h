@@ -16,6 +16,7 @@
 #include "taut/bonnet.h"
 #include "taut/dirichlet.h"
 #include "taut/harmonic.h"
+#include "taut/pattern.h"
 #include "taut/pipe.h"
 #include "taut/plateau.h"
 #include "taut/trace.h"

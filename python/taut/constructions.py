@@ -362,4 +362,28 @@ def trace(*, trace: Literal["asymptotic", "principal", "geodesic", "isoparametri
     return made_of("trace", said, None, tolerance=tolerance, threads=threads, progress=progress, strict=strict)
 
 
-__all__ = ["asymptotic", "biharmonic", "bonnet", "dirichlet", "film", "harmonic", "harmonic_extension", "pipe", "plateau", "trace"]
+def pattern(*, pattern: Literal["cloth"], of: Union[str, Mapping[str, Any]], seams: Sequence[Any],
+        unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, surface: str | None = None,
+        seam_length: Literal["shared", "true"] | None = None, cloth: Mapping[str, Any] | None = None,
+        untrim: bool | None = None, compensation: Mapping[str, float] | None = None, tolerance: float | None = None,
+        threads: int | None = None, progress: Progress | None = None, strict: bool = False) -> Model:
+    """Flat pieces of cloth that are sewn together to a surface.
+
+    pattern                what it is cut of
+    of                     the surface: a model, a problem that is made first, or the name of a file that holds one
+    seams                  how it is cut in pieces
+    unit                   of lengths; nothing is converted; one of "mm", "m", "cm", "in", "ft"; "mm" if not given
+    surface                its name, where the model has several
+    seam_length            the mean of what both sides have alone, or that of the surface; one of "shared", "true";
+                           "shared" if not given
+    cloth                  the roll that the pieces are cut from
+    untrim                 STEP, IGES: trimmed faces of the file in of are read as the whole surfaces under them; false
+                           if not given
+    compensation           the shares by which the cloth is cut smaller than it is mounted
+    """
+    said: dict[str, Any] = {"pattern": pattern, "of": of, "seams": seams, "unit": unit, "surface": surface,
+        "seam_length": seam_length, "cloth": cloth, "untrim": untrim, "compensation": compensation}
+    return made_of("pattern", said, None, tolerance=tolerance, threads=threads, progress=progress, strict=strict)
+
+
+__all__ = ["asymptotic", "biharmonic", "bonnet", "dirichlet", "film", "harmonic", "harmonic_extension", "pipe", "plateau", "trace", "pattern"]

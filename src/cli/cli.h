@@ -28,6 +28,7 @@ typedef struct cli_options {
     const char *text_v;
     const char *kind;   /* panels --kind */
     const char *panels; /* panels --divide NU,NV */
+    const char *words;  /* the command whose words were made a document, or NULL */
     const char *net;    /* trace */
     const char **families;
     int family_count;
@@ -48,6 +49,10 @@ typedef struct cli_options {
     int judge_panels;      /* trace --panels */
     int solid;             /* trace, make: --solid */
     const char *cut_sheet; /* trace --sheet */
+    const char *across;    /* pattern */
+    const char *warp, *weft;
+    const char *seam_length;
+    int count;
     int cells;
     int both;
     double tolerance;
@@ -275,9 +280,9 @@ int cli_speaks_json(void);
 int cli_fail(const taut_error *error);
 /* The same about a document: where the place is a JSON pointer the file's name comes first. */
 int cli_fail_in(const char *file, const taut_error *error);
-/* The same about the document that the words of `taut trace` made: what is wrong with a word is a wrong
+/* The same about the document that the words of a command made: what is wrong with a word is a wrong
  * command line, 2. */
-int cli_fail_in_words(const char *file, const taut_error *error);
+int cli_fail_in_words(const char *command, const char *file, const taut_error *error);
 /* The same, told to a program with the place where it happened, a path: the sentence has it already. */
 int cli_fail_at(const char *path, const taut_error *error);
 /* Prints "taut: message" and returns 2: the command line is wrong. `reason` is a word of the list

@@ -15,6 +15,7 @@
     X(boundary)                                                                                    \
     X(panels)                                                                                      \
     X(trace)                                                                                       \
+    X(pattern)                                                                                     \
     X(view)                                                                                        \
     X(studio)                                                                                      \
     X(example)                                                                                     \

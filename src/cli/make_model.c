@@ -36,8 +36,8 @@ int cli_make_model(const taut_problem *problem, const cli_options *options, cons
             snprintf(where, sizeof where, "%s%.100s", place, error.where);
             memcpy(error.where, where, sizeof where);
         }
-        return options->net != NULL ? cli_fail_in_words(options->files[0], &error)
-                                    : cli_fail_in(options->files[0], &error);
+        return options->words != NULL ? cli_fail_in_words(options->words, options->files[0], &error)
+                                      : cli_fail_in(options->files[0], &error);
     }
     taut_model_set_certificate(model, certificate);
     report->model = made->model = model;

@@ -202,7 +202,7 @@ int cli_misuse_value(const char *option, const char *word, const char *expected,
     return cli_fail(&error);
 }
 
-int cli_fail_in_words(const char *file, const taut_error *error)
+int cli_fail_in_words(const char *command, const char *file, const taut_error *error)
 {
     taut_error told = *error;
     if (error->status != TAUT_BAD_INPUT || strncmp(error->where, "/of", 3) == 0 ||
@@ -211,7 +211,7 @@ int cli_fail_in_words(const char *file, const taut_error *error)
     }
     told.status = TAUT_BAD_ARGUMENT;
     told.where[0] = '\0';
-    snprintf(told.message, sizeof told.message, "`taut trace`: %.80s: %.160s", error->where,
+    snprintf(told.message, sizeof told.message, "`taut %s`: %.80s: %.160s", command, error->where,
              error->message);
     return cli_fail(&told);
 }

@@ -25,6 +25,7 @@ AS_ROWS(of_film, TAUT_FILM_REASON_LIST)
 AS_ROWS(of_gradient, TAUT_GRADIENT_REASON_LIST)
 AS_ROWS(of_harmonic, TAUT_HARMONIC_REASON_LIST)
 AS_ROWS(of_panels, TAUT_PANELS_REASON_LIST)
+AS_ROWS(of_pattern, TAUT_PATTERN_REASON_LIST)
 AS_ROWS(of_pipe, TAUT_PIPE_REASON_LIST)
 AS_ROWS(of_plateau, TAUT_PLATEAU_REASON_LIST)
 AS_ROWS(of_trace, TAUT_TRACE_REASON_LIST)
@@ -50,6 +51,7 @@ static const struct {
              {"gradient", "gradient", of_gradient},
              {"harmonic", "harmonic", of_harmonic},
              {"panels", "bonnet", of_panels},
+             {"pattern", "pattern", of_pattern},
              {"pipe", "pipe", of_pipe},
              {"plateau", "plateau", of_plateau},
              {"trace", "trace", of_trace}};

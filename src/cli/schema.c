@@ -20,7 +20,7 @@ static const cli_option options_of_schema[] = {CLI_THREADS, CLI_LAST};
 
 const cli_command cli_command_schema = {
     .name = "schema",
-    .usage = "[problem | model | report | trace]",
+    .usage = "[problem | model | report | trace | pattern]",
     .summary = "the JSON Schema of the documents",
     .text = "Without a name the schemas are listed.\n",
     .example = "taut schema problem > problem.schema.json\n",

@@ -1,61 +1,12 @@
 /* trace.c -- taut trace: a net of curves on a surface, from a model or a problem and a few words. */
 #include "cli/cli.h"
 #include "cli/make.h"
+#include "cli/words.h"
 
 #include <math.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 static const int cells_default = 8;
-
-/* A document that is written piece by piece. */
-typedef struct text {
-    char *bytes;
-    size_t length, room;
-    int failed;
-} text;
-
-static void put(text *t, const char *format, ...) TAUT_PRINTF(2, 3);
-static void put(text *t, const char *format, ...)
-{
-    va_list list;
-    va_start(list, format);
-    const int more = vsnprintf(NULL, 0, format, list);
-    va_end(list);
-    if (more < 0 || t->failed) {
-        t->failed = 1;
-        return;
-    }
-    if (t->length + (size_t)more + 1 > t->room) {
-        const size_t room = 2 * t->room + (size_t)more + 256;
-        char *bytes = realloc(t->bytes, room);
-        t->failed = bytes == NULL;
-        if (t->failed) {
-            return;
-        }
-        t->bytes = bytes;
-        t->room = room;
-    }
-    va_start(list, format);
-    t->length += (size_t)vsnprintf(t->bytes + t->length, t->room - t->length, format, list);
-    va_end(list);
-}
-
-/* A word as JSON. */
-static void put_word(text *t, const char *word)
-{
-    put(t, "\"");
-    for (; *word != '\0'; word++) {
-        if ((unsigned char)*word < ' ') {
-            put(t, "\\u%04x", (unsigned)*word);
-        } else {
-            put(t, "%s%c", *word == '"' || *word == '\\' ? "\\" : "", *word);
-        }
-    }
-    put(t, "\"");
-}
 
 /* "EDGE:N" or "PLACE:N": the part before the last colon, and the number; 0 if there is none. */
 static int split_count(const char *word, char *before, size_t size, double *count)
@@ -70,56 +21,56 @@ static int split_count(const char *word, char *before, size_t size, double *coun
 }
 
 /* What all seeds of the command line have besides. */
-static void end_seed(const cli_options *options, text *t)
+static void end_seed(const cli_options *options, cli_words *t)
 {
     if (options->by != NULL) {
-        put(t, ", \"by\": ");
-        put_word(t, options->by);
+        cli_put(t, ", \"by\": ");
+        cli_put_word(t, options->by);
     }
-    put(t, " }, ");
+    cli_put(t, " }, ");
 }
 
-static int put_at(const cli_options *options, const char *word, text *t)
+static int put_at(const cli_options *options, const char *word, cli_words *t)
 {
     double u = 0, v = 0, du = 0, dv = 0;
     if (!cli_pair(word, &u, &v)) {
         return cli_misuse_value("--seed", word, "U,V");
     }
-    put(t, "{ \"at\": [%.17g, %.17g]", u, v);
+    cli_put(t, "{ \"at\": [%.17g, %.17g]", u, v);
     if (options->direction != NULL) {
         if (!cli_pair(options->direction, &du, &dv)) {
             return cli_misuse_value("--direction", options->direction, "DU,DV");
         }
-        put(t, ", \"direction\": [%.17g, %.17g]", du, dv);
+        cli_put(t, ", \"direction\": [%.17g, %.17g]", du, dv);
     }
     if (options->to != NULL) {
         if (!cli_pair(options->to, &du, &dv)) {
             return cli_misuse_value("--to", options->to, "U,V");
         }
-        put(t, ", \"to\": [%.17g, %.17g]", du, dv);
+        cli_put(t, ", \"to\": [%.17g, %.17g]", du, dv);
     }
     if (options->both) {
-        put(t, ", \"both\": true");
+        cli_put(t, ", \"both\": true");
     }
-    put(t, " }, ");
+    cli_put(t, " }, ");
     return 0;
 }
 
-static int put_edge(const cli_options *options, const char *word, text *t)
+static int put_edge(const cli_options *options, const char *word, cli_words *t)
 {
     char edge[16];
     double count = 0;
     if (!split_count(word, edge, sizeof edge, &count)) {
         return cli_misuse_value("--edge", word, "EDGE:N, such as v0:7");
     }
-    put(t, "{ \"edge\": ");
-    put_word(t, edge);
-    put(t, ", \"count\": %.17g", count);
+    cli_put(t, "{ \"edge\": ");
+    cli_put_word(t, edge);
+    cli_put(t, ", \"count\": %.17g", count);
     end_seed(options, t);
     return 0;
 }
 
-static int put_line(const cli_options *options, const char *word, text *t)
+static int put_line(const cli_options *options, const char *word, cli_words *t)
 {
     char places[128], *second = NULL;
     double count = 0, from[2], to[2];
@@ -133,30 +84,30 @@ static int put_line(const cli_options *options, const char *word, text *t)
         !cli_pair(second, &to[0], &to[1])) {
         return cli_misuse_value("--line", word, "U,V:U,V:N");
     }
-    put(t, "{ \"line\": [[%.17g, %.17g], [%.17g, %.17g]], \"count\": %.17g", from[0], from[1],
-        to[0], to[1], count);
+    cli_put(t, "{ \"line\": [[%.17g, %.17g], [%.17g, %.17g]], \"count\": %.17g", from[0], from[1],
+            to[0], to[1], count);
     end_seed(options, t);
     return 0;
 }
 
-static int put_cells(const cli_options *options, int any, text *t)
+static int put_cells(const cli_options *options, int any, cli_words *t)
 {
     double cell = 0;
     if (options->cell != NULL && (!cli_number(options->cell, &cell) || !(cell > 0))) {
         return cli_misuse_value("--cell", options->cell, "a positive number");
     }
     if (options->cell != NULL) {
-        put(t, "{ \"cell\": %.17g", cell);
+        cli_put(t, "{ \"cell\": %.17g", cell);
         end_seed(options, t);
     }
     if (options->cells > 0 || !any) {
-        put(t, "{ \"cells\": %d", options->cells > 0 ? options->cells : cells_default);
+        cli_put(t, "{ \"cells\": %d", options->cells > 0 ? options->cells : cells_default);
         end_seed(options, t);
     }
     return 0;
 }
 
-static int put_seeds(const cli_options *options, text *t)
+static int put_seeds(const cli_options *options, cli_words *t)
 {
     int code = 0;
     const int any = options->at_count + options->seed_edge_count + options->seed_line_count +
@@ -164,7 +115,7 @@ static int put_seeds(const cli_options *options, text *t)
     if (any == 0 && options->by == NULL) {
         return 0;
     }
-    put(t, ", \"seeds\": [");
+    cli_put(t, ", \"seeds\": [");
     for (int k = 0; code == 0 && k < options->at_count; k++) {
         code = put_at(options, options->at[k], t);
     }
@@ -176,51 +127,29 @@ static int put_seeds(const cli_options *options, text *t)
     }
     code = code == 0 ? put_cells(options, any, t) : code;
     t->length -= t->length > 1 ? 2 : 0; /* the last comma */
-    put(t, "]");
+    cli_put(t, "]");
     return code;
 }
 
-/* A number of the command line as a member of laths. */
-static int put_length(const char *option, const char *word, const char *member, text *t)
-{
-    double value = 0;
-    if (word == NULL) {
-        return 0;
-    }
-    if (!cli_number(word, &value)) {
-        return cli_misuse_value(option, word, "a number");
-    }
-    put(t, ", \"%s\": %.17g", member, value);
-    return 0;
-}
-
-static void put_named(const char *word, const char *member, text *t)
-{
-    if (word != NULL) {
-        put(t, ", \"%s\": ", member);
-        put_word(t, word);
-    }
-}
-
-static int put_laths(const cli_options *options, text *t)
+static int put_laths(const cli_options *options, cli_words *t)
 {
     const int any = options->thickness != NULL || options->material != NULL ||
                     options->cut != NULL || options->play != NULL;
     if (options->strip == NULL) {
         return any ? cli_misuse("option", "`taut trace`: laths need --strip") : 0;
     }
-    put(t, ", \"laths\": { \"strip\": ");
-    put_word(t, options->strip);
-    int code = put_length("--width", options->lath_width, "width", t);
-    code = code == 0 ? put_length("--thickness", options->thickness, "thickness", t) : code;
-    put_named(options->material, "material", t);
-    put_named(options->cut, "cut", t);
-    code = code == 0 ? put_length("--play", options->play, "play", t) : code;
-    put(t, " }");
+    cli_put(t, ", \"laths\": { \"strip\": ");
+    cli_put_word(t, options->strip);
+    int code = cli_put_number("--width", options->lath_width, "width", t);
+    code = code == 0 ? cli_put_number("--thickness", options->thickness, "thickness", t) : code;
+    cli_put_named(options->material, "material", t);
+    cli_put_named(options->cut, "cut", t);
+    code = code == 0 ? cli_put_number("--play", options->play, "play", t) : code;
+    cli_put(t, " }");
     return code;
 }
 
-static int put_sheet(const cli_options *options, text *t)
+static int put_sheet(const cli_options *options, cli_words *t)
 {
     const char *word = options->cut_sheet, *times = word != NULL ? strchr(word, 'x') : NULL;
     char along[64];
@@ -237,59 +166,40 @@ static int put_sheet(const cli_options *options, text *t)
         !cli_number(times + 1, &size[1])) {
         return cli_misuse_value("--sheet", word, "WxH, such as 2500x1250");
     }
-    put(t, ", \"sheet\": { \"size\": [%.17g, %.17g] }", size[0], size[1]);
+    cli_put(t, ", \"sheet\": { \"size\": [%.17g, %.17g] }", size[0], size[1]);
     return 0;
 }
 
 /* The document that the words ask for. 0, or the exit code after one message. */
-static int write_document(const cli_options *options, text *t)
+static int write_document(const cli_options *options, cli_words *t)
 {
     double most = 0;
 
-    put(t, "{ \"taut\": 1, \"trace\": ");
-    put_word(t, options->net);
-    put(t, ", \"of\": ");
-    put_word(t, options->files[0]);
-    put(t, options->untrim ? ", \"untrim\": true" : "");
+    cli_put(t, "{ \"taut\": 1, \"trace\": ");
+    cli_put_word(t, options->net);
+    cli_put(t, ", \"of\": ");
+    cli_put_word(t, options->files[0]);
+    cli_put(t, options->untrim ? ", \"untrim\": true" : "");
     if (options->surface != NULL) {
-        put(t, ", \"surface\": ");
-        put_word(t, options->surface);
+        cli_put(t, ", \"surface\": ");
+        cli_put_word(t, options->surface);
     }
     for (int k = 0; k < options->family_count; k++) {
-        put(t, k == 0 ? ", \"families\": [" : ", ");
-        put_word(t, options->families[k]);
-        put(t, k == options->family_count - 1 ? "]" : "");
+        cli_put(t, k == 0 ? ", \"families\": [" : ", ");
+        cli_put_word(t, options->families[k]);
+        cli_put(t, k == options->family_count - 1 ? "]" : "");
     }
     if (options->max_length != NULL) {
         if (!cli_number(options->max_length, &most) || !(most > 0)) {
             return cli_misuse_value("--max-length", options->max_length, "a positive number");
         }
-        put(t, ", \"max_length\": %.17g", most);
+        cli_put(t, ", \"max_length\": %.17g", most);
     }
     int code = put_seeds(options, t);
     code = code == 0 ? put_laths(options, t) : code;
     code = code == 0 ? put_sheet(options, t) : code;
-    put(t, options->judge_panels ? ", \"panels\": true }" : " }");
+    cli_put(t, options->judge_panels ? ", \"panels\": true }" : " }");
     return code == 0 && t->failed ? cli_no_memory() : code;
-}
-
-static int run_words(const cli_options *options)
-{
-    text document = {NULL, 0, 0, 0};
-    taut_problem *problem = NULL;
-    taut_error error;
-    int code = write_document(options, &document);
-
-    if (code == 0 && taut_problem_read_text(document.bytes, document.length, "the command line",
-                                            &problem, &error) != TAUT_OK) {
-        code = cli_fail_in_words(options->files[0], &error);
-    }
-    if (code == 0) {
-        code = cli_make_one(problem, options);
-    }
-    taut_problem_free(problem);
-    free(document.bytes);
-    return code;
 }
 
 /* Where there are no laths, --width is that of pictures, as for other commands. */
@@ -321,7 +231,7 @@ static int run(const cli_options *said)
         return code;
     }
     if (options->net != NULL) {
-        return run_words(options);
+        return cli_run_words(options, "trace", write_document);
     }
     if (taut_problem_read(options->files[0], &problem, &error) != TAUT_OK) {
         return cli_fail_in(options->files[0], &error);

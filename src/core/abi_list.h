@@ -373,6 +373,41 @@
     X(taut_panels_options, surface, "const char *") \
     X(taut_panels_options, monitor, "taut_monitor")
 
+#define TAUT_ABI_MEMBERS_taut_pattern_cloth(X) \
+    X(taut_pattern_cloth, width, "double") \
+    X(taut_pattern_cloth, material, "taut_pattern_material") \
+    X(taut_pattern_cloth, thread, "double") \
+    X(taut_pattern_cloth, has_gap, "int") \
+    X(taut_pattern_cloth, gap, "double")
+
+#define TAUT_ABI_MEMBERS_taut_pattern_compensation(X) \
+    X(taut_pattern_compensation, warp, "double") \
+    X(taut_pattern_compensation, weft, "double") \
+    X(taut_pattern_compensation, has_seam, "int") \
+    X(taut_pattern_compensation, seam, "double")
+
+#define TAUT_ABI_MEMBERS_taut_pattern_material(X) \
+    X(taut_pattern_material, e, "double[2]") \
+    X(taut_pattern_material, nu, "double") \
+    X(taut_pattern_material, g, "double")
+
+#define TAUT_ABI_MEMBERS_taut_pattern_problem(X) \
+    X(taut_pattern_problem, model, "const taut_model *") \
+    X(taut_pattern_problem, of, "const taut_problem *") \
+    X(taut_pattern_problem, surface, "const char *") \
+    X(taut_pattern_problem, rule_count, "int") \
+    X(taut_pattern_problem, rules, "const taut_pattern_rule *") \
+    X(taut_pattern_problem, seam_length, "taut_pattern_seam_length") \
+    X(taut_pattern_problem, cloth, "taut_pattern_cloth") \
+    X(taut_pattern_problem, compensation, "taut_pattern_compensation")
+
+#define TAUT_ABI_MEMBERS_taut_pattern_rule(X) \
+    X(taut_pattern_rule, kind, "taut_pattern_rule_kind") \
+    X(taut_pattern_rule, edges, "taut_edge[2]") \
+    X(taut_pattern_rule, count, "int") \
+    X(taut_pattern_rule, width, "double") \
+    X(taut_pattern_rule, by, "taut_pattern_by")
+
 #define TAUT_ABI_MEMBERS_taut_pipe_axis(X) \
     X(taut_pipe_axis, kind, "taut_pipe_axis_kind") \
     X(taut_pipe_axis, polygon, "double[4][3]") \
@@ -599,6 +634,11 @@
     X(taut_mesh_options) \
     X(taut_monitor) \
     X(taut_panels_options) \
+    X(taut_pattern_cloth) \
+    X(taut_pattern_compensation) \
+    X(taut_pattern_material) \
+    X(taut_pattern_problem) \
+    X(taut_pattern_rule) \
     X(taut_pipe_axis) \
     X(taut_pipe_ellipse) \
     X(taut_pipe_end) \
@@ -725,6 +765,17 @@
     X(TAUT_PANELS_CONICAL, "conical") \
     X(TAUT_PANELS_CIRCULAR, "circular")
 
+#define TAUT_ABI_VALUES_taut_pattern_by(X) \
+    X(TAUT_PATTERN_BY_LENGTH, "length") \
+    X(TAUT_PATTERN_BY_PARAMETER, "parameter")
+
+#define TAUT_ABI_VALUES_taut_pattern_rule_kind(X) \
+    X(TAUT_PATTERN_ACROSS, "across")
+
+#define TAUT_ABI_VALUES_taut_pattern_seam_length(X) \
+    X(TAUT_PATTERN_SHARED, "shared") \
+    X(TAUT_PATTERN_TRUE, "true")
+
 #define TAUT_ABI_VALUES_taut_pipe_axis_kind(X) \
     X(TAUT_PIPE_POLYGON, "polygon") \
     X(TAUT_PIPE_ENDS, "ends") \
@@ -840,6 +891,9 @@
     X(taut_jacobian_state) \
     X(taut_join_kind) \
     X(taut_panels_kind) \
+    X(taut_pattern_by) \
+    X(taut_pattern_rule_kind) \
+    X(taut_pattern_seam_length) \
     X(taut_pipe_axis_kind) \
     X(taut_pipe_elbow_kind) \
     X(taut_pipe_frame) \
@@ -895,6 +949,8 @@
     X(TAUT_ENOUGH, "TAUT_ENOUGH") \
     X(TAUT_ALONG_U, "TAUT_ALONG_U") \
     X(TAUT_ALONG_V, "TAUT_ALONG_V") \
+    X(TAUT_PATTERN_PIECES_MAX, "TAUT_PATTERN_PIECES_MAX") \
+    X(TAUT_PATTERN_RULES_MAX, "TAUT_PATTERN_RULES_MAX") \
     X(TAUT_PLATEAU_REFINE_MAX, "TAUT_PLATEAU_REFINE_MAX") \
     X(TAUT_PLATEAU_REFINED_MAX, "TAUT_PLATEAU_REFINED_MAX") \
     X(TAUT_PLATEAU_ADAPTED_MAX, "TAUT_PLATEAU_ADAPTED_MAX") \

@@ -12,6 +12,7 @@
 #include "draw/pane.h"
 #include "draw/panes.h"
 #include "io/flat/flat.h"
+#include "io/flat/spread.h"
 #include "io/format.h"
 #include "mesh/colour.h"
 #include "platform/module.h"
@@ -548,6 +549,25 @@ static taut_status draw_models(figure *f, int count, const taut_model *const *mo
     return status == TAUT_OK ? draw_panes(f, ops, kind, out, error) : status;
 }
 
+/* The same with the flat pieces of cutting patterns beside their surfaces. */
+static taut_status draw_spread(figure *f, int count, const taut_model *const *models,
+                               const char *kind, FILE *out, taut_error *error)
+{
+    taut_model *own[TAUT_MODELS_MAX] = {NULL};
+    const taut_model *shown[TAUT_MODELS_MAX] = {NULL};
+    taut_status status = TAUT_OK;
+    for (int i = 0; status == TAUT_OK && i < count; i++) {
+        status = models[i] != NULL ? taut_flat_spread(models[i], &own[i]) : TAUT_OK;
+        shown[i] = own[i] != NULL ? own[i] : models[i];
+    }
+    status = status == TAUT_OK ? draw_models(f, count, shown, kind, out, error)
+                               : taut_fail_memory(error);
+    for (int i = 0; i < count; i++) {
+        taut_model_free(own[i]);
+    }
+    return status;
+}
+
 taut_status taut_draw_figures(int count, const taut_model *const *models,
                               const taut_write_options *options, const char *kind, FILE *out,
                               taut_error *error)
@@ -561,7 +581,7 @@ taut_status taut_draw_figures(int count, const taut_model *const *models,
     if (options != NULL) {
         f.options = *options;
     }
-    const taut_status status = draw_models(&f, count, models, kind, out, error);
+    const taut_status status = draw_spread(&f, count, models, kind, out, error);
     taut_scene_clear(&f.scene);
     taut_arena_free(f.arena);
     return status;

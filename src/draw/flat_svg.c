@@ -63,8 +63,6 @@ static void put_word(const drawing *to, const taut_flat_text *text)
 
 static void put_all(const drawing *to, const taut_flat *flat)
 {
-    static const char *const colours[TAUT_FLAT_LAYERS] = {"#d00000", "#0000d0", "#008000",
-                                                          "#808080"};
     put_text(to, "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"");
     taut_sink_number(to->sink, flat->size[0] * to->scale);
     put_text(to, "mm\" height=\"");
@@ -74,20 +72,22 @@ static void put_all(const drawing *to, const taut_flat *flat)
     put_text(to, " ");
     taut_sink_number(to->sink, flat->size[1] * to->scale);
     put_text(to, "\">\n");
-    for (int layer = TAUT_FLAT_LAYERS - 1; layer >= 0; layer--) {
+    for (int layer = flat->layer_count - 1; layer >= 0; layer--) {
         put_text(to, "<g id=\"");
-        put_text(to, taut_flat_layer_names[layer]);
+        put_text(to, flat->layers[layer].name);
         put_text(to, "\" fill=\"none\" stroke=\"");
-        put_text(to, colours[layer]);
+        put_text(to, flat->layers[layer].colour);
         put_text(to, "\" stroke-width=\"0.1\">\n");
         for (size_t k = 0; k < flat->line_count; k++) {
-            if ((int)flat->lines[k].layer == layer) {
+            if (flat->lines[k].layer == layer) {
                 put_line(to, &flat->lines[k]);
             }
         }
-        if (layer == TAUT_FLAT_ENGRAVE && flat->text_count > 0) {
-            put_text(to, "<g font-family=\"sans-serif\" text-anchor=\"middle\" stroke=\"none\" "
-                         "fill=\"#008000\">\n");
+        if (layer == flat->text_layer && flat->text_count > 0) {
+            put_text(
+                to, "<g font-family=\"sans-serif\" text-anchor=\"middle\" stroke=\"none\" fill=\"");
+            put_text(to, flat->layers[layer].colour);
+            put_text(to, "\">\n");
             for (size_t k = 0; k < flat->text_count; k++) {
                 put_word(to, &flat->texts[k]);
             }

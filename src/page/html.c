@@ -7,6 +7,7 @@
  */
 #include "core/fail.h"
 #include "core/memory.h"
+#include "io/flat/spread.h"
 #include "io/format.h"
 #include "io/mesh/out.h"
 #include "page/html_page.h"
@@ -97,8 +98,15 @@ static taut_status write_html(const taut_model *model, const taut_write_options 
                               taut_error *error)
 {
     json_text texts[2] = {{.name = "data"}, {.name = "document"}};
-    taut_status status = taut_html_data(model, options, &texts[0].text, &texts[0].length, error);
+    taut_model *spread = NULL;
+    taut_status status = taut_flat_spread(model, &spread);
 
+    if (status != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    status = taut_html_data(spread != NULL ? spread : model, options, &texts[0].text,
+                            &texts[0].length, error);
+    taut_model_free(spread);
     if (status == TAUT_OK) {
         status = document_text(model, options, &texts[1], error);
     }

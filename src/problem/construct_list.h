@@ -18,6 +18,7 @@
     X(film, "film")                                                                                \
     X(harmonic, "harmonic")                                                                        \
     X(harmonic_extension, "harmonic-extension")                                                    \
+    X(pattern, "pattern")                                                                          \
     X(pipe, "pipe")                                                                                \
     X(plateau, "plateau")                                                                          \
     X(trace, "trace")

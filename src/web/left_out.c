@@ -1,9 +1,13 @@
 /* left_out.c -- what the module does not have: formats that stand on something that is not there, or that nobody asks a page
  * for, and files. */
+#include "certify/certify_ops.h"
 #include "certify/film/complex/complex.h"
+#include "construct/construct_ops.h"
 #include "construct/film/complex/complex.h"
 #include "core/fail.h"
 #include "io/cad/cad.h"
+#include "io/flat/cloth.h"
+#include "io/flat/spread.h"
 #include "io/format.h"
 #include "io/problem/boundary_file.h"
 #include "io/problem/film_curves.h"
@@ -142,4 +146,56 @@ void taut_film_complex_identify(const taut_film_problem *problem, taut_identity 
 {
     (void)problem;
     (void)identity;
+}
+
+/* ---- cloth ---- */
+
+static taut_status refuse_cloth(taut_error *error)
+{
+    return taut_fail(error, TAUT_IO, "not-installed", NULL, taut_none, taut_none,
+                     "cloth is not cut by this module: let the program `taut pattern` do it");
+}
+
+static taut_status make_cloth(const void *data, const taut_make_options *options,
+                              taut_model **model, taut_error *error)
+{
+    (void)data;
+    (void)options;
+    (void)model;
+    return refuse_cloth(error);
+}
+
+static taut_status certify_cloth(const taut_model *model, const void *data, const taut_audit *audit,
+                                 taut_certificate *certificate, taut_error *error)
+{
+    (void)model;
+    (void)data;
+    (void)audit;
+    (void)certificate;
+    return refuse_cloth(error);
+}
+
+const taut_construct_ops taut_construct_pattern = {.make = make_cloth};
+const taut_certify_ops taut_certify_pattern = {.certify = certify_cloth};
+
+int taut_flat_is_cloth(const taut_model *model)
+{
+    (void)model;
+    return 0;
+}
+
+taut_status taut_flat_read_cloth(const taut_model *model, taut_arena *arena, taut_flat *flat,
+                                 taut_error *error)
+{
+    (void)model;
+    (void)arena;
+    (void)flat;
+    return refuse_cloth(error);
+}
+
+taut_status taut_flat_spread(const taut_model *model, taut_model **spread)
+{
+    (void)model;
+    *spread = NULL;
+    return TAUT_OK;
 }

@@ -19,9 +19,16 @@ enum { MOST = 400 }; /* allocations failed of one call, spread over all of them 
 static const struct slow_call {
     const char *name;
     int most;
-} slow_calls[] = {
-    {"asymptotic, taut_certify", 20}, {"film, taut_make", 20}, /* all of both without their bound: test_film.c */
-    {"film, taut_certify", 40},       {"pipe, taut_make", 20}, {"pipe, taut_certify", 80},
+} slow_calls
+    [] =
+        {
+            {"asymptotic, taut_certify", 20},
+            {"film, taut_make", 20}, /* all of both without their bound: test_film.c */
+            {"film, taut_certify", 40},
+            {"pipe, taut_make", 20},
+            {"pipe, taut_certify", 80},
+            {"pattern, taut_make", 20},
+            {"pattern, taut_certify", 20},
 };
 
 typedef struct subject {

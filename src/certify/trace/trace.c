@@ -28,6 +28,7 @@
 #include "taut/trace.h"
 
 #include "certify/certify_ops.h"
+#include "certify/common/of.h"
 #include "certify/common/unit.h"
 #include "certify/common/verdict.h"
 #include "certify/trace/complete.h"
@@ -555,115 +556,18 @@ static taut_status add_isometric(const request *r, taut_certificate *certificate
     return add(certificate, "isometric", TAUT_CHECK, &w, isometric_limit);
 }
 
-/* ---- surface ---- */
-
-/* How many numbers of two surfaces differ; 1 where their bases do. */
-static double differences(const taut_surface *a, const taut_surface *b)
-{
-    const double *wa = taut_surface_weights(a), *wb = taut_surface_weights(b);
-    if (!taut_basis_equal(taut_surface_u(a), taut_surface_u(b)) ||
-        !taut_basis_equal(taut_surface_v(a), taut_surface_v(b)) || (wa == NULL) != (wb == NULL)) {
-        return 1;
-    }
-    const size_t count =
-        (size_t)taut_basis_count(taut_surface_u(a)) * (size_t)taut_basis_count(taut_surface_v(a));
-    double wrong = 0;
-    for (size_t k = 0; k < 3 * count; k++) {
-        wrong += taut_surface_points(a)[k] != taut_surface_points(b)[k];
-    }
-    for (size_t k = 0; wa != NULL && k < count; k++) {
-        wrong += wa[k] != wb[k];
-    }
-    return wrong;
-}
-
-/* The surface that the document names in a model, or the only one. */
-static const taut_surface *named(const taut_model *model, const char *name)
-{
-    for (int i = 0; i < taut_model_surface_count(model); i++) {
-        const taut_surface *one = taut_model_surface(model, i);
-        if (name == NULL || strcmp(taut_surface_name(one), name) == 0) {
-            return one;
-        }
-    }
-    return NULL;
-}
-
-/* What was made first, proved by its own problem: the surface alone, under the details it was made
- * with. */
-static taut_status prove_first(const request *r, taut_arena *arena, const taut_audit *audit,
-                               taut_claim *claim, taut_error *error)
-{
-    const taut_record *of = taut_record_get(taut_model_details(r->lines.model), "of");
-    const taut_record *details = taut_record_get(of, "details");
-    const taut_certify_options options = {.threads = audit->crew.threads,
-                                          .tolerance = audit->tolerance,
-                                          .exact = audit->exact,
-                                          .monitor = *audit->crew.pulse->monitor};
-    taut_certificate *inner = NULL;
-    taut_surface *surface = NULL;
-    taut_model *model = NULL;
-
-    if (taut_model_new(&model) != TAUT_OK || !taut_keep_model(arena, model)) {
-        return taut_fail_memory(error);
-    }
-    if (taut_surface_copy(r->lines.surface, &surface) != TAUT_OK ||
-        taut_model_add_surface(model, surface) != TAUT_OK) {
-        taut_surface_free(surface);
-        return taut_fail_memory(error);
-    }
-    if (details != NULL) {
-        taut_record *copy = taut_record_copy(details);
-        if (copy == NULL) {
-            return taut_fail_memory(error);
-        }
-        taut_model_set_details(model, copy);
-    }
-    taut_model_set_unit(model, r->problem->of->unit);
-    const taut_status status = taut_certify(model, r->problem->of, &options, &inner, NULL);
-    claim->kind = TAUT_CHECK;
-    if (status == TAUT_NO_MEMORY || status == TAUT_INTERRUPTED) {
-        return taut_fail_status(error, status);
-    }
-    if (status != TAUT_OK) {
-        claim->holds = TAUT_UNDECIDED;
-        claim->residual = NAN;
-        claim->where = "what was made first cannot be certified by its surface alone";
-        return TAUT_OK;
-    }
-    claim->residual = 0;
-    for (int k = 0; k < taut_certificate_claim_count(inner); k++) {
-        const taut_claim *one = taut_certificate_claim(inner, k);
-        claim->residual += one->holds == TAUT_FALSE;
-    }
-    claim->holds = taut_certificate_holds(inner);
-    taut_certificate_free(inner);
-    return TAUT_OK;
-}
+/* ---- the whole ---- */
 
 static taut_status add_surface(const request *r, taut_arena *arena, const taut_audit *audit,
                                taut_certificate *certificate, taut_error *error)
 {
-    taut_claim claim = {.claim = "surface", .kind = TAUT_EXACT, .limit = 0, .where = ""};
-    taut_status status = TAUT_OK;
-
-    if (r->problem == NULL) {
-        return TAUT_OK;
-    }
-    if (r->problem->of != NULL) {
-        status = prove_first(r, arena, audit, &claim, error);
-    } else {
-        const taut_surface *given = named(r->problem->model, r->problem->surface);
-        claim.residual = given != NULL ? differences(given, r->lines.surface) : 1;
-        claim.holds = taut_certify_below(claim.residual, 0);
-    }
-    if (status != TAUT_OK) {
-        return status;
-    }
-    return taut_certificate_add(certificate, &claim) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
+    const taut_trace_problem *p = r->problem;
+    const taut_certify_given given = {p != NULL ? p->model : NULL, p != NULL ? p->of : NULL,
+                                      p != NULL ? p->surface : NULL};
+    return p != NULL ? taut_certify_of(r->lines.model, r->lines.surface, &given, arena, audit,
+                                       certificate, error)
+                     : TAUT_OK;
 }
-
-/* ---- the whole ---- */
 
 static void look_around(request *r)
 {
@@ -791,8 +695,9 @@ static void identify(const taut_model *model, const void *data, taut_identity *i
 {
     const taut_trace_problem *problem = data;
     const taut_record *domain = taut_record_get(taut_model_details(model), "domain");
-    const taut_surface *given =
-        problem != NULL && problem->model != NULL ? named(problem->model, problem->surface) : NULL;
+    const taut_surface *given = problem != NULL && problem->model != NULL
+                                    ? taut_certify_named(problem->model, problem->surface)
+                                    : NULL;
     const char *name = given != NULL ? taut_surface_name(given) : NULL;
     const char *before = "";
 

@@ -425,23 +425,3 @@ taut_status taut_trace_describe(const taut_net *net, const taut_strip *strips, t
     }
     return status;
 }
-
-void taut_trace_describe_part(const taut_lath *lath, const taut_lath_part *part,
-                              taut_record *domain)
-{
-    taut_record *at = taut_record_add_object(domain, NULL);
-    taut_basis_spec spec;
-
-    taut_basis_spec_of(part->basis, &spec);
-    taut_record_add_text(at, "name", lath->name);
-    taut_record *basis = taut_record_add_object(at, "t");
-    taut_record_add_text(basis, "type", "bspline");
-    taut_record_add_number(basis, "degree", spec.degree);
-    taut_record_add_numbers(basis, "knots", spec.knot_count, spec.knots);
-    taut_record *points = taut_record_add_list(at, "points");
-    for (int k = 0; k < part->count; k++) {
-        taut_record *point = taut_record_add_list(points, NULL);
-        taut_record_add_number(point, NULL, part->window[2 * k]);
-        taut_record_add_number(point, NULL, part->window[2 * k + 1]);
-    }
-}

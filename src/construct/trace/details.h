@@ -10,9 +10,6 @@
  * warnings; strips: one a lath, or NULL. TAUT_NO_MEMORY. */
 taut_status taut_trace_describe(const taut_net *net, const taut_strip *strips,
                                 taut_record *details);
-/* A stretch of a lath in the window, as an item of `domain`. */
-void taut_trace_describe_part(const taut_lath *lath, const taut_lath_part *part,
-                              taut_record *domain);
 
 /* "A3B5", a second one of the same two "A3B5.2". */
 void taut_trace_node_name(const taut_net *net, const taut_node *node, char *text, size_t size);

@@ -7,12 +7,12 @@
 #include "taut/trace.h"
 
 #include "construct/common/build.h"
+#include "construct/common/of.h"
 #include "construct/construct_ops.h"
 #include "construct/trace/details.h"
 #include "construct/trace/flat.h"
 #include "core/fail.h"
 #include "core/unit.h"
-#include "geometry/keep.h"
 #include "problem/problem.h"
 #include "trace/curve.h"
 #include "trace/net.h"
@@ -110,46 +110,6 @@ static taut_status check_problem(const taut_trace_problem *problem, taut_error *
     return problem->laths != NULL ? check_laths(problem->laths, error) : TAUT_OK;
 }
 
-/* The surface of a name, or the only one. */
-static taut_status choose_surface(const taut_model *model, const char *name,
-                                  const taut_surface **surface, taut_error *error)
-{
-    const int count = taut_model_surface_count(model);
-    for (int i = 0; i < count; i++) {
-        const taut_surface *one = taut_model_surface(model, i);
-        if (name == NULL ? count == 1 : strcmp(taut_surface_name(one), name) == 0) {
-            *surface = one;
-            return TAUT_OK;
-        }
-    }
-    if (name == NULL) {
-        return taut_fail(error, TAUT_BAD_INPUT, count == 0 ? "no-surface" : "missing", "/surface",
-                         count, 1, "the model has %d surfaces: say which one", count);
-    }
-    return taut_fail(error, TAUT_BAD_INPUT, "no-such-object", "/surface", taut_none, taut_none,
-                     "the model has no surface named \"%.60s\"", name);
-}
-
-static taut_status make_of(const request *r, taut_arena *arena, const taut_model **model,
-                           taut_error *error)
-{
-    taut_model *made = NULL;
-    const taut_make_options options = {.tolerance = r->options->tolerance,
-                                       .threads = r->options->threads,
-                                       .monitor = r->options->monitor};
-    *model = r->problem->model;
-    if (r->problem->of == NULL) {
-        return TAUT_OK;
-    }
-    const taut_status status = taut_make(r->problem->of, &options, &made, error);
-    if (status != TAUT_OK) {
-        taut_error_prefix(error, "/of");
-        return status;
-    }
-    *model = made;
-    return taut_keep_model(arena, made) ? TAUT_OK : taut_fail_memory(error);
-}
-
 static taut_status add_lath(const taut_net *net, const taut_lath *lath, taut_arena *arena,
                             taut_model *model, taut_record *domain, taut_error *error)
 {
@@ -166,7 +126,7 @@ static taut_status add_lath(const taut_net *net, const taut_lath *lath, taut_are
         return status;
     }
     for (int k = count > 1; k < count; k++) {
-        taut_trace_describe_part(lath, &parts[k], domain);
+        taut_construct_add_stretch(domain, lath->name, parts[k].basis, parts[k].window);
     }
     return taut_construct_add_curve(model, curve, error);
 }
@@ -235,11 +195,7 @@ static taut_status fill(const request *r, const taut_model *of, const taut_net *
         status = add_lath(net, &net->laths[k], arena, model, domain, error);
     }
     if (r->problem->of != NULL) {
-        taut_record *made = taut_record_add_object(details, "of");
-        taut_record_add_text(made, "construct", taut_problem_construction(r->problem->of));
-        if (taut_model_details(of) != NULL) {
-            taut_record_add_record(made, "details", taut_model_details(of));
-        }
+        taut_construct_describe_of(r->problem->of, of, details);
     }
     if (status != TAUT_OK) {
         taut_record_free(details);
@@ -255,10 +211,11 @@ static taut_status build(void *context, taut_arena *arena, taut_model *model, ta
     const taut_surface *surface = NULL;
     taut_carrier *carrier = NULL;
     taut_net net = {.problem = r->problem, .arena = arena};
-    taut_status status = make_of(r, arena, &of, error);
+    taut_status status =
+        taut_construct_of(r->problem->model, r->problem->of, r->options, arena, &of, error);
 
     if (status == TAUT_OK) {
-        status = choose_surface(of, r->problem->surface, &surface, error);
+        status = taut_construct_choose(of, r->problem->surface, &surface, error);
     }
     if (status != TAUT_OK) {
         return status;

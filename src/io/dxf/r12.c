@@ -59,9 +59,8 @@ static void put_header(taut_sink *sink, const taut_flat *flat, const char *unit)
     put(sink, 0, "ENDSEC");
 }
 
-static void put_tables(taut_sink *sink)
+static void put_tables(taut_sink *sink, const taut_flat *flat)
 {
-    static const char *const colours[TAUT_FLAT_LAYERS] = {"1", "5", "3", "8"};
     put(sink, 0, "SECTION");
     put(sink, 2, "TABLES");
     put(sink, 0, "TABLE");
@@ -77,22 +76,22 @@ static void put_tables(taut_sink *sink)
     put(sink, 0, "ENDTAB");
     put(sink, 0, "TABLE");
     put(sink, 2, "LAYER");
-    put_count(sink, 70, TAUT_FLAT_LAYERS);
-    for (int k = 0; k < TAUT_FLAT_LAYERS; k++) {
+    put_count(sink, 70, (size_t)flat->layer_count);
+    for (int k = 0; k < flat->layer_count; k++) {
         put(sink, 0, "LAYER");
-        put(sink, 2, taut_flat_layer_names[k]);
+        put(sink, 2, flat->layers[k].name);
         put(sink, 70, "0");
-        put(sink, 62, colours[k]);
+        put(sink, 62, flat->layers[k].number);
         put(sink, 6, "CONTINUOUS");
     }
     put(sink, 0, "ENDTAB");
     put(sink, 0, "ENDSEC");
 }
 
-static void put_line(taut_sink *sink, const taut_flat_line *line)
+static void put_line(taut_sink *sink, const taut_flat *flat, const taut_flat_line *line)
 {
     static const double origin[2] = {0, 0};
-    const char *layer = taut_flat_layer_names[line->layer];
+    const char *layer = flat->layers[line->layer].name;
     put(sink, 0, "POLYLINE");
     put(sink, 8, layer);
     put(sink, 66, "1");
@@ -108,10 +107,10 @@ static void put_line(taut_sink *sink, const taut_flat_line *line)
 }
 
 /* Its middle, codes 72 and 73, is at the second point. */
-static void put_text(taut_sink *sink, const taut_flat_text *text)
+static void put_text(taut_sink *sink, const taut_flat *flat, const taut_flat_text *text)
 {
     put(sink, 0, "TEXT");
-    put(sink, 8, taut_flat_layer_names[TAUT_FLAT_ENGRAVE]);
+    put(sink, 8, flat->layers[flat->text_layer].name);
     put_point(sink, 10, text->at);
     put_real(sink, 40, text->height);
     put(sink, 1, text->text);
@@ -131,14 +130,14 @@ taut_status taut_r12_write(const taut_model *model, FILE *out, taut_error *error
 
     if (status == TAUT_OK) {
         put_header(&sink, &flat, taut_model_unit(model));
-        put_tables(&sink);
+        put_tables(&sink, &flat);
         put(&sink, 0, "SECTION");
         put(&sink, 2, "ENTITIES");
         for (size_t k = 0; k < flat.line_count; k++) {
-            put_line(&sink, &flat.lines[k]);
+            put_line(&sink, &flat, &flat.lines[k]);
         }
         for (size_t k = 0; k < flat.text_count; k++) {
-            put_text(&sink, &flat.texts[k]);
+            put_text(&sink, &flat, &flat.texts[k]);
         }
         put(&sink, 0, "ENDSEC");
         put(&sink, 0, "EOF");

@@ -1,13 +1,18 @@
 #include "io/flat/flat.h"
 
 #include "core/fail.h"
+#include "io/flat/cloth.h"
 
 #include <math.h>
 
 /* Between two sheets, over the larger side of one. */
 static const double aside = 0.1;
 
-const char *const taut_flat_layer_names[TAUT_FLAT_LAYERS] = {"CUT", "SLOT", "ENGRAVE", "SHEET"};
+enum { CUT, SLOT, ENGRAVE, SHEET, LAYERS };
+static const taut_flat_layer lath_layers[LAYERS] = {[CUT] = {"CUT", "1", "#d00000"},
+                                                    [SLOT] = {"SLOT", "5", "#0000d0"},
+                                                    [ENGRAVE] = {"ENGRAVE", "3", "#008000"},
+                                                    [SHEET] = {"SHEET", "8", "#808080"}};
 
 typedef struct reading {
     taut_arena *arena;
@@ -46,7 +51,7 @@ static void pair(reading *r, const taut_record *list, double out[2])
     }
 }
 
-static void add_line(reading *r, taut_flat_layer layer, const taut_record *points)
+static void add_line(reading *r, int layer, const taut_record *points)
 {
     const size_t count = count_of(points);
     double(*own)[2] = taut_arena_take(r->arena, count + 1, sizeof *own);
@@ -56,7 +61,7 @@ static void add_line(reading *r, taut_flat_layer layer, const taut_record *point
         own[k][0] += r->shift;
     }
     r->flat->lines[r->flat->line_count++] =
-        (taut_flat_line){layer, layer != TAUT_FLAT_ENGRAVE, count, (const double(*)[2])own};
+        (taut_flat_line){layer, layer != ENGRAVE, count, (const double(*)[2])own};
 }
 
 static void add_text(reading *r, const taut_record *text)
@@ -76,12 +81,12 @@ static void add_piece(reading *r, const taut_record *piece)
     const taut_record *slots = member(piece, "slots"), *lines = member(piece, "lines");
     const taut_record *texts = member(piece, "texts");
     r->shift = (number(r, member(piece, "sheet")) - 1) * r->step;
-    add_line(r, TAUT_FLAT_CUT, member(piece, "outline"));
+    add_line(r, CUT, member(piece, "outline"));
     for (size_t k = 0; k < count_of(slots); k++) {
-        add_line(r, TAUT_FLAT_SLOT, member(taut_record_at(slots, k), "outline"));
+        add_line(r, SLOT, member(taut_record_at(slots, k), "outline"));
     }
     for (size_t k = 0; k < count_of(lines); k++) {
-        add_line(r, TAUT_FLAT_ENGRAVE, taut_record_at(lines, k));
+        add_line(r, ENGRAVE, taut_record_at(lines, k));
     }
     for (size_t k = 0; k < count_of(texts); k++) {
         add_text(r, taut_record_at(texts, k));
@@ -97,7 +102,7 @@ static void add_sheet(reading *r, size_t index)
         corners[k][1] = k >= 2 ? r->size[1] : 0;
     }
     r->flat->lines[r->flat->line_count++] =
-        (taut_flat_line){TAUT_FLAT_SHEET, 1, 4, (const double(*)[2])corners};
+        (taut_flat_line){SHEET, 1, 4, (const double(*)[2])corners};
 }
 
 /* How many lines and texts there are. */
@@ -112,12 +117,13 @@ static void count_all(const taut_record *pieces, size_t *lines, size_t *texts)
 
 int taut_flat_is(const taut_model *model)
 {
-    return count_of(member(taut_model_details(model), "pieces")) > 0 &&
-           count_of(member(taut_model_details(model), "sheets")) > 0;
+    return taut_flat_is_cloth(model) ||
+           (count_of(member(taut_model_details(model), "pieces")) > 0 &&
+            count_of(member(taut_model_details(model), "sheets")) > 0);
 }
 
-taut_status taut_flat_read(const taut_model *model, taut_arena *arena, taut_flat *flat,
-                           taut_error *error)
+static taut_status read_laths(const taut_model *model, taut_arena *arena, taut_flat *flat,
+                              taut_error *error)
 {
     const taut_record *details = taut_model_details(model);
     const taut_record *sheets = member(details, "sheets"), *pieces = member(details, "pieces");
@@ -125,7 +131,10 @@ taut_status taut_flat_read(const taut_model *model, taut_arena *arena, taut_flat
     size_t lines = count_of(sheets), texts = 0;
 
     count_all(pieces, &lines, &texts);
-    *flat = (taut_flat){.lines = taut_arena_take(arena, lines + 1, sizeof *flat->lines),
+    *flat = (taut_flat){.layer_count = LAYERS,
+                        .text_layer = ENGRAVE,
+                        .layers = lath_layers,
+                        .lines = taut_arena_take(arena, lines + 1, sizeof *flat->lines),
                         .texts = taut_arena_take(arena, texts + 1, sizeof *flat->texts)};
     if (taut_arena_status(arena) != TAUT_OK) {
         return taut_fail_memory(error);
@@ -148,4 +157,11 @@ taut_status taut_flat_read(const taut_model *model, taut_arena *arena, taut_flat
     return r.is_wrong ? taut_fail(error, TAUT_BAD_INPUT, "value", "/details/pieces", taut_none,
                                   taut_none, "the model's pieces are not what a net tells of them")
                       : TAUT_OK;
+}
+
+taut_status taut_flat_read(const taut_model *model, taut_arena *arena, taut_flat *flat,
+                           taut_error *error)
+{
+    return taut_flat_is_cloth(model) ? taut_flat_read_cloth(model, arena, flat, error)
+                                     : read_laths(model, arena, flat, error);
 }

@@ -1,7 +1,8 @@
-/* flat.h -- flat pieces to cut, read from a model's details (`sheets` and `pieces`), as lines and texts on layers.
+/* flat.h -- flat pieces to cut, as lines and texts on layers: laths, read from a model's details (`sheets` and `pieces`), and cloth, from
+ * its lines (io/flat/cloth.h).
  *
- * Sheets stand side by side. Layers: SHEET, the borders of sheets; CUT, outlines, closed; SLOT, closed too; ENGRAVE, lines and
- * texts.
+ * Sheets stand side by side. Layers of laths: SHEET, the borders of sheets; CUT, outlines, closed; SLOT, closed too; ENGRAVE, lines
+ * and texts.
  */
 #ifndef TAUT_IO_FLAT_FLAT_H
 #define TAUT_IO_FLAT_FLAT_H
@@ -9,17 +10,14 @@
 #include "core/arena.h"
 #include "taut/model.h"
 
-typedef enum taut_flat_layer {
-    TAUT_FLAT_CUT,
-    TAUT_FLAT_SLOT,
-    TAUT_FLAT_ENGRAVE,
-    TAUT_FLAT_SHEET
+/* A layer: its name, the number of its colour in DXF, and its colour in SVG. Drawn from the last to the first. */
+typedef struct taut_flat_layer {
+    const char *name, *number, *colour;
 } taut_flat_layer;
-enum { TAUT_FLAT_LAYERS = 4 };
-extern const char *const taut_flat_layer_names[TAUT_FLAT_LAYERS];
+enum { TAUT_FLAT_LAYERS_MAX = 6 };
 
 typedef struct taut_flat_line {
-    taut_flat_layer layer;
+    int layer;
     int is_closed;
     size_t count;
     const double (*points)[2];
@@ -31,6 +29,8 @@ typedef struct taut_flat_text {
 } taut_flat_text;
 
 typedef struct taut_flat {
+    int layer_count, text_layer;
+    const taut_flat_layer *layers;
     size_t line_count, text_count;
     taut_flat_line *lines;
     taut_flat_text *texts;

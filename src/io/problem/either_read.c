@@ -17,7 +17,8 @@ static taut_status read_root(const taut_json *document, void *into, taut_error *
 {
     either *e = into;
     return taut_json_find(document->value, "construct") != NULL ||
-                   taut_json_find(document->value, "trace") != NULL
+                   taut_json_find(document->value, "trace") != NULL ||
+                   taut_json_find(document->value, "pattern") != NULL
                ? taut_problem_document_read(document, e->path, &e->source, &e->problem, error)
                : taut_model_document_read(document, &e->model, error);
 }

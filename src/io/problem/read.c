@@ -19,7 +19,7 @@ static const taut_document_ops *const ops_table[] = {
 #undef TAUT_DOCUMENT_ROW
 };
 
-/* The index of the construction that the document names; a net says "trace" in its place. */
+/* The index of the construction that the document names; a net says "trace" in its place, flat cloth "pattern". */
 static taut_status read_construct(const taut_json *document, int *construct, taut_error *error)
 {
     const taut_json at = taut_json_member(document, "construct");
@@ -28,6 +28,10 @@ static taut_status read_construct(const taut_json *document, int *construct, tau
 
     if (at.value == NULL && taut_json_find(document->value, "trace") != NULL) {
         *construct = TAUT_CONSTRUCT_INDEX_trace;
+        return TAUT_OK;
+    }
+    if (at.value == NULL && taut_json_find(document->value, "pattern") != NULL) {
+        *construct = TAUT_CONSTRUCT_INDEX_pattern;
         return TAUT_OK;
     }
     for (int i = 0; i < TAUT_CONSTRUCT_COUNT; i++) {

@@ -741,7 +741,7 @@ static void solve_dense(int n, double *a, int columns, double *b)
     }
 }
 
-static double greville(int spans, int i)
+double taut_flat_greville(int spans, int i)
 {
     double sum = 0;
     for (int k = 1; k <= DEGREE; k++) {
@@ -756,7 +756,7 @@ static void collocation(int spans, double *a)
     const int n = spans + DEGREE;
     memset(a, 0, sizeof *a * (size_t)n * (size_t)n);
     for (int i = 0; i < n; i++) {
-        const double x = greville(spans, i);
+        const double x = taut_flat_greville(spans, i);
         const int span = span_of(spans, x);
         basis_at(spans, DEGREE, span, x, a + i * n + span, NULL);
     }
@@ -807,7 +807,10 @@ static void turn_start(work *w)
             to[d] += value[k] * w->y[unknown(w, last, span + k, d)];
         }
     }
-    const double angle = w->options->thread - taut_atan2(to[1] - from[1], to[0] - from[0]);
+    const double thread = w->options->thread; /* of the chord once it is made smaller */
+    const double angle =
+        taut_atan2(taut_sin(thread) / w->stretch[1], taut_cos(thread) / w->stretch[0]) -
+        taut_atan2(to[1] - from[1], to[0] - from[0]);
     w->size = taut_hypot(to[0] - from[0], to[1] - from[1]);
     for (int i = 0; i < w->n; i += 2) {
         const double x = w->y[i] - from[0], y = w->y[i + 1] - from[1];
@@ -828,32 +831,15 @@ static void turn_start(work *w)
     }
 }
 
-static taut_status unroll(work *w)
+/* From the places at the Greville points, in w->y, to the net through them, turned and made smaller. */
+static taut_status interpolate(work *w)
 {
-    enum { STOPS = 16 };
     const int ns = w->lines[0].count, nt = w->lines[1].count, most = ns > nt ? ns : nt;
     double *a = taut_arena_take(w->arena, (size_t)most * (size_t)most, sizeof *a);
     double *swapped = taut_arena_take(w->arena, (size_t)w->n, sizeof *swapped);
-    double place[2] = {0, 0}, angle = 0, before = 0;
 
     if (taut_arena_status(w->arena) != TAUT_OK) {
         return TAUT_NO_MEMORY;
-    }
-    for (int i = 0; i < ns; i++) {
-        const double s = greville(w->lines[0].spans, i);
-        double g[3];
-        for (int k = 0; i > 0 && k < STOPS; k++) {
-            walk_axis(w, before + (s - before) * k / STOPS, before + (s - before) * (k + 1) / STOPS,
-                      place, &angle);
-        }
-        before = s;
-        w->strip->metric(w->strip->context, s, 0.5, g);
-        const double turn = angle + taut_atan2(sqrt(g[0] * g[2] - g[1] * g[1]), g[1]);
-        for (int j = 0; j < nt; j++) {
-            const double reach = cross_length(w, s, greville(w->lines[1].spans, j));
-            w->y[unknown(w, i, j, 0)] = place[0] + reach * taut_cos(turn);
-            w->y[unknown(w, i, j, 1)] = place[1] + reach * taut_sin(turn);
-        }
     }
     collocation(w->lines[0].spans, a);
     solve_dense(ns, a, 2 * nt, w->y);
@@ -873,6 +859,31 @@ static taut_status unroll(work *w)
     }
     turn_start(w);
     return TAUT_OK;
+}
+
+static taut_status unroll(work *w)
+{
+    enum { STOPS = 16 };
+    const int ns = w->lines[0].count, nt = w->lines[1].count;
+    double place[2] = {0, 0}, angle = 0, before = 0;
+
+    for (int i = 0; i < ns; i++) {
+        const double s = taut_flat_greville(w->lines[0].spans, i);
+        double g[3];
+        for (int k = 0; i > 0 && k < STOPS; k++) {
+            walk_axis(w, before + (s - before) * k / STOPS, before + (s - before) * (k + 1) / STOPS,
+                      place, &angle);
+        }
+        before = s;
+        w->strip->metric(w->strip->context, s, 0.5, g);
+        const double turn = angle + taut_atan2(sqrt(g[0] * g[2] - g[1] * g[1]), g[1]);
+        for (int j = 0; j < nt; j++) {
+            const double reach = cross_length(w, s, taut_flat_greville(w->lines[1].spans, j));
+            w->y[unknown(w, i, j, 0)] = place[0] + reach * taut_cos(turn);
+            w->y[unknown(w, i, j, 1)] = place[1] + reach * taut_sin(turn);
+        }
+    }
+    return interpolate(w);
 }
 
 /* ---- from the default law and natural lengths to what is asked for ---- */
@@ -1090,6 +1101,31 @@ static void place_origin(work *w)
     }
 }
 
+static taut_status finish(work *w, double area, taut_flat *flat)
+{
+    place_origin(w);
+    *flat = (taut_flat){.spans = {w->lines[0].spans, w->lines[1].spans},
+                        .count = {w->lines[0].count, w->lines[1].count},
+                        .points = w->y,
+                        .law = w->law,
+                        .warp = w->options->warp,
+                        .weft = w->options->weft,
+                        .energy = w->energy,
+                        .area = area,
+                        .flat_area = flat_area(w),
+                        .residual = w->residual,
+                        .is_stable = w->is_stable,
+                        .steps = w->steps,
+                        .torque = w->is_turning && w->rows > 0 ? w->multiplier[w->rows - 1] : 0};
+    for (int d = 0; d < 2; d++) {
+        flat->knots[d] = taut_arena_take(w->arena, (size_t)flat->count[d] + LOCAL, sizeof(double));
+        for (int k = 0; flat->knots[d] != NULL && k < flat->count[d] + LOCAL; k++) {
+            flat->knots[d][k] = knot_of(flat->spans[d], k);
+        }
+    }
+    return taut_arena_status(w->arena) == TAUT_OK ? TAUT_OK : TAUT_NO_MEMORY;
+}
+
 taut_status taut_flatten(taut_arena *arena, const taut_flat_strip *strip,
                          const taut_flat_options *options, const taut_flat *from, taut_flat *flat)
 {
@@ -1105,27 +1141,40 @@ taut_status taut_flatten(taut_arena *arena, const taut_flat_strip *strip,
         *flat = (taut_flat){.energy = w.energy, .steps = w.steps};
         return status;
     }
-    place_origin(&w);
-    *flat = (taut_flat){.spans = {w.lines[0].spans, w.lines[1].spans},
-                        .count = {w.lines[0].count, w.lines[1].count},
-                        .points = w.y,
-                        .law = w.law,
-                        .warp = options->warp,
-                        .weft = options->weft,
-                        .energy = w.energy,
-                        .area = area,
-                        .flat_area = flat_area(&w),
-                        .residual = w.residual,
-                        .is_stable = w.is_stable,
-                        .steps = w.steps,
-                        .torque = w.is_turning ? w.multiplier[w.rows - 1] : 0};
-    for (int d = 0; d < 2; d++) {
-        flat->knots[d] = taut_arena_take(arena, (size_t)flat->count[d] + LOCAL, sizeof(double));
-        for (int k = 0; flat->knots[d] != NULL && k < flat->count[d] + LOCAL; k++) {
-            flat->knots[d][k] = knot_of(flat->spans[d], k);
-        }
+    return finish(&w, area, flat);
+}
+
+taut_status taut_flat_of_places(taut_arena *arena, const taut_flat_strip *strip,
+                                const taut_flat_options *options, const double *places,
+                                taut_flat *flat)
+{
+    work w = {.arena = arena, .strip = strip, .options = options};
+    taut_status status = prepare(&w);
+
+    if (status != TAUT_OK) {
+        return status;
     }
-    return taut_arena_status(arena) == TAUT_OK ? TAUT_OK : TAUT_NO_MEMORY;
+    const double area = sample(&w);
+    memcpy(w.y, places, (size_t)w.n * sizeof *places);
+    w.law = options->law != NULL ? *options->law : default_law;
+    status = interpolate(&w);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    w.energy = energy_of(&w, w.y);
+    w.is_stable = 1;
+    return finish(&w, area, flat);
+}
+
+taut_status taut_flat_copy(taut_arena *arena, const taut_flat *from, taut_flat *to)
+{
+    const size_t count[2] = {(size_t)from->count[0], (size_t)from->count[1]};
+    *to = *from;
+    to->points = taut_arena_copy(arena, from->points, 2 * count[0] * count[1], sizeof(double));
+    for (int d = 0; d < 2; d++) {
+        to->knots[d] = taut_arena_copy(arena, from->knots[d], count[d] + LOCAL, sizeof(double));
+    }
+    return taut_arena_status(arena);
 }
 
 void taut_flat_at(const taut_flat *flat, double s, double t, double y[3][2])
@@ -1148,7 +1197,7 @@ void taut_flat_at(const taut_flat *flat, double s, double t, double y[3][2])
 }
 
 void taut_flat_strain(const taut_flat *flat, const double g[3], const double y[3][2],
-                      double strain[2])
+                      double strain[2], double cloth[3])
 {
     const double j[2][2] = {{y[1][0], y[2][0]}, {y[1][1], y[2][1]}};
     double inverse[2][2], det, c[3] = {0, 0, 0};
@@ -1159,6 +1208,11 @@ void taut_flat_strain(const taut_flat *flat, const double g[3], const double y[3
         const double half = (a + b) / 2, radius = taut_hypot((a - b) / 2, m);
         strain[0] = sqrt(half + radius) - 1;
         strain[1] = sqrt(half - radius) - 1;
+        if (cloth != NULL) {
+            cloth[0] = sqrt(a) - 1;
+            cloth[1] = sqrt(b) - 1;
+            cloth[2] = taut_atan2(m, sqrt(a * b - m * m));
+        }
     }
 }
 

@@ -73,11 +73,22 @@ typedef struct taut_flat {
 taut_status taut_flatten(taut_arena *arena, const taut_flat_strip *strip,
                          const taut_flat_options *options, const taut_flat *from, taut_flat *flat);
 
+/* The places where coefficient i of a direction of so many spans is at home: the mean of its inner knots. */
+double taut_flat_greville(int spans, int i);
+/* The same of a piece without Gauss curvature: `places`, double[count[0]][count[1]][2], are those of the Greville places, laid flat
+ * without strain anywhere; turned, moved and made smaller as options say, none held. Its steps are 0. */
+taut_status taut_flat_of_places(taut_arena *arena, const taut_flat_strip *strip,
+                                const taut_flat_options *options, const double *places,
+                                taut_flat *flat);
+/* A copy in another arena. TAUT_NO_MEMORY. */
+taut_status taut_flat_copy(taut_arena *arena, const taut_flat *from, taut_flat *to);
+
 /* y, y_s, y_t at a place. */
 void taut_flat_at(const taut_flat *flat, double s, double t, double y[3][2]);
-/* Principal strains beyond the compensation there, falling, of a metric. */
+/* Principal strains beyond the compensation there, falling, of a metric; and, where `cloth` is not NULL, those of warp
+ * and weft and the angle by which theirs is less than a right one. */
 void taut_flat_strain(const taut_flat *flat, const double g[3], const double y[3][2],
-                      double strain[2]);
+                      double strain[2], double cloth[3]);
 /* The length of an edge, and |y_s| / |X_s| at its Gauss points ([spans][TAUT_FLAT_GAUSS], or NULL). */
 double taut_flat_edge_length(const taut_flat *flat, const taut_flat_strip *strip,
                              taut_flat_edge edge, double *stretch);

@@ -72,7 +72,7 @@ static void strains(const taut_flat *flat, const taut_flat_strip *strip, double 
             double g[3], y[3][2], e[2];
             strip->metric(strip->context, i / 32.0, k / 8.0, g);
             taut_flat_at(flat, i / 32.0, k / 8.0, y);
-            taut_flat_strain(flat, g, (const double(*)[2])y, e);
+            taut_flat_strain(flat, g, (const double(*)[2])y, e, NULL);
             range[0] = fmin(range[0], e[1]);
             range[1] = fmax(range[1], e[0]);
         }
@@ -156,7 +156,7 @@ static void test_bands(void)
             double g[3], y[3][2], e[2];
             band(&rows[k].hyperbolic, 0.5, 0.5, g);
             taut_flat_at(&flat, 0.5, 0.5, y);
-            taut_flat_strain(&flat, g, (const double(*)[2])y, e);
+            taut_flat_strain(&flat, g, (const double(*)[2])y, e, NULL);
             const double axis = rows[k].axis > 0 ? e[0] : e[1];
             CHECK_NEAR(distance(&flat, 0.5, 0, 0.5, 1), rows[k].width, 1e-11, "width");
             CHECK_NEAR(flat.energy, rows[k].energy, 1e-10 * rows[k].energy, "energy");
@@ -256,7 +256,7 @@ static void test_printed(void)
             double g[3], y[3][2], e[2];
             p->metric(&width, p->waist, 0.5, g);
             taut_flat_at(&flat, p->waist, 0.5, y);
-            taut_flat_strain(&flat, g, (const double(*)[2])y, e);
+            taut_flat_strain(&flat, g, (const double(*)[2])y, e, NULL);
             const double right = taut_flat_edge_length(&flat, &strip, TAUT_FLAT_RIGHT, NULL);
             CHECK_NEAR(
                 right,

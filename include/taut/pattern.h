@@ -1,0 +1,133 @@
+/* taut/pattern.h -- cutting patterns: a surface cut along seams into pieces, each flattened so that the cloth is strained least.
+ *
+ * A piece is carried by (s, t) in [0, 1]^2, s along the strip: its edges `right` (t = 0), `end` (s = 1), `left` (t = 1) and `start`
+ * (s = 0) run counter-clockwise seen from the side of n = x_u x x_v. With the metric G(s, t) of the piece and J = (y_s, y_t) of its flat
+ * piece y, y_1 along the warp,
+ *
+ *     W(y) = iint 1/2 E : D : E  det F0 det J ds dt,   E = 1/2 (F0^-1 C F0^-1 - 1),   C = J^-T G J^-1
+ *
+ * is least, F0 = diag(1/(1 - warp), 1/(1 - weft)). Each piece is flattened alone first; the two sides of a seam then get the mean
+ * of their stretches, held, so that they are equally long at every point.
+ *
+ * Sources: [LinhardWuechnerBletzinger2008] (least deviation of stress), [doCarmo1976] chapter 4 (geodesics).
+ */
+#ifndef TAUT_PATTERN_H
+#define TAUT_PATTERN_H
+
+#include "taut/construct.h"
+#include "taut/join.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The most pieces that a rule makes, and rules of a document. */
+enum { TAUT_PATTERN_PIECES_MAX = 500, TAUT_PATTERN_RULES_MAX = 100 };
+
+/* How a rule lays its seams. */
+typedef enum taut_pattern_rule_kind {
+    TAUT_PATTERN_ACROSS = 0 /* strips from one edge to the opposite one, between geodesics */
+} taut_pattern_rule_kind;
+
+/* What an edge is cut in equal parts of. */
+typedef enum taut_pattern_by {
+    TAUT_PATTERN_BY_LENGTH = 0,
+    TAUT_PATTERN_BY_PARAMETER
+} taut_pattern_by;
+
+/* One of them. */
+typedef struct taut_pattern_rule {
+    taut_pattern_rule_kind kind;
+    taut_edge edges[2]; /* opposite ones: strips run from the first to the second */
+    int count;    /* of strips, 1 to TAUT_PATTERN_PIECES_MAX; 0: the least whose pieces all fit */
+    double width; /* where count is 0: into this width, or 0: into that of the cloth */
+    taut_pattern_by by;
+} taut_pattern_rule;
+
+/* How long seams are made. */
+typedef enum taut_pattern_seam_length {
+    TAUT_PATTERN_SHARED = 0, /* the mean of the stretches that the two pieces have alone */
+    TAUT_PATTERN_TRUE        /* that of the surface, less the compensation */
+} taut_pattern_seam_length;
+
+/* Moduli of warp and weft in kN/m, Poisson's ratio and shear; only ratios matter. All 0: E = 1, nu = 0, G = 1/2, which makes the
+ * squares of all strains least. */
+typedef struct taut_pattern_material {
+    double e[2], nu, g;
+} taut_pattern_material;
+
+/* The cloth. Zero: not told. */
+typedef struct taut_pattern_cloth {
+    double width; /* of the roll, in the document's unit; 0: pieces may be as wide as they are */
+    taut_pattern_material material;
+    double
+        thread; /* the angle from the piece's chord to the warp, in (-pi, pi]; 0: the warp runs along */
+    int has_gap; /* nonzero, or pieces are 5 mm apart on the roll */
+    double gap;  /* not negative */
+} taut_pattern_cloth;
+
+/* How much smaller the cloth is cut than it is mounted: flat = (1 - c) mounted; each in [-0.1, 0.3]. */
+typedef struct taut_pattern_compensation {
+    double warp, weft;
+    int has_seam; /* nonzero: `seam` is that of held lengths; or it is the mean of what warp and weft make of the edge */
+    double seam;
+} taut_pattern_compensation;
+
+/* Zero means default everywhere. One of `model` and `of`. */
+typedef struct taut_pattern_problem {
+    const taut_model *model; /* the surface is in it */
+    const taut_problem *of;  /* or in what this makes */
+    const char *surface;     /* its name; NULL: the only one */
+    int rule_count;          /* at least 1 */
+    const taut_pattern_rule *rules;
+    taut_pattern_seam_length seam_length;
+    taut_pattern_cloth cloth;
+    taut_pattern_compensation compensation;
+} taut_pattern_problem;
+
+/* Reasons: word, meaning, remedy. */
+#define TAUT_PATTERN_REASON_LIST(X)                                                                \
+    X("rule", "a rule that is not known, or rules that cannot follow each other",                  \
+      "give \"across\" two opposite edges")                                                        \
+    X("edge", "an edge that is not known, or two that are not opposite",                           \
+      "take u0 and u1, or v0 and v1")                                                              \
+    X("count", "a number of strips that is no whole number above 0, or too large",                 \
+      "give one from 1 to 500")                                                                    \
+    X("material", "a material that is not known, or whose moduli are those of no cloth",           \
+      "give a name that the message tells, or E and G above 0 with nu^2 below E_warp/E_weft")      \
+    X("compensation", "a compensation outside [-0.1, 0.3]",                                        \
+      "give the share by which the cloth is cut smaller: 2 % is 0.02")                             \
+    X("no-geodesic", "no geodesic between the two places was found inside the window",             \
+      "take more strips, or run them between the other edges")                                     \
+    X("crossing", "two seams cross, or a piece turns over between them",                           \
+      "take other strips: the message names the place")                                            \
+    X("singular", "the surface has no normal somewhere in a piece",                                \
+      "keep seams and edges away from the place that the message names")                           \
+    X("crease", "the surface has a kink, which no piece of cloth follows",                         \
+      "cut it along the kink into surfaces of their own")                                          \
+    X("extreme-size", "the surface is so large or small that lengths along it are no parameters",  \
+      "scale it")                                                                                  \
+    X("width", "a flat piece is wider than the roll, or no number of strips up to 500 fits",       \
+      "take more strips, or a wider roll")                                                         \
+    X("folds", "no flat piece without folds was found to begin with", "take more strips")          \
+    X("not-converged", "the flattening did not settle",                                            \
+      "take more strips, or a material whose moduli differ less")
+
+/* Makes the model: the surface, a flat surface P1, P2, ... (z = 0) a piece, curves S1, S2, ... of the seams on the surface, and of
+ * each piece P1.right, P1.end, P1.left, P1.start and the outline P1.cut; details as docs/pattern.md has them. TAUT_BAD_INPUT,
+ * TAUT_NO_SOLUTION and TAUT_NOT_CONVERGED with the reasons above. */
+TAUT_API taut_status taut_pattern_make(const taut_pattern_problem *problem,
+                                       const taut_make_options *options, taut_model **model,
+                                       taut_error *error);
+
+/* The certificate: claims surface, cover, on-surface, geodesic, seams, lengths, no-fold, no-overlap, stationary, stable, isometric,
+ * exhausts, roll; docs/pattern.md says what each is held against. */
+TAUT_API taut_status taut_pattern_certify(const taut_model *model,
+                                          const taut_pattern_problem *problem,
+                                          const taut_certify_options *options,
+                                          taut_certificate **certificate, taut_error *error);
+
+#ifdef __cplusplus
+}
+#endif
+#endif /* TAUT_PATTERN_H */

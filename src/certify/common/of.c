@@ -1,0 +1,154 @@
+#include "certify/common/of.h"
+
+#include "certify/common/verdict.h"
+#include "core/fail.h"
+#include "geometry/keep.h"
+#include "problem/problem.h"
+
+#include <string.h>
+
+/* How many numbers of two surfaces differ; 1 where their bases do. */
+static double differences(const taut_surface *a, const taut_surface *b)
+{
+    const double *wa = taut_surface_weights(a), *wb = taut_surface_weights(b);
+    if (!taut_basis_equal(taut_surface_u(a), taut_surface_u(b)) ||
+        !taut_basis_equal(taut_surface_v(a), taut_surface_v(b)) || (wa == NULL) != (wb == NULL)) {
+        return 1;
+    }
+    const size_t count =
+        (size_t)taut_basis_count(taut_surface_u(a)) * (size_t)taut_basis_count(taut_surface_v(a));
+    double wrong = 0;
+    for (size_t k = 0; k < 3 * count; k++) {
+        wrong += taut_surface_points(a)[k] != taut_surface_points(b)[k];
+    }
+    for (size_t k = 0; wa != NULL && k < count; k++) {
+        wrong += wa[k] != wb[k];
+    }
+    return wrong;
+}
+
+/* The surface that the document names in a model, or the only one. */
+const taut_surface *taut_certify_named(const taut_model *model, const char *name)
+{
+    for (int i = 0; i < taut_model_surface_count(model); i++) {
+        const taut_surface *one = taut_model_surface(model, i);
+        if (name == NULL || strcmp(taut_surface_name(one), name) == 0) {
+            return one;
+        }
+    }
+    return NULL;
+}
+
+/* What was made first, proved by its own problem: the surface alone, under the details it was made
+ * with. */
+static taut_status prove_first(const taut_model *whole, const taut_surface *carrier,
+                               const taut_problem *problem, taut_arena *arena,
+                               const taut_audit *audit, taut_claim *claim, taut_error *error)
+{
+    const taut_record *of = taut_record_get(taut_model_details(whole), "of");
+    const taut_record *details = taut_record_get(of, "details");
+    const taut_certify_options options = {.threads = audit->crew.threads,
+                                          .tolerance = audit->tolerance,
+                                          .exact = audit->exact,
+                                          .monitor = *audit->crew.pulse->monitor};
+    taut_certificate *inner = NULL;
+    taut_surface *surface = NULL;
+    taut_model *model = NULL;
+
+    if (taut_model_new(&model) != TAUT_OK || !taut_keep_model(arena, model)) {
+        return taut_fail_memory(error);
+    }
+    if (taut_surface_copy(carrier, &surface) != TAUT_OK ||
+        taut_model_add_surface(model, surface) != TAUT_OK) {
+        taut_surface_free(surface);
+        return taut_fail_memory(error);
+    }
+    if (details != NULL) {
+        taut_record *copy = taut_record_copy(details);
+        if (copy == NULL) {
+            return taut_fail_memory(error);
+        }
+        taut_model_set_details(model, copy);
+    }
+    taut_model_set_unit(model, problem->unit);
+    const taut_status status = taut_certify(model, problem, &options, &inner, NULL);
+    claim->kind = TAUT_CHECK;
+    if (status == TAUT_NO_MEMORY || status == TAUT_INTERRUPTED) {
+        return taut_fail_status(error, status);
+    }
+    if (status != TAUT_OK) {
+        claim->holds = TAUT_UNDECIDED;
+        claim->residual = NAN;
+        claim->where = "what was made first cannot be certified by its surface alone";
+        return TAUT_OK;
+    }
+    claim->residual = 0;
+    for (int k = 0; k < taut_certificate_claim_count(inner); k++) {
+        const taut_claim *one = taut_certificate_claim(inner, k);
+        claim->residual += one->holds == TAUT_FALSE;
+    }
+    claim->holds = taut_certificate_holds(inner);
+    taut_certificate_free(inner);
+    return TAUT_OK;
+}
+
+taut_status taut_certify_of(const taut_model *model, const taut_surface *surface,
+                            const taut_certify_given *given, taut_arena *arena,
+                            const taut_audit *audit, taut_certificate *certificate,
+                            taut_error *error)
+{
+    taut_claim claim = {.claim = "surface", .kind = TAUT_EXACT, .limit = 0, .where = ""};
+    taut_status status = TAUT_OK;
+
+    if (given->of != NULL) {
+        status = prove_first(model, surface, given->of, arena, audit, &claim, error);
+    } else {
+        const taut_surface *one = taut_certify_named(given->model, given->surface);
+        claim.residual = one != NULL ? differences(one, surface) : 1;
+        claim.holds = taut_certify_below(claim.residual, 0);
+    }
+    if (status != TAUT_OK) {
+        return status;
+    }
+    return taut_certificate_add(certificate, &claim) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
+}
+
+taut_status taut_certify_stretch(const taut_record *item, taut_arena *arena, taut_curve **stretch)
+{
+    const taut_record *t = taut_record_get(item, "t"), *rows = taut_record_get(item, "points");
+    const taut_record *list = taut_record_get(t, "knots");
+    const size_t knot_count = taut_record_count(list), count = taut_record_count(rows);
+    double *knots = taut_arena_take(arena, knot_count + 1, sizeof(double));
+    double *points = taut_arena_take(arena, count + 1, 3 * sizeof(double));
+    taut_basis *basis = NULL;
+
+    *stretch = NULL;
+    if (knots == NULL || points == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    for (size_t k = 0; k < knot_count; k++) {
+        knots[k] = taut_record_number(taut_record_at(list, k));
+    }
+    for (size_t k = 0; k < count; k++) {
+        const taut_record *row = taut_record_at(rows, k);
+        points[3 * k] = taut_record_number(taut_record_at(row, 0));
+        points[3 * k + 1] = taut_record_number(taut_record_at(row, 1));
+    }
+    if (knot_count > TAUT_POINTS_MAX ||
+        strcmp(taut_record_text(taut_record_get(t, "type")), "bspline") != 0 ||
+        taut_record_number(taut_record_get(t, "degree")) != 5) {
+        return TAUT_OK;
+    }
+    const taut_basis_spec spec = {
+        .type = "bspline", .degree = 5, .knot_count = (int)knot_count, .knots = knots};
+    taut_status status = taut_basis_new(&spec, (int)count, &basis, NULL);
+    if (status == TAUT_OK && (size_t)taut_basis_count(basis) == count) {
+        status = taut_curve_new(NULL, basis, points, NULL, stretch, NULL);
+    }
+    taut_basis_free(basis);
+    if (status == TAUT_OK && *stretch != NULL && !taut_keep_curve(arena, *stretch)) {
+        *stretch = NULL;
+        return TAUT_NO_MEMORY;
+    }
+    return status == TAUT_NO_MEMORY ? status : TAUT_OK;
+}

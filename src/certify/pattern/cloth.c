@@ -1,0 +1,345 @@
+#include "certify/pattern/cloth.h"
+
+#include "certify/common/of.h"
+#include "certify/common/unit.h"
+#include "core/fail.h"
+#include "core/vec3.h"
+#include "geometry/exponent.h"
+#include "geometry/keep.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static const char *const edge_names[TAUT_CLOTH_EDGES] = {"right", "end", "left", "start"};
+
+static void miss(taut_cloth *cloth, const char *what)
+{
+    if (cloth->missing++ == 0) {
+        snprintf(cloth->where, sizeof cloth->where, "%.80s", what);
+    }
+}
+
+static const taut_curve *curve_named(const taut_model *model, const char *name)
+{
+    for (int i = 0; i < taut_model_curve_count(model); i++) {
+        if (strcmp(taut_curve_name(taut_model_curve(model, i)), name) == 0) {
+            return taut_model_curve(model, i);
+        }
+    }
+    return NULL;
+}
+
+/* A line of a piece: plane, and over [0, 1] or [0, 4]. */
+static const taut_curve *line_of(taut_cloth *cloth, const char *piece, const char *what, double hi)
+{
+    char name[TAUT_NAME_MAX + 16];
+    snprintf(name, sizeof name, "%s.%s", piece, what);
+    const taut_curve *curve = curve_named(cloth->model, name);
+    const taut_basis *basis = curve != NULL ? taut_curve_t(curve) : NULL;
+    int is_fine = basis != NULL && taut_curve_weights(curve) == NULL &&
+                  strcmp(taut_basis_type(basis), "bspline") == 0 && taut_basis_lo(basis) == 0 &&
+                  taut_basis_hi(basis) == hi;
+    for (int k = 0; is_fine && k < taut_basis_count(basis); k++) {
+        is_fine = taut_curve_points(curve)[3 * k + 2] == 0;
+    }
+    if (!is_fine) {
+        miss(cloth, name);
+    }
+    return is_fine ? curve : NULL;
+}
+
+/* ---- sides ---- */
+
+static int side_named(const taut_cloth *cloth, const char *name)
+{
+    for (int k = 0; k < cloth->side_count; k++) {
+        if (strcmp(cloth->sides[k].name, name) == 0) {
+            return k;
+        }
+    }
+    return -1;
+}
+
+static const taut_record *object_named(const taut_record *list, const char *name)
+{
+    for (size_t k = 0; k < taut_record_count(list); k++) {
+        if (strcmp(taut_record_text(taut_record_get(taut_record_at(list, k), "name")), name) == 0) {
+            return taut_record_at(list, k);
+        }
+    }
+    return NULL;
+}
+
+static taut_status read_sides(taut_cloth *cloth, const taut_record *details, taut_arena *arena)
+{
+    const taut_record *domain = taut_record_get(details, "domain");
+    const taut_record *seams = taut_record_get(details, "seams");
+    const size_t count = taut_record_count(domain);
+
+    cloth->sides = taut_arena_take(arena, count + 1, sizeof *cloth->sides);
+    if (cloth->sides == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    for (size_t k = 0; k < count; k++) {
+        const taut_record *item = taut_record_at(domain, k);
+        const char *name = taut_record_text(taut_record_get(item, "name"));
+        const taut_record *seam = object_named(seams, name);
+        taut_cloth_side *side = &cloth->sides[cloth->side_count];
+        taut_curve *window = NULL;
+        const taut_status status = taut_certify_stretch(item, arena, &window);
+        if (status != TAUT_OK) {
+            return status;
+        }
+        if (window == NULL || side_named(cloth, name) >= 0) {
+            miss(cloth, name);
+            continue;
+        }
+        const taut_record *share = taut_record_get(seam, "compensation");
+        *side =
+            (taut_cloth_side){.name = name,
+                              .window = window,
+                              .owners = {-1, -1},
+                              .share = share != NULL ? 1 - taut_record_number(share) : (double)NAN,
+                              .length = ldexp(taut_basis_hi(taut_curve_t(window)) -
+                                                  taut_basis_lo(taut_curve_t(window)),
+                                              -cloth->unit)};
+        if (seam != NULL) {
+            side->space = curve_named(cloth->model, name);
+            if (side->space == NULL ||
+                taut_basis_lo(taut_curve_t(side->space)) != taut_basis_lo(taut_curve_t(window)) ||
+                taut_basis_hi(taut_curve_t(side->space)) != taut_basis_hi(taut_curve_t(window))) {
+                miss(cloth, name);
+                side->space = NULL;
+            }
+        }
+        cloth->side_count++;
+    }
+    return TAUT_OK;
+}
+
+/* ---- pieces ---- */
+
+/* The flat surface of a name: polynomial, over [0, 1]^2, in the plane. */
+static taut_status take_flat(taut_cloth *cloth, taut_cloth_piece *piece, taut_arena *arena)
+{
+    for (int i = 1; i < taut_model_surface_count(cloth->model); i++) {
+        const taut_surface *one = taut_model_surface(cloth->model, i);
+        const taut_basis *bases[2] = {taut_surface_u(one), taut_surface_v(one)};
+        taut_surface *scaled = NULL;
+        int is_fine = strcmp(taut_surface_name(one), piece->name) == 0;
+        for (int d = 0; is_fine && d < 2; d++) {
+            is_fine = strcmp(taut_basis_type(bases[d]), "bspline") == 0 &&
+                      taut_basis_lo(bases[d]) == 0 && taut_basis_hi(bases[d]) == 1 &&
+                      taut_basis_degree(bases[d]) == 5;
+        }
+        const int count = is_fine ? taut_basis_count(bases[0]) * taut_basis_count(bases[1]) : 0;
+        for (int k = 0; k < count; k++) {
+            is_fine &= taut_surface_points(one)[3 * k + 2] == 0;
+        }
+        if (!is_fine || taut_surface_weights(one) != NULL) {
+            continue;
+        }
+        piece->index = i;
+        if (taut_certify_scaled(one, cloth->unit, &scaled) != TAUT_OK ||
+            !taut_keep_surface(arena, scaled)) {
+            return TAUT_NO_MEMORY;
+        }
+        piece->flat = scaled;
+        return TAUT_OK;
+    }
+    return TAUT_OK;
+}
+
+static void take_side(taut_cloth *cloth, taut_cloth_piece *piece, int index, int which,
+                      const taut_record *edges)
+{
+    const taut_record *edge = taut_record_get(edges, which == 0 ? "right" : "left");
+    const taut_record *seam = taut_record_get(edge, "seam");
+    const char *name = taut_record_text(seam != NULL ? seam : taut_record_get(edge, "edge"));
+    const int side = side_named(cloth, name);
+    piece->sides[which] = side;
+    if (side < 0 || cloth->sides[side].owners[which] >= 0 ||
+        (seam != NULL) != (cloth->sides[side].space != NULL)) {
+        miss(cloth, piece->name);
+        return;
+    }
+    cloth->sides[side].owners[which] = index;
+}
+
+static taut_status read_piece(taut_cloth *cloth, const taut_record *item, const taut_record *roll,
+                              taut_arena *arena)
+{
+    taut_cloth_piece *piece = &cloth->pieces[cloth->piece_count];
+    const taut_record *edges = taut_record_get(item, "edges");
+    const int before = cloth->missing;
+
+    *piece = (taut_cloth_piece){.name = taut_record_text(taut_record_get(item, "name"))};
+    const taut_status status = take_flat(cloth, piece, arena);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    if (piece->flat == NULL) {
+        miss(cloth, piece->name);
+    }
+    for (int k = 0; k < cloth->piece_count; k++) {
+        if (strcmp(cloth->pieces[k].name, piece->name) == 0) { /* one flat piece for two */
+            miss(cloth, piece->name);
+        }
+    }
+    for (int which = 0; which < 2; which++) {
+        take_side(cloth, piece, cloth->piece_count, which, edges);
+    }
+    for (int e = 0; e < TAUT_CLOTH_EDGES; e++) {
+        piece->edges[e] = line_of(cloth, piece->name, edge_names[e], 1);
+    }
+    piece->cut = line_of(cloth, piece->name, "cut", 4);
+    const taut_record *developed = taut_record_get(item, "developed");
+    piece->is_developed = developed != NULL && taut_record_kind_of(developed) == TAUT_RECORD_BOOL &&
+                          taut_record_bool(developed);
+    const taut_record *at = taut_record_get(object_named(roll, piece->name), "at");
+    piece->is_placed = taut_record_count(at) == 2;
+    for (size_t d = 0; piece->is_placed && d < 2; d++) {
+        piece->at[d] = taut_record_number(taut_record_at(at, d));
+    }
+    cloth->piece_count += cloth->missing == before;
+    return TAUT_OK;
+}
+
+/* ---- what was asked for ---- */
+
+static double number_of(const taut_record *object, const char *key)
+{
+    const taut_record *found = taut_record_get(object, key);
+    return found != NULL ? taut_record_number(found) : 0;
+}
+
+static void take_asked(taut_cloth *cloth, const taut_record *details)
+{
+    const taut_record *told = taut_record_get(details, "cloth");
+    const taut_record *material = taut_record_get(told, "material");
+    const taut_record *share = taut_record_get(details, "compensation");
+    const taut_record *moduli = taut_record_get(material, "E");
+    taut_pattern_material m = {{taut_record_number(taut_record_at(moduli, 0)),
+                                taut_record_number(taut_record_at(moduli, 1))},
+                               number_of(material, "nu"),
+                               number_of(material, "G")};
+
+    cloth->is_true = strcmp(taut_record_text(taut_record_get(details, "seam_length")), "true") == 0;
+    cloth->warp = number_of(share, "warp");
+    cloth->weft = number_of(share, "weft");
+    cloth->thread = number_of(told, "thread");
+    cloth->has_law = material != NULL;
+    if (cloth->problem != NULL) {
+        m = cloth->problem->cloth.material;
+        cloth->has_law = m.g > 0;
+        cloth->is_true = cloth->problem->seam_length == TAUT_PATTERN_TRUE;
+        cloth->warp = cloth->problem->compensation.warp;
+        cloth->weft = cloth->problem->compensation.weft;
+        cloth->thread = cloth->problem->cloth.thread;
+    }
+    const double plain[4] = {1, 1, 0, 0.5};
+    memcpy(cloth->law, plain, sizeof plain);
+    if (cloth->has_law) {
+        const double d = m.e[0] - m.nu * m.nu * m.e[1]; /* D times d/E_w, over E_w */
+        cloth->law[0] = m.e[0] / d;
+        cloth->law[1] = m.e[1] / d;
+        cloth->law[2] = m.nu * m.e[1] / d;
+        cloth->law[3] = m.g / m.e[0];
+    }
+}
+
+taut_status taut_cloth_read(taut_arena *arena, const taut_model *model,
+                            const taut_pattern_problem *problem, taut_cloth *cloth,
+                            taut_error *error)
+{
+    const taut_record *details = taut_model_details(model);
+    const taut_record *list = taut_record_get(details, "pieces");
+    const taut_record *roll = taut_record_get(taut_record_get(details, "roll"), "pieces");
+    const size_t count = taut_record_count(list);
+
+    cloth->model = model;
+    cloth->problem = problem;
+    cloth->given = taut_model_surface(model, 0);
+    if (cloth->given == NULL) {
+        return taut_fail(error, TAUT_BAD_INPUT, "model", "/surfaces", taut_none, taut_none,
+                         "the model has no surface, and so no pattern");
+    }
+    if (count == 0) {
+        return taut_fail(error, TAUT_BAD_INPUT, "details", "/details/pieces", taut_none, taut_none,
+                         "the model does not say which its pieces are");
+    }
+    cloth->unit = taut_certify_unit_of(cloth->given);
+    if (taut_certify_scaled(cloth->given, cloth->unit, &cloth->surface) != TAUT_OK ||
+        !taut_keep_surface(arena, cloth->surface)) {
+        return taut_fail_memory(error);
+    }
+    cloth->size =
+        2 * taut_half_size(taut_point_count(cloth->surface), taut_surface_points(cloth->surface));
+    take_asked(cloth, details);
+    cloth->pieces = taut_arena_take(arena, count, sizeof *cloth->pieces);
+    taut_status status = cloth->pieces != NULL ? read_sides(cloth, details, arena) : TAUT_NO_MEMORY;
+    for (size_t k = 0; status == TAUT_OK && k < count; k++) {
+        status = read_piece(cloth, taut_record_at(list, k), roll, arena);
+    }
+    return status == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
+}
+
+/* ---- places ---- */
+
+int taut_cloth_window(const taut_cloth *cloth, const taut_cloth_piece *piece, double s, double t,
+                      double w[3][2])
+{
+    const taut_basis *bases[2] = {taut_surface_u(cloth->surface), taut_surface_v(cloth->surface)};
+    double sides[2][2][3];
+
+    for (int k = 0; k < 2; k++) {
+        const taut_curve *side = cloth->sides[piece->sides[k]].window;
+        const double lo = taut_basis_lo(taut_curve_t(side)), hi = taut_basis_hi(taut_curve_t(side));
+        taut_curve_eval(side, s < 1 ? lo + s * (hi - lo) : hi, 1, sides[k][0]);
+        for (int d = 0; d < 2; d++) {
+            sides[k][1][d] *= hi - lo;
+        }
+    }
+    for (int d = 0; d < 2; d++) {
+        const double lo = taut_basis_lo(bases[d]), hi = taut_basis_hi(bases[d]);
+        const double room = 1e-9 * (hi - lo);
+        w[0][d] = (1 - t) * sides[0][0][d] + t * sides[1][0][d];
+        w[1][d] = (1 - t) * sides[0][1][d] + t * sides[1][1][d];
+        w[2][d] = sides[1][0][d] - sides[0][0][d];
+        if (!(w[0][d] >= lo - room) || !(w[0][d] <= hi + room)) {
+            return 0;
+        }
+        w[0][d] = fmin(fmax(w[0][d], lo), hi);
+    }
+    return 1;
+}
+
+int taut_cloth_metric(const taut_cloth *cloth, const taut_cloth_piece *piece, double s, double t,
+                      double g[3])
+{
+    double w[3][2], x[3][3], along[2][3];
+    if (!taut_cloth_window(cloth, piece, s, t, w) ||
+        taut_surface_eval(cloth->surface, w[0][0], w[0][1], 1, x[0]) != TAUT_OK) {
+        return 0;
+    }
+    for (int k = 0; k < 2; k++) {
+        for (int c = 0; c < 3; c++) {
+            along[k][c] = x[1][c] * w[1 + k][0] + x[2][c] * w[1 + k][1];
+        }
+    }
+    g[0] = taut_dot(along[0], along[0]);
+    g[1] = taut_dot(along[0], along[1]);
+    g[2] = taut_dot(along[1], along[1]);
+    return g[0] * g[2] - g[1] * g[1] > 0;
+}
+
+void taut_cloth_line(const taut_cloth *cloth, const taut_curve *curve, double t, int order,
+                     double y[][3])
+{
+    taut_curve_eval(curve, t, order, y[0]);
+    for (int k = 0; k <= order; k++) {
+        for (int c = 0; c < 3; c++) {
+            y[k][c] = ldexp(y[k][c], -cloth->unit);
+        }
+    }
+}

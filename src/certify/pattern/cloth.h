@@ -1,0 +1,74 @@
+/* cloth.h -- a pattern as the certificate sees it: the pieces of the model with their sides in the window, which the model's details
+ * give and which prove themselves.
+ *
+ * A piece is X(w(s, t)), w = (1 - t) right(s) + t left(s), right and left curves of the window over [0, 1] of their lengths. Lengths
+ * are those of the surface at size 1: times 2^-unit.
+ */
+#ifndef TAUT_CERTIFY_PATTERN_CLOTH_H
+#define TAUT_CERTIFY_PATTERN_CLOTH_H
+
+#include "core/arena.h"
+#include "core/crew.h"
+#include "taut/model.h"
+#include "taut/pattern.h"
+
+/* Edges counter-clockwise. */
+enum { TAUT_CLOTH_RIGHT = 0, TAUT_CLOTH_END, TAUT_CLOTH_LEFT, TAUT_CLOTH_START, TAUT_CLOTH_EDGES };
+
+typedef struct taut_cloth_side {
+    const char *name;
+    const taut_curve *space;  /* of a seam, in the model's unit; NULL: a border of the window */
+    const taut_curve *window; /* points (u, v, 0) */
+    double length;            /* its range, times 2^-unit */
+    int owners[2];            /* the pieces whose right, and whose left it is, or -1 */
+    double share;             /* as details tell it: flat over true length; NaN: nothing told */
+} taut_cloth_side;
+
+typedef struct taut_cloth_piece {
+    const char *name;
+    int index;                                 /* of the flat surface in the model */
+    int sides[2];                              /* right and left */
+    const taut_surface *flat;                  /* scaled; the arena's */
+    const taut_curve *edges[TAUT_CLOTH_EDGES]; /* as s or t grows, in the model's unit */
+    const taut_curve *cut;
+    int is_developed; /* told to be without strain */
+    double at[2];     /* on the roll, in the model's unit */
+    int is_placed;
+} taut_cloth_piece;
+
+typedef struct taut_cloth {
+    const taut_model *model;
+    const taut_pattern_problem *problem; /* or NULL */
+    const taut_surface *given;           /* the surface of the model */
+    taut_surface *surface;               /* scaled; the arena's */
+    int unit;
+    double size; /* of the scaled surface */
+    int side_count, piece_count;
+    taut_cloth_side *sides;
+    taut_cloth_piece *pieces;
+    int missing; /* objects that details speak of and that are not there, or not what they are to be */
+    char where[96];
+    /* what was asked for */
+    int is_true, has_law;
+    double law[4]; /* D11, D22, D12, D33 */
+    double warp, weft, thread;
+    const taut_crew *crew;
+    double tolerance;
+} taut_cloth;
+
+/* Reads it, in the arena. TAUT_NO_MEMORY; TAUT_BAD_INPUT, reasons "details" and "model". */
+taut_status taut_cloth_read(taut_arena *arena, const taut_model *model,
+                            const taut_pattern_problem *problem, taut_cloth *cloth,
+                            taut_error *error);
+
+/* w, and its derivatives by s and t. 0 where a side leaves the window. */
+int taut_cloth_window(const taut_cloth *cloth, const taut_cloth_piece *piece, double s, double t,
+                      double w[3][2]);
+/* g_ss, g_st, g_tt; 0 where there is none. */
+int taut_cloth_metric(const taut_cloth *cloth, const taut_cloth_piece *piece, double s, double t,
+                      double g[3]);
+/* A curve of the model, plane, at t: y, y', .. up to `order`, times 2^-unit. */
+void taut_cloth_line(const taut_cloth *cloth, const taut_curve *curve, double t, int order,
+                     double y[][3]);
+
+#endif /* TAUT_CERTIFY_PATTERN_CLOTH_H */

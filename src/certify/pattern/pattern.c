@@ -1,0 +1,368 @@
+/* pattern.c -- do these flat pieces make the surface? From the finished model, none of it by the code that made it.
+ *
+ *   surface      with the problem: the surface is the one given, or what its problem makes (certify/common/of.h)
+ *   cover, on-surface, geodesic, edges, seams, lengths   (certify/pattern/seams.h)
+ *   no-fold, no-overlap   (certify/pattern/fold.h)
+ *   stationary   gradient of the Lagrangian over the largest that strains of 1 would give; of pieces that were solved (check)
+ *   stable       the lowest eigenvalue on the constraints over the largest of the diagonal; of these (check)
+ *   isometric    largest strain of pieces that are told to have none (check)
+ *   exhausts     areas of the pieces against that of the surface (check)
+ *   roll         boxes of pieces that lie over each other or leave the roll (exact)
+ */
+#include "taut/pattern.h"
+
+#include "certify/certify_ops.h"
+#include "certify/common/of.h"
+#include "certify/pattern/energy.h"
+#include "certify/pattern/fold.h"
+#include "certify/pattern/seams.h"
+#include "certify/pattern/worst.h"
+#include "core/fail.h"
+#include "numeric/quadrature.h"
+#include "taut/measure.h"
+
+#include <string.h>
+
+static const double tolerance_default = 1e-6, stationary_limit = 1e-9, isometric_limit = 1e-11,
+                    area_limit = 1e-10, area_error_most = 1e-6;
+/* Of a piece for the pulse: operations, roughly. */
+static const double work_of_piece = 5e7;
+
+/* ---- pieces, each by itself ---- */
+
+typedef struct states {
+    const taut_cloth *cloth;
+    taut_cloth_state *list;
+    taut_status *status;
+} states;
+
+static void look(void *context, int worker, int64_t task)
+{
+    const states *s = context;
+    const taut_cloth_piece *piece = &s->cloth->pieces[task];
+    (void)worker;
+    s->status[task] = taut_cloth_look_at(s->cloth, piece, !piece->is_developed, &s->list[task]);
+}
+
+static taut_status look_at_all(const taut_cloth *cloth, taut_arena *arena, taut_cloth_state **list)
+{
+    const size_t count = (size_t)cloth->piece_count;
+    states s = {cloth, taut_arena_take(arena, count + 1, sizeof *s.list),
+                taut_arena_take(arena, count + 1, sizeof *s.status)};
+    if (taut_arena_status(arena) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    if (taut_crew_run(cloth->crew, taut_crew_workers(cloth->crew, (int64_t)count), (int64_t)count,
+                      work_of_piece, look, &s)) {
+        return TAUT_INTERRUPTED;
+    }
+    *list = s.list;
+    for (size_t k = 0; k < count; k++) {
+        if (s.status[k] != TAUT_OK) {
+            return s.status[k];
+        }
+    }
+    return TAUT_OK;
+}
+
+static taut_status add_states(const taut_cloth *cloth, const taut_cloth_state *list,
+                              taut_certificate *certificate)
+{
+    taut_worst gradient = {0, ""}, isometric = {0, ""}, stable = {0, ""};
+    int solved = 0, developed = 0;
+    double lowest = INFINITY;
+
+    for (int k = 0; k < cloth->piece_count; k++) {
+        const taut_cloth_piece *piece = &cloth->pieces[k];
+        const taut_cloth_state *one = &list[k];
+        if (piece->is_developed) {
+            developed = 1;
+            taut_worst_take(&isometric, one->is_folded ? INFINITY : one->largest, piece->name, 0);
+            continue;
+        }
+        solved = 1;
+        taut_worst_take(&gradient, one->is_folded ? INFINITY : one->residual, piece->name, 0);
+        if (!(one->stiffness >= lowest)) {
+            lowest = one->stiffness;
+            snprintf(stable.where, sizeof stable.where, "%.40s", piece->name);
+        }
+    }
+    taut_status status = TAUT_OK;
+    if (solved) {
+        status = taut_worst_add(&gradient, "stationary", TAUT_CHECK, stationary_limit, certificate);
+    }
+    if (status == TAUT_OK && solved) {
+        const taut_claim claim = {.claim = "stable",
+                                  .kind = TAUT_CHECK,
+                                  .residual = lowest,
+                                  .limit = 0,
+                                  .holds = taut_certify_above(lowest, 0),
+                                  .where = stable.where};
+        status = taut_certificate_add(certificate, &claim);
+    }
+    if (status == TAUT_OK && developed) {
+        status = taut_worst_add(&isometric, "isometric", TAUT_CHECK, isometric_limit, certificate);
+    }
+    return status;
+}
+
+/* ---- areas ---- */
+
+/* The area of a piece by eight places in each of so many cells each way. */
+static double area_of(const taut_cloth *cloth, const taut_cloth_piece *piece, int cells)
+{
+    enum { NODES = 8 };
+    double nodes[NODES], weights[NODES], sum = 0;
+    taut_gauss_rule(NODES, nodes, weights);
+    for (int i = 0; i < cells * NODES; i++) {
+        for (int k = 0; k < cells * NODES; k++) {
+            const double s = (i / NODES + (1 + nodes[i % NODES]) / 2) / cells;
+            const double t = (k / NODES + (1 + nodes[k % NODES]) / 2) / cells;
+            double g[3];
+            sum += taut_cloth_metric(cloth, piece, s, t, g)
+                       ? weights[i % NODES] * weights[k % NODES] / (4.0 * cells * cells) *
+                             sqrt(g[0] * g[2] - g[1] * g[1])
+                       : (double)NAN;
+        }
+    }
+    return sum;
+}
+
+static taut_status add_exhausts(const taut_cloth *cloth, double *area,
+                                taut_certificate *certificate)
+{
+    double whole = 0, error = 0, sums[2] = {0, 0};
+    taut_worst w = {0, "the whole"};
+
+    if (taut_surface_area(cloth->surface, &whole, &error) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    for (int k = 0; k < cloth->piece_count; k++) {
+        sums[0] += area_of(cloth, &cloth->pieces[k], 2);
+        sums[1] += area_of(cloth, &cloth->pieces[k], 4);
+    }
+    *area = sums[1];
+    w.residual = fabs(sums[1] - whole) / whole;
+    const double doubt = fabs(sums[1] - sums[0]) / whole;
+    return taut_worst_add(&w, "exhausts", TAUT_CHECK,
+                          fmin(fmax(area_limit, doubt), area_error_most), certificate);
+}
+
+/* ---- the roll ---- */
+
+typedef struct box {
+    double low[2], high[2];
+} box;
+
+/* The box around the control points of the line to cut along, on the roll: it holds the line. */
+static box box_of(const taut_cloth_piece *piece)
+{
+    box b = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+    const taut_basis *basis = taut_curve_t(piece->cut);
+    const double *breaks = taut_basis_breaks(basis);
+    enum { PLACES = 16 };
+    for (int i = 0; i < taut_basis_span_count(basis); i++) {
+        for (int k = 0; k <= PLACES; k++) {
+            double y[3];
+            taut_curve_eval(piece->cut, breaks[i] + (breaks[i + 1] - breaks[i]) * k / PLACES, 0, y);
+            for (int d = 0; d < 2; d++) {
+                b.low[d] = fmin(b.low[d], y[d] + piece->at[d]);
+                b.high[d] = fmax(b.high[d], y[d] + piece->at[d]);
+            }
+        }
+    }
+    return b;
+}
+
+static taut_status add_roll(const taut_cloth *cloth, taut_arena *arena,
+                            taut_certificate *certificate)
+{
+    const taut_record *roll = taut_record_get(taut_model_details(cloth->model), "roll");
+    const double size[2] = {taut_record_number(taut_record_get(roll, "length")),
+                            taut_record_number(taut_record_get(roll, "width"))};
+    const double room = ldexp(1e-12 * cloth->size, cloth->unit);
+    box *boxes = taut_arena_take(arena, (size_t)cloth->piece_count + 1, sizeof *boxes);
+    taut_worst w = {0, ""};
+
+    if (boxes == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    for (int k = 0; k < cloth->piece_count; k++) {
+        const taut_cloth_piece *piece = &cloth->pieces[k];
+        int is_wrong = !piece->is_placed;
+        boxes[k] = box_of(piece);
+        for (int d = 0; d < 2; d++) {
+            is_wrong |= !(boxes[k].low[d] >= -room) || !(boxes[k].high[d] <= size[d] + room);
+        }
+        for (int i = 0; i < k; i++) {
+            is_wrong |= boxes[i].low[0] < boxes[k].high[0] - room &&
+                        boxes[k].low[0] < boxes[i].high[0] - room &&
+                        boxes[i].low[1] < boxes[k].high[1] - room &&
+                        boxes[k].low[1] < boxes[i].high[1] - room;
+        }
+        w.residual += is_wrong;
+        if (is_wrong && w.where[0] == '\0') {
+            snprintf(w.where, sizeof w.where, "%.40s", piece->name);
+        }
+    }
+    if (cloth->problem != NULL && cloth->problem->cloth.width > 0) {
+        w.residual += size[1] != cloth->problem->cloth.width;
+    }
+    return taut_worst_add(&w, "roll", TAUT_CHECK, 0, certificate);
+}
+
+/* ---- figures ---- */
+
+static taut_status add_figures(const taut_cloth *cloth, const taut_cloth_state *list, double area,
+                               taut_certificate *certificate)
+{
+    taut_record *figures = taut_record_new();
+    const taut_record *roll = taut_record_get(taut_model_details(cloth->model), "roll");
+    double flat = 0, energy = 0, plain = 0, seams = 0;
+    double strain[2] = {INFINITY, -INFINITY}, inner[2] = {INFINITY, -INFINITY};
+
+    for (int k = 0; k < cloth->piece_count; k++) {
+        flat += list[k].flat_area;
+        energy += list[k].energy;
+        plain += list[k].plain;
+        strain[0] = taut_certify_min(strain[0], list[k].strain[0]);
+        strain[1] = taut_certify_max(strain[1], list[k].strain[1]);
+        inner[0] = taut_certify_min(inner[0], list[k].inner[0]);
+        inner[1] = taut_certify_max(inner[1], list[k].inner[1]);
+    }
+    for (int k = 0; k < cloth->side_count; k++) {
+        const taut_cloth_side *side = &cloth->sides[k];
+        if (side->space != NULL && side->owners[0] >= 0) {
+            seams +=
+                taut_cloth_length(cloth, cloth->pieces[side->owners[0]].edges[TAUT_CLOTH_RIGHT]);
+        }
+    }
+    taut_record_add_number(figures, "pieces", cloth->piece_count);
+    taut_record_add_number(figures, "area", ldexp(area, 2 * cloth->unit));
+    taut_record_add_number(figures, "flat_area", ldexp(flat, 2 * cloth->unit));
+    taut_record_add_number(figures, "seam_length", ldexp(seams, cloth->unit));
+    taut_record_add_number(figures, "waste",
+                           1 - ldexp(flat, 2 * cloth->unit) /
+                                   (taut_record_number(taut_record_get(roll, "length")) *
+                                    taut_record_number(taut_record_get(roll, "width"))));
+    taut_record *curvature = taut_record_add_list(figures, "curvature");
+    for (int k = 0; k < cloth->piece_count; k++) {
+        taut_record_add_number(curvature, NULL, list[k].curvature);
+    }
+    taut_record_add_number(figures, "max_strain", strain[1]);
+    taut_record_add_number(figures, "min_strain", strain[0]);
+    taut_record_add_number(figures, "inner_max_strain", inner[1]);
+    taut_record_add_number(figures, "inner_min_strain", inner[0]);
+    taut_record_add_number(figures, "rms_strain", sqrt(2 * plain / area));
+    taut_record_add_number(figures, "energy", ldexp(energy, 2 * cloth->unit));
+    const taut_status status = taut_record_status(figures);
+    taut_certificate_set_figures(certificate, figures);
+    return status;
+}
+
+/* ---- the whole ---- */
+
+static taut_status prove(const taut_cloth *cloth, taut_arena *arena, taut_certificate *certificate)
+{
+    taut_cloth_state *list = NULL;
+    double area = 0;
+    taut_status status = taut_cloth_add_lines(cloth, certificate);
+    if (status == TAUT_OK) {
+        status = taut_cloth_add_folds(cloth, arena, certificate);
+    }
+    if (status == TAUT_OK) {
+        status = look_at_all(cloth, arena, &list);
+    }
+    if (status == TAUT_OK) {
+        status = add_states(cloth, list, certificate);
+    }
+    if (status == TAUT_OK) {
+        status = add_exhausts(cloth, &area, certificate);
+    }
+    if (status == TAUT_OK) {
+        status = add_roll(cloth, arena, certificate);
+    }
+    return status == TAUT_OK ? add_figures(cloth, list, area, certificate) : status;
+}
+
+static taut_status add_surface(const taut_cloth *cloth, taut_arena *arena, const taut_audit *audit,
+                               taut_certificate *certificate, taut_error *error)
+{
+    const taut_pattern_problem *p = cloth->problem;
+    const taut_certify_given given = {p != NULL ? p->model : NULL, p != NULL ? p->of : NULL,
+                                      p != NULL ? p->surface : NULL};
+    return p != NULL ? taut_certify_of(cloth->model, cloth->given, &given, arena, audit,
+                                       certificate, error)
+                     : TAUT_OK;
+}
+
+static taut_status certify_in(taut_arena *arena, const taut_model *model,
+                              const taut_pattern_problem *problem, const taut_audit *audit,
+                              taut_certificate *certificate, taut_error *error)
+{
+    taut_cloth cloth = {.crew = &audit->crew,
+                        .tolerance = audit->tolerance > 0 ? audit->tolerance : tolerance_default};
+    taut_status status = taut_cloth_read(arena, model, problem, &cloth, error);
+
+    if (status == TAUT_OK) {
+        status = add_surface(&cloth, arena, audit, certificate, error);
+    }
+    if (status != TAUT_OK) {
+        return status;
+    }
+    status = prove(&cloth, arena, certificate);
+    return status == TAUT_OK ? TAUT_OK : taut_fail_status(error, status);
+}
+
+static taut_status certify(const taut_model *model, const void *data, const taut_audit *audit,
+                           taut_certificate *certificate, taut_error *error)
+{
+    taut_arena *arena = taut_arena_new();
+    const taut_status status = arena != NULL
+                                   ? certify_in(arena, model, data, audit, certificate, error)
+                                   : taut_fail_memory(error);
+    taut_arena_free(arena);
+    return status;
+}
+
+/* The surface, and of each piece of details its flat surface and its lines; the seams. */
+static void identify(const taut_model *model, const void *data, taut_identity *identity)
+{
+    static const char *const lines[] = {"right", "end", "left", "start", "cut"};
+    const taut_pattern_problem *problem = data;
+    const taut_record *details = taut_model_details(model);
+    const taut_record *pieces = taut_record_get(details, "pieces");
+    const taut_record *seams = taut_record_get(details, "seams");
+    const taut_surface *given = problem != NULL && problem->model != NULL
+                                    ? taut_certify_named(problem->model, problem->surface)
+                                    : NULL;
+
+    taut_identity_surface(identity, 0, given != NULL ? taut_surface_name(given) : NULL, NULL, NULL);
+    for (size_t k = 0; k < taut_record_count(pieces); k++) {
+        const char *name = taut_record_text(taut_record_get(taut_record_at(pieces, k), "name"));
+        taut_identity_surface(identity, taut_identity_find_surface(identity, name), name, NULL,
+                              NULL);
+        for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
+            char line[TAUT_NAME_MAX + 16];
+            snprintf(line, sizeof line, "%.200s.%s", name, lines[i]);
+            const int index = taut_identity_find_curve(identity, line);
+            taut_identity_curve(identity, index,
+                                index >= 0 ? taut_curve_name(taut_model_curve(model, index)) : name,
+                                NULL);
+        }
+    }
+    for (size_t k = 0; k < taut_record_count(seams); k++) {
+        const char *name = taut_record_text(taut_record_get(taut_record_at(seams, k), "name"));
+        taut_identity_curve(identity, taut_identity_find_curve(identity, name), name, NULL);
+    }
+}
+
+const taut_certify_ops taut_certify_pattern = {.certify = certify, .identify = identify};
+
+taut_status taut_pattern_certify(const taut_model *model, const taut_pattern_problem *problem,
+                                 const taut_certify_options *options,
+                                 taut_certificate **certificate, taut_error *error)
+{
+    return taut_certify_with(&taut_certify_pattern, "pattern", model, problem, options, certificate,
+                             error);
+}

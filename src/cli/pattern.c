@@ -1,0 +1,153 @@
+/* pattern.c -- taut pattern: a surface cut into flat pieces of cloth, from a model or a problem and a few words. */
+#include "cli/cli.h"
+#include "cli/make.h"
+#include "cli/words.h"
+
+#include <string.h>
+
+/* "v0,v1" as two words. */
+static int put_across(const cli_options *options, cli_words *t)
+{
+    const char *word = options->across, *comma = strchr(word, ',');
+    char first[16];
+    if (comma == NULL || (size_t)(comma - word) >= sizeof first) {
+        return cli_misuse_value("--across", word, "two opposite edges, such as v0,v1");
+    }
+    memcpy(first, word, (size_t)(comma - word));
+    first[comma - word] = '\0';
+    cli_put(t, ", \"seams\": [{ \"across\": [");
+    cli_put_word(t, first);
+    cli_put(t, ", ");
+    cli_put_word(t, comma + 1);
+    cli_put(t, "]");
+    cli_put_named(options->by, "by", t);
+    if (options->count > 0) {
+        cli_put(t, ", \"count\": %d", options->count);
+    } else {
+        cli_put(t, ", \"width\": true");
+    }
+    cli_put(t, " }]");
+    return 0;
+}
+
+/* An object of those of its members that were given. */
+typedef struct member {
+    const char *option, *word, *name;
+} member;
+
+static int put_object(const char *name, int count, const member *members, cli_words *t)
+{
+    int any = 0, code = 0;
+    for (int k = 0; k < count; k++) {
+        any |= members[k].word != NULL;
+    }
+    if (!any) {
+        return 0;
+    }
+    cli_put(t, ", \"%s\": { ", name);
+    const size_t begin = t->length;
+    for (int k = 0; code == 0 && k < count; k++) {
+        if (members[k].option != NULL) {
+            code = cli_put_number(members[k].option, members[k].word, members[k].name, t);
+        } else {
+            cli_put_named(members[k].word, members[k].name, t);
+        }
+    }
+    if (!t->failed) { /* the first comma */
+        memset(t->bytes + begin, ' ', t->length > begin ? 1 : 0);
+    }
+    cli_put(t, " }");
+    return code;
+}
+
+/* The document that the words ask for. 0, or the exit code after one message. */
+static int write_document(const cli_options *options, cli_words *t)
+{
+    const member cloth[] = {{"--width", options->lath_width, "width"},
+                            {NULL, options->material, "material"}};
+    const member compensation[] = {{"--warp", options->warp, "warp"},
+                                   {"--weft", options->weft, "weft"}};
+
+    cli_put(t, "{ \"taut\": 1, \"pattern\": \"cloth\", \"of\": ");
+    cli_put_word(t, options->files[0]);
+    cli_put(t, options->untrim ? ", \"untrim\": true" : "");
+    cli_put_named(options->surface, "surface", t);
+    int code = put_across(options, t);
+    cli_put_named(options->seam_length, "seam_length", t);
+    code = code == 0 ? put_object("cloth", 2, cloth, t) : code;
+    code = code == 0 ? put_object("compensation", 2, compensation, t) : code;
+    cli_put(t, " }");
+    return code == 0 && t->failed ? cli_no_memory() : code;
+}
+
+static int run(const cli_options *options)
+{
+    taut_problem *problem = NULL;
+    taut_error error;
+    int code = cli_check_outputs(options);
+
+    if (code != 0) {
+        return code;
+    }
+    if (options->across != NULL) {
+        return cli_run_words(options, "pattern", write_document);
+    }
+    if (taut_problem_read(options->files[0], &problem, &error) != TAUT_OK) {
+        return cli_fail_in(options->files[0], &error);
+    }
+    if (strcmp(taut_problem_construction(problem), "pattern") != 0) {
+        code =
+            cli_misuse("option", "`taut pattern` needs --across with the surface of a problem or "
+                                 "a model");
+    } else {
+        code = cli_make_one(problem, options);
+    }
+    taut_problem_free(problem);
+    return code;
+}
+
+static const cli_option options_of_pattern[] = {
+    {"--across", CLI_TEXT, offsetof(cli_options, across), 0, 0, 0, "E,E",
+     "strips from one edge to the opposite one: v0,v1 or u0,u1, or the other way"},
+    {"--count", CLI_INTEGER, offsetof(cli_options, count), 0, 1, TAUT_PATTERN_PIECES_MAX, "N",
+     "of strips; without it the least number that fits --width"},
+    {"--by", CLI_TEXT, offsetof(cli_options, by), 0, 0, 0, "BY",
+     "the edges are cut in equal parts of length (default) or parameter"},
+    {"--width", CLI_TEXT, offsetof(cli_options, lath_width), 0, 0, 0, "W", "of the roll"},
+    {"--material", CLI_TEXT, offsetof(cli_options, material), 0, 0, 0, "M",
+     "default, etfe, ptfe-glass or pvc-pes"},
+    {"--warp", CLI_TEXT, offsetof(cli_options, warp), 0, 0, 0, "C",
+     "compensation: the share by which the warp is cut smaller"},
+    {"--weft", CLI_TEXT, offsetof(cli_options, weft), 0, 0, 0, "C", "the same of the weft"},
+    {"--seam-length", CLI_TEXT, offsetof(cli_options, seam_length), 0, 0, 0, "L",
+     "shared (default): the mean of both sides; true: that of the surface"},
+    CLI_SURFACE,
+    CLI_UNTRIM,
+    CLI_OUTPUT,
+    {"--report", CLI_TEXT, offsetof(cli_options, report), 0, 0, 0, "FILE",
+     "write the report as JSON"},
+    CLI_TOLERANCE,
+    CLI_DIVIDE,
+    CLI_THREADS,
+    CLI_FIGURE_BUT_WIDTH,
+    {"--json", CLI_FLAG, offsetof(cli_options, json), 0, 0, 0, NULL,
+     "report, and tell what goes wrong, as JSON on standard error"},
+    {"--quiet", CLI_FLAG, offsetof(cli_options, quiet), 0, 0, 0, NULL, "no report"},
+    CLI_LAST};
+
+const cli_command cli_command_pattern = {
+    .name = "pattern",
+    .usage = "MODEL.json|PROBLEM.json --across E,E [--count N | --width W] [-o FILE]... | "
+             "PATTERN.json",
+    .summary = "flat pieces of cloth for a surface, with seams that fit",
+    .text =
+        "Cuts a surface into strips along geodesics, and lays each flat so that the cloth is "
+        "strained least; the two\nsides of a seam are equally long at every point. The surface "
+        "comes from any file that holds one, or from\na problem, which is made first; or all of "
+        "it from the document of a pattern, which `taut make` takes too.\n",
+    .example = "taut pattern sail.json --across v0,v1 --count 4 -o cloth.json -o cloth.dxf\n",
+    .files_min = 1,
+    .files_max = 1,
+    .options = options_of_pattern,
+    .run = run,
+};

@@ -1,0 +1,271 @@
+#include "construct/pattern/details.h"
+
+#include "construct/common/of.h"
+#include "core/elementary/elementary.h"
+#include "numeric/quadrature.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { NODES = 8, PARTS = 4 /* of a span, looked at for extremes */, CELLS = 16 };
+
+static const char *const edge_names[TAUT_FLAT_EDGES] = {"right", "end", "left", "start"};
+
+/* ---- lengths ---- */
+
+static double flat_length(const taut_curve *curve)
+{
+    const taut_basis *basis = taut_curve_t(curve);
+    const double *breaks = taut_basis_breaks(basis);
+    double nodes[NODES], weights[NODES], sum = 0;
+    taut_gauss_rule(NODES, nodes, weights);
+    for (int i = 0; i < taut_basis_span_count(basis); i++) {
+        const double half = (breaks[i + 1] - breaks[i]) / 2;
+        for (int k = 0; k < NODES; k++) {
+            double y[2][3];
+            taut_curve_eval(curve, breaks[i] + half * (1 + nodes[k]), 1, y[0]);
+            sum += weights[k] * half * taut_hypot(y[1][0], y[1][1]);
+        }
+    }
+    return sum;
+}
+
+/* Of start (s = 0) or end (s = 1) on the surface. */
+static double across_length(const taut_pattern_piece *piece, double s)
+{
+    double nodes[NODES], weights[NODES], sum = 0;
+    taut_gauss_rule(NODES, nodes, weights);
+    for (int i = 0; i < CELLS * NODES; i++) {
+        double g[3];
+        const double t = (i / NODES + (1 + nodes[i % NODES]) / 2) / CELLS;
+        taut_pattern_piece_metric(piece, s, t, g);
+        sum += weights[i % NODES] / (2 * CELLS) * sqrt(g[2]);
+    }
+    return sum;
+}
+
+/* ---- strains ---- */
+
+typedef struct strains {
+    double low, high, at[2]; /* at: of the larger one */
+    double warp[2], weft[2], shear;
+} strains;
+
+static void widen(double range[2], double x)
+{
+    range[0] = fmin(range[0], x);
+    range[1] = fmax(range[1], x);
+}
+
+static strains strains_of(const taut_pattern_piece *piece)
+{
+    const taut_flat *flat = &piece->flat;
+    const int count[2] = {PARTS * flat->spans[0], PARTS * flat->spans[1]};
+    strains all = {.low = INFINITY,
+                   .high = -INFINITY,
+                   .warp = {INFINITY, -INFINITY},
+                   .weft = {INFINITY, -INFINITY}};
+    double most = -1;
+    for (int i = 0; i <= count[0]; i++) {
+        for (int k = 0; k <= count[1]; k++) {
+            const double s = (double)i / count[0], t = (double)k / count[1];
+            double g[3], y[3][2], strain[2], cloth[3];
+            taut_pattern_piece_metric(piece, s, t, g);
+            taut_flat_at(flat, s, t, y);
+            taut_flat_strain(flat, g, (const double(*)[2])y, strain, cloth);
+            all.low = fmin(all.low, strain[1]);
+            all.high = fmax(all.high, strain[0]);
+            widen(all.warp, cloth[0]);
+            widen(all.weft, cloth[1]);
+            all.shear = fmax(all.shear, fabs(cloth[2]));
+            const double larger = fmax(fabs(strain[0]), fabs(strain[1]));
+            if (larger > most) {
+                most = larger;
+                all.at[0] = s;
+                all.at[1] = t;
+            }
+        }
+    }
+    return all;
+}
+
+static void add_strain(const taut_pattern_piece *piece, taut_record *at)
+{
+    const strains all = strains_of(piece);
+    taut_record *strain = taut_record_add_object(at, "strain");
+    taut_record_add_number(strain, "min", all.low);
+    taut_record_add_number(strain, "max", all.high);
+    taut_record_add_numbers(strain, "at", 2, all.at);
+    taut_record_add_numbers(strain, "warp", 2, all.warp);
+    taut_record_add_numbers(strain, "weft", 2, all.weft);
+    taut_record_add_number(strain, "shear", all.shear);
+}
+
+/* ---- pieces ---- */
+
+static const taut_pattern_side *side_of(const taut_pattern_piece *piece, int edge)
+{
+    return edge == TAUT_FLAT_RIGHT  ? piece->edge[TAUT_PIECE_RIGHT]
+           : edge == TAUT_FLAT_LEFT ? piece->edge[TAUT_PIECE_LEFT]
+                                    : NULL;
+}
+
+static void add_edges(const taut_pattern_layout *layout, const taut_pattern_piece *piece,
+                      const taut_pattern_outline *outline, const char *const ends[2],
+                      taut_record *at)
+{
+    const int scale = layout->carrier->scale;
+    taut_record *edges = taut_record_add_object(at, "edges");
+    for (int e = 0; e < TAUT_FLAT_EDGES; e++) {
+        const taut_pattern_side *side = side_of(piece, e);
+        taut_record *edge = taut_record_add_object(edges, edge_names[e]);
+        const double length =
+            side != NULL ? side->length : across_length(piece, e == TAUT_FLAT_END);
+        taut_record_add_text(edge, side != NULL && side->is_seam ? "seam" : "edge",
+                             side != NULL ? side->name : ends[e == TAUT_FLAT_END]);
+        taut_record_add_number(edge, "length", ldexp(length, scale));
+        taut_record_add_number(edge, "flat_length", ldexp(flat_length(outline->edges[e]), scale));
+    }
+}
+
+static void describe_piece(const taut_pattern_layout *layout, int index,
+                           const taut_pattern_outline *outline, const char *const ends[2],
+                           taut_record *list)
+{
+    const taut_pattern_piece *piece = &layout->pieces[index];
+    const int scale = layout->carrier->scale;
+    const double extent[2] = {ldexp(outline->high[0] - outline->low[0], scale),
+                              ldexp(outline->high[1] - outline->low[1], scale)};
+    double y[2][3][2];
+    taut_record *at = taut_record_add_object(list, NULL);
+
+    taut_record_add_text(at, "name", piece->name);
+    add_edges(layout, piece, outline, ends, at);
+    taut_record *alone = taut_record_add_object(at, "alone");
+    for (int e = 0; e < TAUT_FLAT_EDGES; e++) {
+        taut_record_add_number(alone, edge_names[e],
+                               ldexp(flat_length(piece->alone_edges[e]), scale));
+    }
+    taut_record_add_number(alone, "flat_area", ldexp(piece->alone.flat_area, 2 * scale));
+    taut_record_add_number(alone, "energy", ldexp(piece->alone.energy, 2 * scale));
+    taut_record_add_number(at, "area", ldexp(piece->flat.area, 2 * scale));
+    taut_record_add_number(at, "flat_area", ldexp(piece->flat.flat_area, 2 * scale));
+    taut_record_add_number(at, "curvature", piece->curvature);
+    taut_record_add_numbers(at, "extent", 2, extent);
+    taut_flat_at(&piece->flat, 0.5, 0, y[0]);
+    taut_flat_at(&piece->flat, 0.5, 1, y[1]);
+    taut_record_add_number(
+        at, "width_middle",
+        ldexp(taut_hypot(y[1][0][0] - y[0][0][0], y[1][0][1] - y[0][0][1]), scale));
+    add_strain(piece, at);
+    taut_record_add_number(at, "energy", ldexp(piece->flat.energy, 2 * scale));
+    taut_record_add_number(at, "torque", ldexp(piece->flat.torque, 2 * scale));
+    taut_record_add_number(at, "steps", piece->alone.steps + piece->flat.steps);
+    taut_record_add_bool(at, "developed", piece->is_developable && piece->flat.steps == 0);
+}
+
+/* ---- seams ---- */
+
+static void describe_seam(const taut_pattern_layout *layout, const taut_pattern_cut *cut, int index,
+                          const taut_pattern_outline *outlines, taut_record *list)
+{
+    const taut_pattern_side *seam = &layout->sides[index];
+    const int right = seam->owners[TAUT_PIECE_RIGHT], left = seam->owners[TAUT_PIECE_LEFT];
+    const int scale = layout->carrier->scale, count = PARTS * layout->pieces[right].alone.spans[0];
+    double stretch[2] = {INFINITY, -INFINITY}, apart = 0;
+
+    for (int i = 0; i <= count; i++) {
+        const double s = (double)i / count;
+        double speed[2], y[2][2][3];
+        taut_pattern_held_speed(layout, cut, right, TAUT_PIECE_RIGHT, s, speed);
+        widen(stretch, speed[0] / seam->length);
+        taut_curve_eval(layout->pieces[right].alone_edges[TAUT_FLAT_RIGHT], s, 1, y[0][0]);
+        taut_curve_eval(layout->pieces[left].alone_edges[TAUT_FLAT_LEFT], s, 1, y[1][0]);
+        apart = fmax(apart,
+                     fabs(taut_hypot(y[0][1][0], y[0][1][1]) - taut_hypot(y[1][1][0], y[1][1][1])) /
+                         seam->length);
+    }
+    taut_record *at = taut_record_add_object(list, NULL);
+    taut_record_add_text(at, "name", seam->name);
+    taut_record *pieces = taut_record_add_list(at, "pieces");
+    taut_record_add_text(pieces, NULL, layout->pieces[right < left ? right : left].name);
+    taut_record_add_text(pieces, NULL, layout->pieces[right < left ? left : right].name);
+    taut_record_add_number(at, "length", ldexp(seam->length, scale));
+    taut_record_add_number(at, "flat_length",
+                           ldexp(flat_length(outlines[right].edges[TAUT_FLAT_RIGHT]), scale));
+    if (cut->seam_length == TAUT_PATTERN_TRUE) {
+        taut_record_add_number(at, "compensation", 1 - seam->share);
+    }
+    taut_record_add_numbers(at, "stretch", 2, stretch);
+    taut_record_add_number(at, "disagreement", apart);
+    taut_record_add_number(at, "closure",
+                           ldexp(fmax(outlines[right].closure, outlines[left].closure), scale));
+}
+
+/* ---- the whole ---- */
+
+static void describe_roll(const taut_pattern_layout *layout, const taut_pattern_roll *roll,
+                          double gap, taut_record *details)
+{
+    const int scale = layout->carrier->scale;
+    taut_record *at = taut_record_add_object(details, "roll");
+    taut_record_add_number(at, "width", ldexp(roll->size[1], scale));
+    taut_record_add_number(at, "length", ldexp(roll->size[0], scale));
+    taut_record_add_number(at, "gap", gap);
+    taut_record_add_number(at, "waste", roll->waste);
+    taut_record *list = taut_record_add_list(at, "pieces");
+    for (int k = 0; k < layout->piece_count; k++) {
+        const double place[2] = {ldexp(roll->at[k][0], scale), ldexp(roll->at[k][1], scale)};
+        taut_record *one = taut_record_add_object(list, NULL);
+        taut_record_add_text(one, "name", layout->pieces[k].name);
+        taut_record_add_numbers(one, "at", 2, place);
+    }
+}
+
+static void describe_cloth(const taut_pattern_problem *problem, const taut_pattern_cut *cut,
+                           taut_record *details)
+{
+    const taut_pattern_material *m = &problem->cloth.material;
+    taut_record *cloth = taut_record_add_object(details, "cloth");
+    taut_record_add_number(cloth, "thread", cut->thread);
+    if (cut->has_law) {
+        taut_record *material = taut_record_add_object(cloth, "material");
+        taut_record_add_numbers(material, "E", 2, m->e);
+        taut_record_add_number(material, "nu", m->nu);
+        taut_record_add_number(material, "G", m->g);
+    }
+    taut_record *compensation = taut_record_add_object(details, "compensation");
+    taut_record_add_number(compensation, "warp", cut->compensation.warp);
+    taut_record_add_number(compensation, "weft", cut->compensation.weft);
+}
+
+void taut_pattern_describe(const taut_pattern_layout *layout, const taut_pattern_cut *cut,
+                           const taut_pattern_problem *problem,
+                           const taut_pattern_outline *outlines, const taut_pattern_roll *roll,
+                           double gap, taut_record *details)
+{
+    const char *const ends[2] = {taut_edge_name(problem->rules[0].edges[0]),
+                                 taut_edge_name(problem->rules[0].edges[1])};
+    taut_record_add_text(details, "pattern", "cloth");
+    describe_cloth(problem, cut, details);
+    taut_record_add_text(details, "seam_length",
+                         cut->seam_length == TAUT_PATTERN_TRUE ? "true" : "shared");
+    taut_record *pieces = taut_record_add_list(details, "pieces");
+    for (int k = 0; k < layout->piece_count; k++) {
+        describe_piece(layout, k, &outlines[k], ends, pieces);
+    }
+    taut_record *seams = taut_record_add_list(details, "seams");
+    for (int k = 0; k < layout->side_count; k++) {
+        if (layout->sides[k].is_seam) {
+            describe_seam(layout, cut, k, outlines, seams);
+        }
+    }
+    describe_roll(layout, roll, gap, details);
+    taut_record *domain = taut_record_add_list(details, "domain");
+    for (int k = 0; k < layout->side_count; k++) {
+        taut_construct_add_stretch(domain, layout->sides[k].name, layout->sides[k].part.basis,
+                                   layout->sides[k].part.window);
+    }
+    taut_record_add_list(details, "warnings");
+}

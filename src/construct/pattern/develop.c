@@ -1,0 +1,180 @@
+#include "construct/pattern/develop.h"
+
+#include "core/elementary/elementary.h"
+#include "numeric/quadrature.h"
+
+#include <math.h>
+
+enum { NODES = 8, LOOK = 24, LEAST = 4 /* spans along, at first; across a quarter */, MOST = 64 };
+/* K times the area of a piece, up to rounding none; and the strain that is no strain. */
+static const double flat_curvature = 1e-11, no_strain = 2e-12;
+
+void taut_pattern_look_at_curvature(taut_pattern_piece *piece)
+{
+    double nodes[LOOK], weights[LOOK], sum = 0, most = 0, area = 0;
+    taut_gauss_rule(LOOK, nodes, weights);
+    for (int i = 0; i < LOOK; i++) {
+        for (int k = 0; k < LOOK; k++) {
+            const double s = (1 + nodes[i]) / 2, t = (1 + nodes[k]) / 2;
+            double g[3], bend[2], gauss;
+            taut_pattern_piece_metric(piece, s, t, g);
+            taut_pattern_piece_bends(piece, s, t, bend, &gauss);
+            const double part = sqrt(g[0] * g[2] - g[1] * g[1]) * weights[i] * weights[k] / 4;
+            sum += gauss * part;
+            area += part;
+            most = fmax(most, fabs(gauss));
+        }
+    }
+    piece->curvature = sum;
+    piece->is_developable = most * area < flat_curvature;
+}
+
+/* Where a walk in the plane is. */
+typedef struct place {
+    double at[2], angle;
+} place;
+
+/* The integrals of the Lagrange polynomials of the nodes from -1 to each node, by the Legendre polynomials:
+ * their own are (P_k+1 - P_k-1) / (2 k + 1). */
+static void integrals(const double nodes[NODES], const double weights[NODES],
+                      double table[NODES][NODES])
+{
+    double p[NODES][NODES + 2];
+    for (int i = 0; i < NODES; i++) {
+        p[i][0] = 1;
+        p[i][1] = nodes[i];
+        for (int k = 1; k <= NODES; k++) {
+            p[i][k + 1] = ((2 * k + 1) * nodes[i] * p[i][k] - k * p[i][k - 1]) / (k + 1);
+        }
+    }
+    for (int i = 0; i < NODES; i++) {
+        for (int j = 0; j < NODES; j++) {
+            double sum = (1 + nodes[i]) / 2;
+            for (int k = 1; k < NODES; k++) {
+                sum += p[j][k] * (p[i][k + 1] - p[i][k - 1]) / 2;
+            }
+            table[i][j] = weights[j] * sum;
+        }
+    }
+}
+
+typedef struct walker {
+    const taut_pattern_piece *piece;
+    double nodes[NODES], weights[NODES], table[NODES][NODES];
+} walker;
+
+/* From x = from to x = to along the axis (line 0), or along the line s = const (line 1). */
+static void walk(const walker *w, int line, double s, double from, double to, place *p)
+{
+    const double half = (to - from) / 2;
+    double bend[NODES], speed[NODES], turn = 0;
+
+    for (int i = 0; i < NODES; i++) {
+        const double x = from + half * (1 + w->nodes[i]);
+        double g[3], both[2], gauss;
+        taut_pattern_piece_metric(w->piece, line == 0 ? x : s, line == 0 ? 0.5 : x, g);
+        taut_pattern_piece_bends(w->piece, line == 0 ? x : s, line == 0 ? 0.5 : x, both, &gauss);
+        bend[i] = both[line];
+        speed[i] = sqrt(g[2 * line]);
+    }
+    for (int i = 0; i < NODES; i++) {
+        double angle = p->angle;
+        for (int j = 0; j < NODES; j++) {
+            angle += half * w->table[i][j] * bend[j];
+        }
+        p->at[0] += half * w->weights[i] * speed[i] * taut_cos(angle);
+        p->at[1] += half * w->weights[i] * speed[i] * taut_sin(angle);
+        turn += half * w->weights[i] * bend[i];
+    }
+    p->angle += turn;
+}
+
+static void fill(const walker *w, const int spans[2], double *places)
+{
+    const int count[2] = {spans[0] + TAUT_FLAT_DEGREE, spans[1] + TAUT_FLAT_DEGREE};
+    place axis = {{0, 0}, 0};
+    double s = 0;
+
+    for (int i = 0; i < count[0]; i++) {
+        const double next = taut_flat_greville(spans[0], i);
+        double g[3];
+        walk(w, 0, 0, s, next, &axis);
+        s = next;
+        taut_pattern_piece_metric(w->piece, s, 0.5, g);
+        place across = axis;
+        across.angle += taut_atan2(sqrt(g[0] * g[2] - g[1] * g[1]), g[1]);
+        for (int way = 0; way < 2; way++) {
+            place p = across;
+            double t = 0.5;
+            for (int k = 0; k < count[1]; k++) {
+                const int j = way == 0 ? k : count[1] - 1 - k;
+                const double to = taut_flat_greville(spans[1], j);
+                if (way == 0 ? to >= 0.5 : to < 0.5) {
+                    walk(w, 1, s, t, to, &p);
+                    t = to;
+                    places[2 * (i * count[1] + j)] = p.at[0];
+                    places[2 * (i * count[1] + j) + 1] = p.at[1];
+                }
+            }
+        }
+    }
+}
+
+/* The largest strain, corners and middles of cells looked at. */
+static double strain_of(const taut_pattern_piece *piece, const taut_flat *flat)
+{
+    double most = 0;
+    for (int i = 0; i <= 2 * flat->spans[0]; i++) {
+        for (int k = 0; k <= 2 * flat->spans[1]; k++) {
+            const double s = i / (2.0 * flat->spans[0]), t = k / (2.0 * flat->spans[1]);
+            double g[3], y[3][2], strain[2];
+            taut_pattern_piece_metric(piece, s, t, g);
+            taut_flat_at(flat, s, t, y);
+            taut_flat_strain(flat, g, (const double(*)[2])y, strain, NULL);
+            most = fmax(most, fmax(fabs(strain[0]), fabs(strain[1])));
+        }
+    }
+    return most;
+}
+
+taut_status taut_pattern_develop(taut_pattern_piece *piece, const taut_flat_options *options,
+                                 taut_arena *arena)
+{
+    const taut_flat_strip strip = {taut_pattern_piece_metric, piece};
+    walker w = {.piece = piece};
+    double before = INFINITY;
+
+    taut_gauss_rule(NODES, w.nodes, w.weights);
+    integrals(w.nodes, w.weights, w.table);
+    for (int spans = LEAST; spans <= MOST; spans *= 2) {
+        taut_arena *scratch = taut_arena_new();
+        taut_flat_options own = *options;
+        taut_flat flat;
+        own.spans[0] = spans;
+        own.spans[1] = spans > LEAST ? spans / 2 : 2;
+        double *places = scratch != NULL
+                             ? taut_arena_take(scratch,
+                                               (size_t)(spans + TAUT_FLAT_DEGREE) *
+                                                   (size_t)(own.spans[1] + TAUT_FLAT_DEGREE),
+                                               2 * sizeof(double))
+                             : NULL;
+        taut_status status = TAUT_NO_MEMORY;
+        if (places != NULL) {
+            fill(&w, own.spans, places);
+            status = taut_flat_of_places(scratch, &strip, &own, places, &flat);
+        }
+        const double strain = status == TAUT_OK ? strain_of(piece, &flat) : 0;
+        if (status == TAUT_OK && strain < before / 2) { /* rounding ends it */
+            status = taut_flat_copy(arena, &flat, &piece->alone);
+        }
+        taut_arena_free(scratch);
+        if (status != TAUT_OK) {
+            return status;
+        }
+        if (strain <= no_strain || strain > before / 2) {
+            break;
+        }
+        before = strain;
+    }
+    return TAUT_OK;
+}

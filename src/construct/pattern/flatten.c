@@ -1,0 +1,309 @@
+#include "construct/pattern/flatten.h"
+
+#include "construct/pattern/develop.h"
+#include "core/elementary/elementary.h"
+#include "core/fail.h"
+#include "geometry/keep.h"
+#include "numeric/quadrature.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { ALONG = 16, ACROSS = 4, EDGE_NODES = 16 };
+/* Stretches that differ by less are the same. */
+static const double same_stretch = 1e-11;
+/* Of a piece for the pulse: operations, roughly. */
+static const double work_of_piece = 5e7;
+
+static const taut_flat_edge edge_of[2] = {TAUT_FLAT_RIGHT, TAUT_FLAT_LEFT};
+
+/* ---- edges of flat pieces ---- */
+
+/* An edge of a flat piece, in the order of taut_flat_edge, as s or t grows: points (y_1, y_2, 0), the arena's. */
+static taut_status edge_curve(const taut_flat *flat, int edge, taut_arena *arena,
+                              const taut_curve **curve)
+{
+    const int way = edge == TAUT_FLAT_START || edge == TAUT_FLAT_END, count = flat->count[way];
+    const int last = edge == TAUT_FLAT_END    ? flat->count[0] - 1
+                     : edge == TAUT_FLAT_LEFT ? flat->count[1] - 1
+                                              : 0;
+    double *points = taut_arena_take(arena, (size_t)count, 3 * sizeof(double));
+    const taut_basis_spec spec = {.type = "bspline",
+                                  .degree = TAUT_FLAT_DEGREE,
+                                  .knot_count = count + TAUT_FLAT_DEGREE + 1,
+                                  .knots = flat->knots[way]};
+    taut_basis *basis = NULL;
+    taut_curve *made = NULL;
+
+    if (points == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    for (int k = 0; k < count; k++) {
+        const int i = way ? last : k, j = way ? k : last;
+        memcpy(points + 3 * (size_t)k, flat->points + 2 * (i * flat->count[1] + j),
+               2 * sizeof(double));
+    }
+    taut_status status = taut_basis_new(&spec, count, &basis, NULL);
+    if (status == TAUT_OK) {
+        status = taut_curve_new(NULL, basis, points, NULL, &made, NULL);
+    }
+    taut_basis_free(basis);
+    *curve = made;
+    return status == TAUT_OK && taut_keep_curve(arena, made) ? TAUT_OK : TAUT_NO_MEMORY;
+}
+
+static taut_status all_edges(const taut_flat *flat, taut_arena *arena,
+                             const taut_curve *edges[TAUT_FLAT_EDGES])
+{
+    taut_status status = TAUT_OK;
+    for (int e = 0; status == TAUT_OK && e < TAUT_FLAT_EDGES; e++) {
+        status = edge_curve(flat, e, arena, &edges[e]);
+    }
+    return status;
+}
+
+/* |y_s| and its derivative of a piece alone. */
+static void own_speed(const taut_pattern_piece *piece, int side, double s, double speed[2])
+{
+    double y[3][3];
+    taut_curve_eval(piece->alone_edges[edge_of[side]], s, 2, y[0]);
+    speed[0] = taut_hypot(y[1][0], y[1][1]);
+    speed[1] = (y[1][0] * y[2][0] + y[1][1] * y[2][1]) / speed[0];
+}
+
+/* The share by which a piece's edge is cut smaller on the average, of warp and weft and how it runs between them. */
+static double seam_compensation(const taut_pattern_layout *layout, const taut_pattern_cut *cut,
+                                int piece, int side)
+{
+    double nodes[EDGE_NODES], weights[EDGE_NODES], sum = 0;
+    const double p = 1 - cut->compensation.warp, q = 1 - cut->compensation.weft;
+    if (cut->compensation.has_seam) {
+        return cut->compensation.seam;
+    }
+    taut_gauss_rule(EDGE_NODES, nodes, weights);
+    for (int i = 0; i < EDGE_NODES; i++) {
+        double y[2][3];
+        taut_curve_eval(layout->pieces[piece].alone_edges[edge_of[side]], (1 + nodes[i]) / 2, 1,
+                        y[0]);
+        /* the direction on the surface is that before the cloth was made smaller */
+        const double a = y[1][0] / p, b = y[1][1] / q;
+        sum += weights[i] / 2 * (1 - taut_hypot(y[1][0], y[1][1]) / taut_hypot(a, b));
+    }
+    return sum;
+}
+
+/* Of seams whose length is that of the surface: the mean of both sides. */
+static void set_shares(taut_pattern_layout *layout, const taut_pattern_cut *cut)
+{
+    for (int k = 0; k < layout->side_count; k++) {
+        taut_pattern_side *side = &layout->sides[k];
+        if (side->owners[0] >= 0 && side->owners[1] >= 0) {
+            side->share = 1 - (seam_compensation(layout, cut, side->owners[0], 0) +
+                               seam_compensation(layout, cut, side->owners[1], 1)) /
+                                  2;
+        }
+    }
+}
+
+int taut_pattern_held_speed(const taut_pattern_layout *layout, const taut_pattern_cut *cut,
+                            int piece, int side, double s, double speed[2])
+{
+    const taut_pattern_side *seam = layout->pieces[piece].edge[side];
+    double both[2][2];
+    if (seam->owners[0] < 0 || seam->owners[1] < 0) {
+        return 0;
+    }
+    if (cut->seam_length == TAUT_PATTERN_TRUE) {
+        speed[0] = seam->share * seam->length;
+        speed[1] = 0;
+        return 1;
+    }
+    for (int k = 0; k < 2; k++) {
+        own_speed(&layout->pieces[seam->owners[k]], k, s, both[k]);
+    }
+    speed[0] = (both[0][0] + both[1][0]) / 2;
+    speed[1] = (both[0][1] + both[1][1]) / 2;
+    return 1;
+}
+
+/* ---- the passes ---- */
+
+typedef struct pass {
+    taut_pattern_layout *layout;
+    const taut_pattern_cut *cut;
+    taut_flat_options options;
+    taut_status *status; /* of each piece */
+    taut_arena **arenas; /* of each piece: what it keeps */
+    int *folded;
+} pass;
+
+static taut_flat_strip strip_of(const taut_pattern_piece *piece)
+{
+    return (taut_flat_strip){taut_pattern_piece_metric, piece};
+}
+
+static void alone(void *context, int worker, int64_t task)
+{
+    const pass *p = context;
+    taut_pattern_piece *piece = &p->layout->pieces[task];
+    const taut_flat_strip strip = strip_of(piece);
+    (void)worker;
+
+    taut_pattern_look_at_curvature(piece);
+    if (piece->is_developable) {
+        taut_status status = taut_pattern_develop(piece, &p->options, p->arenas[task]);
+        p->status[task] = status == TAUT_OK
+                              ? all_edges(&piece->alone, p->arenas[task], piece->alone_edges)
+                              : status;
+        return;
+    }
+    taut_arena *scratch = taut_arena_new();
+    taut_flat flat = {.steps = 0};
+    taut_status status =
+        scratch != NULL ? taut_flatten(scratch, &strip, &p->options, NULL, &flat) : TAUT_NO_MEMORY;
+    if (status == TAUT_OK) {
+        status = taut_flat_copy(p->arenas[task], &flat, &piece->alone);
+    }
+    if (status == TAUT_OK) {
+        status = all_edges(&piece->alone, p->arenas[task], piece->alone_edges);
+    }
+    p->folded[task] = status == TAUT_NOT_CONVERGED && isinf(flat.energy);
+    p->status[task] = status;
+    taut_arena_free(scratch);
+}
+
+/* |y_s| over |X_s| at the Gauss points of the spans; *is_natural: the piece has it already. */
+static int hold(const pass *p, int index, int side, int spans, double *stretch, int *is_natural)
+{
+    double nodes[TAUT_FLAT_GAUSS], weights[TAUT_FLAT_GAUSS];
+    const taut_pattern_piece *piece = &p->layout->pieces[index];
+    taut_gauss_rule(TAUT_FLAT_GAUSS, nodes, weights);
+    for (int k = 0; k < spans * TAUT_FLAT_GAUSS; k++) {
+        const double s = (k / TAUT_FLAT_GAUSS + 0.5 + 0.5 * nodes[k % TAUT_FLAT_GAUSS]) / spans;
+        double g[3], speed[2], own[2];
+        if (!taut_pattern_held_speed(p->layout, p->cut, index, side, s, speed)) {
+            return 0;
+        }
+        taut_pattern_piece_metric(piece, s, side, g);
+        own_speed(piece, side, s, own);
+        stretch[k] = speed[0] / sqrt(g[0]);
+        *is_natural &= fabs(own[0] - speed[0]) <= same_stretch * own[0];
+    }
+    return 1;
+}
+
+static taut_status hold_piece(const pass *p, int index, taut_arena *scratch, taut_flat *flat)
+{
+    const taut_pattern_piece *piece = &p->layout->pieces[index];
+    const taut_flat_strip strip = strip_of(piece);
+    taut_flat_options own = p->options;
+    int is_natural = 1, is_same = 1;
+
+    own.spans[0] = piece->is_developable ? ALONG : piece->alone.spans[0];
+    own.spans[1] = piece->is_developable ? ACROSS : piece->alone.spans[1];
+    for (int side = 0; side < 2; side++) {
+        double *stretch =
+            taut_arena_take(scratch, (size_t)own.spans[0] * TAUT_FLAT_GAUSS, sizeof(double));
+        if (stretch == NULL) {
+            return TAUT_NO_MEMORY;
+        }
+        if (hold(p, index, side, own.spans[0], stretch, &is_natural)) {
+            own.held[edge_of[side]] = stretch;
+            is_same = 0;
+        }
+    }
+    if (is_same || (piece->is_developable && is_natural)) {
+        *flat = piece->alone;
+        return TAUT_OK;
+    }
+    return taut_flatten(scratch, &strip, &own, piece->is_developable ? NULL : &piece->alone, flat);
+}
+
+static void together(void *context, int worker, int64_t task)
+{
+    const pass *p = context;
+    taut_pattern_piece *piece = &p->layout->pieces[task];
+    taut_arena *scratch = taut_arena_new();
+    taut_flat flat = {.steps = 0};
+    (void)worker;
+    taut_status status =
+        scratch != NULL ? hold_piece(p, (int)task, scratch, &flat) : TAUT_NO_MEMORY;
+    if (status == TAUT_OK) {
+        status = taut_flat_copy(p->arenas[task], &flat, &piece->flat);
+    }
+    if (status == TAUT_OK) {
+        status = all_edges(&piece->flat, p->arenas[task], piece->edges);
+    }
+    p->status[task] = status;
+    taut_arena_free(scratch);
+}
+
+/* What went wrong with the first piece that went wrong. */
+static taut_status outcome(const pass *p, taut_error *error)
+{
+    for (int k = 0; k < p->layout->piece_count; k++) {
+        const char *name = p->layout->pieces[k].name;
+        if (p->status[k] == TAUT_NO_MEMORY) {
+            return taut_fail_memory(error);
+        }
+        if (p->status[k] != TAUT_OK && p->folded[k]) {
+            return taut_fail(error, TAUT_NOT_CONVERGED, "folds", "/seams", taut_none, taut_none,
+                             "no flat piece %s without folds was found to begin with: take more "
+                             "strips",
+                             name);
+        }
+        if (p->status[k] != TAUT_OK) {
+            return taut_fail(error, TAUT_NOT_CONVERGED, "not-converged", "/seams", taut_none,
+                             taut_none,
+                             "the flattening of piece %s did not settle: take more strips", name);
+        }
+    }
+    return TAUT_OK;
+}
+
+static void release(void *arena)
+{
+    taut_arena_free(arena);
+}
+
+static taut_status run(pass *p, const taut_crew *crew, taut_task *task, taut_error *error)
+{
+    const int64_t count = p->layout->piece_count;
+    if (taut_crew_run(crew, taut_crew_workers(crew, count), count, work_of_piece, task, p)) {
+        return taut_fail_status(error, TAUT_INTERRUPTED);
+    }
+    return outcome(p, error);
+}
+
+taut_status taut_pattern_flatten(taut_pattern_layout *layout, const taut_pattern_cut *cut,
+                                 const taut_crew *crew, taut_error *error)
+{
+    const size_t count = (size_t)layout->piece_count;
+    pass p = {.layout = layout,
+              .cut = cut,
+              .options = {.spans = {ALONG, ACROSS},
+                          .law = cut->has_law ? &cut->law : NULL,
+                          .warp = cut->compensation.warp,
+                          .weft = cut->compensation.weft,
+                          .thread = cut->thread},
+              .status = taut_arena_take(layout->arena, count, sizeof *p.status),
+              .arenas = taut_arena_take(layout->arena, count, sizeof *p.arenas),
+              .folded = taut_arena_take(layout->arena, count, sizeof *p.folded)};
+
+    if (taut_arena_status(layout->arena) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    for (size_t k = 0; k < count; k++) {
+        p.arenas[k] = taut_arena_new();
+        if (p.arenas[k] == NULL || !taut_arena_keep(layout->arena, p.arenas[k], release)) {
+            return taut_fail_memory(error);
+        }
+    }
+    const taut_status status = run(&p, crew, alone, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    set_shares(layout, cut);
+    return run(&p, crew, together, error);
+}

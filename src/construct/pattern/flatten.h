@@ -1,0 +1,30 @@
+/* flatten.h -- all pieces of a layout laid flat, in two passes.
+ *
+ *     1. each piece alone, no edge held; developable ones by quadrature
+ *     2. each piece again, its seams held: at the mean of the speeds that both sides have alone, or at the length of
+ *        the surface less the compensation
+ */
+#ifndef TAUT_CONSTRUCT_PATTERN_FLATTEN_H
+#define TAUT_CONSTRUCT_PATTERN_FLATTEN_H
+
+#include "construct/pattern/layout.h"
+#include "core/crew.h"
+
+/* What is asked of all pieces. */
+typedef struct taut_pattern_cut {
+    taut_pattern_seam_length seam_length;
+    taut_flat_law law;
+    int has_law; /* nonzero, or the squares of all strains are made least */
+    taut_pattern_compensation compensation;
+    double thread;
+} taut_pattern_cut;
+
+/* |y_s| that an edge is held at (right or left), and its derivative by s, in the carrier's unit; 0 where it is free. */
+int taut_pattern_held_speed(const taut_pattern_layout *layout, const taut_pattern_cut *cut,
+                            int piece, int side, double s, double speed[2]);
+
+/* Fills alone and flat of every piece. TAUT_NO_MEMORY, TAUT_INTERRUPTED; TAUT_NOT_CONVERGED, reasons folds and not-converged. */
+taut_status taut_pattern_flatten(taut_pattern_layout *layout, const taut_pattern_cut *cut,
+                                 const taut_crew *crew, taut_error *error);
+
+#endif /* TAUT_CONSTRUCT_PATTERN_FLATTEN_H */

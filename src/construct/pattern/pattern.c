@@ -1,0 +1,457 @@
+/* pattern.c -- the construction `pattern`: a surface cut in pieces that are laid flat.
+ *
+ *     1. the surface: of the model, or of what the problem makes
+ *     2. the pieces that the rule cuts it in (layout.h); where it says no count, of the least count that fits the roll
+ *     3. each piece flat, alone and then with its seams held (flatten.h)
+ *     4. the lines to sew and to cut along (outline.h), on the roll (roll.h)
+ */
+#include "taut/pattern.h"
+
+#include "construct/common/build.h"
+#include "construct/common/of.h"
+#include "construct/construct_ops.h"
+#include "construct/pattern/details.h"
+#include "core/fail.h"
+#include "core/unit.h"
+#include "problem/problem.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Lengths are parameters, which are from 1e-60 to 1e60 (docs/limits.md): of sizes below 2^this. */
+enum { EXPONENT_MOST = 150 };
+
+typedef struct request {
+    const taut_pattern_problem *problem;
+    const taut_make_options *options;
+    taut_pattern_cut cut;
+} request;
+
+/* All that was made of a count of strips. */
+typedef struct made_pieces {
+    taut_arena *arena;
+    taut_pattern_layout layout;
+    taut_pattern_outline *outlines;
+    double widest; /* extent across of a cut piece, in the carrier's unit */
+    int widest_piece;
+} made_pieces;
+
+/* ---- what is asked for ---- */
+
+static taut_status check_range(double value, double low, double high, const char *reason,
+                               const char *where, taut_error *error)
+{
+    if (value >= low && value <= high) {
+        return TAUT_OK;
+    }
+    return taut_fail(error, TAUT_BAD_INPUT, reason, where, value, value < low ? low : high,
+                     "found %.17g, expected a number from %.17g to %.17g", value, low, high);
+}
+
+static taut_status check_material(const taut_pattern_material *m, taut_error *error)
+{
+    if (m->e[0] == 0 && m->e[1] == 0 && m->nu == 0 && m->g == 0) {
+        return TAUT_OK;
+    }
+    const int is_cloth = m->e[0] > 0 && m->e[1] > 0 && m->g > 0 && m->nu >= 0 &&
+                         m->nu * m->nu * m->e[1] < m->e[0] && isfinite(m->e[0]) &&
+                         isfinite(m->e[1]) && isfinite(m->g);
+    return is_cloth ? TAUT_OK
+                    : taut_fail(error, TAUT_BAD_INPUT, "material", "/cloth/material", taut_none,
+                                taut_none,
+                                "found moduli %.6g and %.6g, nu %.6g, G %.6g, expected E and G "
+                                "above 0, and nu^2 below E_warp/E_weft",
+                                m->e[0], m->e[1], m->nu, m->g);
+}
+
+static taut_status check_rule(const taut_pattern_problem *problem, taut_error *error)
+{
+    const taut_pattern_rule *rule = &problem->rules[0];
+    if (problem->rule_count > 1) {
+        return taut_fail(error, TAUT_BAD_INPUT, "rule", "/seams/1", problem->rule_count, 1,
+                         "found %d rules, expected one", problem->rule_count);
+    }
+    if ((unsigned)rule->edges[0] > 3 || (unsigned)rule->edges[1] > 3 ||
+        rule->edges[0] == rule->edges[1] || (int)rule->edges[0] / 2 != (int)rule->edges[1] / 2) {
+        return taut_fail(error, TAUT_BAD_INPUT, "edge", "/seams/0/across", taut_none, taut_none,
+                         "found %s and %s, expected two opposite edges",
+                         taut_edge_name(rule->edges[0]), taut_edge_name(rule->edges[1]));
+    }
+    if (rule->count < 0 || rule->count > TAUT_PATTERN_PIECES_MAX) {
+        return taut_fail(error, TAUT_BAD_INPUT, "count", "/seams/0/count", rule->count,
+                         TAUT_PATTERN_PIECES_MAX, "found %d, expected a number from 1 to %d",
+                         rule->count, TAUT_PATTERN_PIECES_MAX);
+    }
+    if (rule->count == 0 && !(rule->width > 0) && !(problem->cloth.width > 0)) {
+        return taut_fail(error, TAUT_BAD_INPUT, "missing", "/cloth/width", taut_none, taut_none,
+                         "found no count and no width, expected one of them");
+    }
+    return TAUT_OK;
+}
+
+static taut_status check_problem(const taut_pattern_problem *problem, taut_error *error)
+{
+    const taut_pattern_compensation *c = problem != NULL ? &problem->compensation : NULL;
+    if (problem == NULL || (problem->model == NULL) == (problem->of == NULL) ||
+        problem->rule_count < 1 || problem->rules == NULL) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
+                         "a pattern needs a model or a problem of its surface, and a rule");
+    }
+    taut_status status = check_rule(problem, error);
+    if (status == TAUT_OK) {
+        status = check_range(problem->cloth.width, 0, 1e300, "value", "/cloth/width", error);
+    }
+    if (status == TAUT_OK) {
+        status = check_range(problem->cloth.gap, 0, 1e300, "value", "/cloth/gap", error);
+    }
+    if (status == TAUT_OK) {
+        status = check_range(problem->cloth.thread, -4, 4, "value", "/cloth/thread", error);
+    }
+    const double shares[3] = {c->warp, c->weft, c->has_seam ? c->seam : 0};
+    static const char *const places[3] = {"/compensation/warp", "/compensation/weft",
+                                          "/compensation/seam"};
+    for (int k = 0; status == TAUT_OK && k < 3; k++) {
+        status = check_range(shares[k], -0.1, 0.3, "compensation", places[k], error);
+    }
+    return status == TAUT_OK ? check_material(&problem->cloth.material, error) : status;
+}
+
+static void take_cut(request *r)
+{
+    const taut_pattern_material *m = &r->problem->cloth.material;
+    r->cut = (taut_pattern_cut){.seam_length = r->problem->seam_length,
+                                .has_law = m->g > 0,
+                                .compensation = r->problem->compensation,
+                                .thread = r->problem->cloth.thread};
+    if (r->cut.has_law) {
+        const double d = 1 - m->nu * m->nu * m->e[1] / m->e[0], unit = m->e[0];
+        r->cut.law = (taut_flat_law){.d11 = m->e[0] / d / unit,
+                                     .d22 = m->e[1] / d / unit,
+                                     .d12 = m->nu * m->e[1] / d / unit,
+                                     .d33 = m->g / unit};
+    }
+}
+
+/* ---- pieces ---- */
+
+static const char *unit_of(const request *r)
+{
+    return r->problem->of != NULL ? r->problem->of->unit : taut_model_unit(r->problem->model);
+}
+
+static double gap_of(const request *r)
+{
+    static const double gap_default = 5; /* mm */
+    return r->problem->cloth.has_gap ? r->problem->cloth.gap
+                                     : gap_default * taut_unit_ratio("mm", unit_of(r));
+}
+
+static taut_status make_outlines(const request *r, made_pieces *made, taut_error *error)
+{
+    const int count = made->layout.piece_count;
+    made->outlines = taut_arena_take(made->arena, (size_t)count, sizeof *made->outlines);
+    taut_status status = taut_arena_status(made->arena);
+    made->widest = 0;
+    for (int k = 0; status == TAUT_OK && k < count; k++) {
+        taut_pattern_outline *outline = &made->outlines[k];
+        status = taut_pattern_outline_new(&made->layout, &r->cut, k, made->arena, outline);
+        if (outline->high[1] - outline->low[1] > made->widest) {
+            made->widest = outline->high[1] - outline->low[1];
+            made->widest_piece = k;
+        }
+    }
+    return status == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
+}
+
+/* All of so many strips. */
+static taut_status make_strips(const request *r, const taut_carrier *carrier, int count,
+                               const taut_crew *crew, taut_arena *arena, made_pieces *made,
+                               taut_error *error)
+{
+    made->arena = arena;
+    taut_status status = taut_pattern_lay_out(carrier, &r->problem->rules[0], count,
+                                              &r->options->monitor, arena, &made->layout, error);
+    if (status == TAUT_OK) {
+        status = taut_pattern_flatten(&made->layout, &r->cut, crew, error);
+    }
+    return status == TAUT_OK ? make_outlines(r, made, error) : status;
+}
+
+static taut_status fail_width(const made_pieces *made, const taut_carrier *carrier, double width,
+                              taut_error *error)
+{
+    const double extent = ldexp(made->widest, carrier->scale);
+    return taut_fail(
+        error, TAUT_NO_SOLUTION, "width", "/seams/0", extent, width,
+        "piece %s is %.6g wide, and the roll %.6g: take more strips than %d, or \"width\": "
+        "true in place of \"count\"",
+        made->layout.pieces[made->widest_piece].name, extent, width, made->layout.piece_count);
+}
+
+/* The least number of strips that all fit, up from one that is too few, or nearly; in an arena of its own. */
+static taut_status fit_width(const request *r, const taut_carrier *carrier, double width,
+                             const taut_crew *crew, made_pieces *made, taut_error *error)
+{
+    const double room = ldexp(width, -carrier->scale);
+    int count = 1, last = 0;
+    taut_arena *kept = NULL;
+
+    while (count <= TAUT_PATTERN_PIECES_MAX) {
+        taut_arena *own = taut_arena_new();
+        made_pieces one;
+        taut_status status = own != NULL ? make_strips(r, carrier, count, crew, own, &one, error)
+                                         : taut_fail_memory(error);
+        if (status != TAUT_OK &&
+            (status == TAUT_NO_MEMORY || status == TAUT_INTERRUPTED || count > 8)) {
+            taut_arena_free(own);
+            taut_arena_free(kept);
+            return status;
+        }
+        if (status == TAUT_OK && one.widest <= room) {
+            taut_arena_free(kept);
+            kept = own;
+            *made = one;
+            if (count == last + 1) { /* one less did not fit */
+                break;
+            }
+            count--;
+            continue;
+        }
+        taut_arena_free(own);
+        if (kept != NULL) {
+            break;
+        }
+        last = count;
+        /* what is missing, seen from here, but for one strip in ten */
+        const double need = status == TAUT_OK ? 0.9 * count * one.widest / room : count + 1.0;
+        count = need > count + 1 ? (int)fmin(need, TAUT_PATTERN_PIECES_MAX + 1.0) : count + 1;
+    }
+    if (kept == NULL) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "width", "/seams/0", width, taut_none,
+                         "no number of strips up to %d has pieces that are at most %.6g wide",
+                         TAUT_PATTERN_PIECES_MAX, width);
+    }
+    made->arena = kept;
+    return TAUT_OK;
+}
+
+static taut_status cut_pieces(const request *r, const taut_carrier *carrier, taut_arena *arena,
+                              made_pieces *made, taut_error *error)
+{
+    const taut_pattern_rule *rule = &r->problem->rules[0];
+    const double roll = r->problem->cloth.width;
+    taut_pulse pulse = {.monitor = &r->options->monitor, .what = "pieces", .done = taut_none};
+    const taut_crew crew = {.threads = r->options->threads, .pulse = &pulse};
+
+    if (rule->count == 0) {
+        return fit_width(r, carrier, rule->width > 0 ? rule->width : roll, &crew, made, error);
+    }
+    const taut_status status = make_strips(r, carrier, rule->count, &crew, arena, made, error);
+    return status == TAUT_OK && roll > 0 && made->widest > ldexp(roll, -carrier->scale)
+               ? fail_width(made, carrier, roll, error)
+               : status;
+}
+
+/* ---- the model ---- */
+
+static taut_status add_flat(const taut_pattern_piece *piece, taut_model *model, taut_arena *arena,
+                            taut_error *error)
+{
+    const taut_flat *flat = &piece->flat;
+    const size_t count = (size_t)flat->count[0] * (size_t)flat->count[1];
+    double *points = taut_arena_take(arena, count, 3 * sizeof(double));
+    taut_basis_spec specs[2];
+
+    if (points == NULL) {
+        return taut_fail_memory(error);
+    }
+    for (size_t k = 0; k < count; k++) {
+        points[3 * k] = ldexp(flat->points[2 * k], piece->carrier->scale);
+        points[3 * k + 1] = ldexp(flat->points[2 * k + 1], piece->carrier->scale);
+    }
+    for (int d = 0; d < 2; d++) {
+        specs[d] = (taut_basis_spec){.type = "bspline",
+                                     .degree = TAUT_FLAT_DEGREE,
+                                     .knot_count = flat->count[d] + TAUT_FLAT_DEGREE + 1,
+                                     .knots = flat->knots[d]};
+    }
+    return taut_construct_add_net(model, piece->name, specs, flat->count, points, NULL, NULL,
+                                  error);
+}
+
+/* A curve of the outline in the surface's own unit. */
+static taut_status add_line(const taut_pattern_piece *piece, const char *what,
+                            const taut_curve *line, taut_model *model, taut_arena *arena,
+                            taut_error *error)
+{
+    const size_t count = 3 * (size_t)taut_basis_count(taut_curve_t(line));
+    double *points = taut_arena_take(arena, count, sizeof(double));
+    char name[TAUT_SIDE_NAME + 8];
+    taut_curve *curve = NULL;
+
+    if (points == NULL) {
+        return taut_fail_memory(error);
+    }
+    for (size_t k = 0; k < count; k++) {
+        points[k] = ldexp(taut_curve_points(line)[k], piece->carrier->scale);
+    }
+    snprintf(name, sizeof name, "%s.%s", piece->name, what);
+    const taut_status status =
+        taut_curve_new(name, taut_curve_t(line), points, NULL, &curve, error);
+    return status == TAUT_OK ? taut_construct_add_curve(model, curve, error) : status;
+}
+
+static taut_status add_piece(const made_pieces *made, int index, taut_model *model,
+                             taut_arena *arena, taut_error *error)
+{
+    static const char *const names[TAUT_FLAT_EDGES] = {"right", "end", "left", "start"};
+    const taut_pattern_piece *piece = &made->layout.pieces[index];
+    const taut_pattern_outline *outline = &made->outlines[index];
+    taut_status status = TAUT_OK;
+
+    for (int e = 0; status == TAUT_OK && e < TAUT_FLAT_EDGES; e++) {
+        status = add_line(piece, names[e], outline->edges[e], model, arena, error);
+    }
+    return status == TAUT_OK ? add_line(piece, "cut", outline->cut, model, arena, error) : status;
+}
+
+static taut_status add_seam(const taut_pattern_side *side, taut_model *model, taut_error *error)
+{
+    taut_curve *curve = NULL;
+    const taut_status status =
+        taut_curve_new(side->name, side->part.basis, side->part.space, NULL, &curve, error);
+    return status == TAUT_OK ? taut_construct_add_curve(model, curve, error) : status;
+}
+
+static taut_status add_all(const made_pieces *made, taut_model *model, taut_arena *arena,
+                           taut_error *error)
+{
+    const taut_pattern_layout *layout = &made->layout;
+    taut_surface *surface = NULL;
+    taut_status status = taut_surface_copy(layout->carrier->surface, &surface);
+
+    status = status == TAUT_OK ? taut_construct_add_surface(model, surface, error)
+                               : taut_fail_memory(error);
+    for (int k = 0; status == TAUT_OK && k < layout->piece_count; k++) {
+        status = add_flat(&layout->pieces[k], model, arena, error);
+    }
+    for (int k = 0; status == TAUT_OK && k < layout->side_count; k++) {
+        status = layout->sides[k].is_seam ? add_seam(&layout->sides[k], model, error) : TAUT_OK;
+    }
+    for (int k = 0; status == TAUT_OK && k < layout->piece_count; k++) {
+        status = add_piece(made, k, model, arena, error);
+    }
+    return status;
+}
+
+static taut_status place_on_roll(const request *r, const made_pieces *made, taut_arena *arena,
+                                 taut_pattern_roll *roll, taut_error *error)
+{
+    const taut_pattern_layout *layout = &made->layout;
+    const int scale = layout->carrier->scale;
+    double area = 0;
+    for (int k = 0; k < layout->piece_count; k++) {
+        area += layout->pieces[k].flat.flat_area;
+    }
+    return taut_pattern_roll_new(layout->piece_count, made->outlines,
+                                 ldexp(r->problem->cloth.width, -scale), ldexp(gap_of(r), -scale),
+                                 area, arena, roll) == TAUT_OK
+               ? TAUT_OK
+               : taut_fail_memory(error);
+}
+
+static taut_status fill(const request *r, const taut_model *of, const made_pieces *made,
+                        taut_arena *arena, taut_model *model, taut_error *error)
+{
+    taut_pattern_roll roll;
+    taut_status status = add_all(made, model, arena, error);
+
+    if (status == TAUT_OK) {
+        status = place_on_roll(r, made, arena, &roll, error);
+    }
+    if (status != TAUT_OK) {
+        return status;
+    }
+    taut_record *details = taut_record_new();
+    if (details == NULL) {
+        return taut_fail_memory(error);
+    }
+    taut_pattern_describe(&made->layout, &r->cut, r->problem, made->outlines, &roll, gap_of(r),
+                          details);
+    if (r->problem->of != NULL) {
+        taut_construct_describe_of(r->problem->of, of, details);
+    }
+    return taut_construct_set_details(model, details, error);
+}
+
+static taut_status check_carrier(const taut_carrier *carrier, taut_error *error)
+{
+    if (!(carrier->scale > -EXPONENT_MOST) || !(carrier->scale < EXPONENT_MOST)) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "extreme-size", "/of", ldexp(0.5, carrier->scale),
+                         ldexp(1, EXPONENT_MOST),
+                         "the surface is %.3g large, and lengths along it cannot be parameters",
+                         ldexp(carrier->size, carrier->scale));
+    }
+    return carrier->widest > 0 ? TAUT_OK
+                               : taut_fail(error, TAUT_NO_SOLUTION, "singular", "/of", taut_none,
+                                           taut_none, "the surface has no normal anywhere");
+}
+
+static taut_status build(void *context, taut_arena *arena, taut_model *model, taut_error *error)
+{
+    const request *r = context;
+    const taut_model *of = NULL;
+    const taut_surface *surface = NULL;
+    taut_carrier *carrier = NULL;
+    made_pieces made = {.arena = arena};
+    taut_status status =
+        taut_construct_of(r->problem->model, r->problem->of, r->options, arena, &of, error);
+
+    if (status == TAUT_OK) {
+        status = taut_construct_choose(of, r->problem->surface, &surface, error);
+    }
+    if (status != TAUT_OK) {
+        return status;
+    }
+    if (taut_carrier_new(arena, surface, &carrier) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    status = check_carrier(carrier, error);
+    if (status == TAUT_OK) {
+        status = cut_pieces(r, carrier, arena, &made, error);
+    }
+    if (status == TAUT_OK) {
+        status = fill(r, of, &made, arena, model, error);
+    }
+    if (made.arena != arena) {
+        taut_arena_free(made.arena);
+    }
+    return status;
+}
+
+taut_status taut_pattern_make(const taut_pattern_problem *problem, const taut_make_options *options,
+                              taut_model **model, taut_error *error)
+{
+    static const taut_make_options none;
+    request r = {problem, options != NULL ? options : &none, {.thread = 0}};
+    const taut_status status = check_problem(problem, error);
+
+    if (status != TAUT_OK) {
+        return status;
+    }
+    if (model == NULL) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
+                         "taut_pattern_make needs a place for the model");
+    }
+    take_cut(&r);
+    return taut_construct_build(build, &r, model, error);
+}
+
+static taut_status make(const void *data, const taut_make_options *options, taut_model **model,
+                        taut_error *error)
+{
+    return taut_pattern_make(data, options, model, error);
+}
+
+const taut_construct_ops taut_construct_pattern = {.make = make};

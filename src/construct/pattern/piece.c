@@ -1,0 +1,77 @@
+#include "construct/pattern/piece.h"
+
+#include "core/vec3.h"
+
+void taut_pattern_piece_window(const taut_pattern_piece *piece, double s, double t, double w[5][2])
+{
+    double right[3][2], left[3][2];
+    taut_pattern_side_at(piece->edge[TAUT_PIECE_RIGHT], s, right);
+    taut_pattern_side_at(piece->edge[TAUT_PIECE_LEFT], s, left);
+    for (int d = 0; d < 2; d++) {
+        w[0][d] = (1 - t) * right[0][d] + t * left[0][d];
+        w[1][d] = (1 - t) * right[1][d] + t * left[1][d];
+        w[2][d] = left[0][d] - right[0][d];
+        w[3][d] = (1 - t) * right[2][d] + t * left[2][d];
+        w[4][d] = left[1][d] - right[1][d];
+    }
+}
+
+static void space_at(const taut_carrier *carrier, const double at[2], int order,
+                     double x[TAUT_CARRIER_VECTORS][3])
+{
+    double inside[2];
+    int span[2];
+    for (int d = 0; d < 2; d++) { /* rounding may leave the window */
+        inside[d] = fmin(fmax(at[d], carrier->lo[d]), carrier->hi[d]);
+    }
+    taut_carrier_cell(carrier, inside, NULL, span);
+    taut_carrier_at(carrier, span, at, order, x);
+}
+
+static void along(const double x[TAUT_CARRIER_VECTORS][3], const double w[2], double out[3])
+{
+    for (int c = 0; c < 3; c++) {
+        out[c] = x[1][c] * w[0] + x[2][c] * w[1];
+    }
+}
+
+/* X_ab of two directions of the window, and their own derivative w_ab. */
+static void second(const double x[TAUT_CARRIER_VECTORS][3], const double a[2], const double ab[2],
+                   double out[3])
+{
+    for (int c = 0; c < 3; c++) {
+        out[c] = x[3][c] * a[0] * a[0] + 2 * x[4][c] * a[0] * a[1] + x[5][c] * a[1] * a[1] +
+                 x[1][c] * ab[0] + x[2][c] * ab[1];
+    }
+}
+
+void taut_pattern_piece_metric(const void *context, double s, double t, double g[3])
+{
+    const taut_pattern_piece *piece = context;
+    double w[5][2], x[TAUT_CARRIER_VECTORS][3], xs[3], xt[3];
+    taut_pattern_piece_window(piece, s, t, w);
+    space_at(piece->carrier, w[0], 1, x);
+    along((const double(*)[3])x, w[1], xs);
+    along((const double(*)[3])x, w[2], xt);
+    g[0] = taut_dot(xs, xs);
+    g[1] = taut_dot(xs, xt);
+    g[2] = taut_dot(xt, xt);
+}
+
+void taut_pattern_piece_bends(const taut_pattern_piece *piece, double s, double t, double bend[2],
+                              double *gauss)
+{
+    static const double none[2] = {0, 0};
+    double w[5][2], x[TAUT_CARRIER_VECTORS][3], first[3], bent[3], sideways[3];
+    taut_form_pair forms;
+    taut_pattern_piece_window(piece, s, t, w);
+    space_at(piece->carrier, w[0], 2, x);
+    taut_carrier_forms((const double(*)[3])x, &forms);
+    for (int k = 0; k < 2; k++) {
+        along((const double(*)[3])x, w[1 + k], first);
+        second((const double(*)[3])x, w[1 + k], k == 0 ? w[3] : none, bent);
+        taut_cross(forms.normal, first, sideways);
+        bend[k] = taut_dot(bent, sideways) / taut_dot(first, first);
+    }
+    *gauss = forms.w > 0 ? taut_form_pair_gauss(&forms) : 0;
+}

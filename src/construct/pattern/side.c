@@ -1,0 +1,145 @@
+#include "construct/pattern/side.h"
+
+#include "core/fail.h"
+#include "geometry/keep.h"
+#include "trace/between.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* Of steps, of the quintics' distance from the surface, and of k_g times the size. */
+static const double step_tolerance = 1e-12, distance = 4e-13, turning = 2e-7;
+/* Lengths are at most so many sizes. */
+static const double lengths = 50;
+
+static const char *const edges[] = {"u0", "u1", "v0", "v1"};
+
+/* The lath as splines; of a border the coordinate `held` stays what it is at the ends, which rounding may change (-1: none). */
+static taut_status take_lath(const taut_carrier *carrier, const taut_lath *lath, int held,
+                             taut_arena *arena, taut_pattern_side *side, taut_error *error)
+{
+    taut_lath_part *parts = NULL;
+    taut_curve *curve = NULL;
+    int count = 0;
+
+    taut_status status = taut_lath_parts(carrier, lath, arena, &parts, &count, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    side->part = parts[0];
+    side->length = lath->length;
+    const size_t points = (size_t)parts[0].count;
+    double *window = taut_arena_take(arena, points, 3 * sizeof(double));
+    if (window == NULL) {
+        return taut_fail_memory(error);
+    }
+    for (size_t k = 0; k < points; k++) {
+        if (held >= 0) {
+            parts[0].window[2 * k + (size_t)held] = side->ends[0][held];
+        }
+        memcpy(window + 3 * k, parts[0].window + 2 * k, 2 * sizeof(double));
+    }
+    status = taut_curve_new(NULL, parts[0].basis, window, NULL, &curve, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    side->window = curve;
+    return taut_keep_curve(arena, curve) ? TAUT_OK : taut_fail_memory(error);
+}
+
+/* Follows `length` from the side's beginning along a direction in space; the end is where it is to be. */
+static taut_status follow(const taut_carrier *carrier, taut_linefield_kind kind,
+                          const taut_pattern_side *side, const double along[3], double length,
+                          const taut_monitor *monitor, taut_arena *arena, taut_lath *lath,
+                          taut_error *error)
+{
+    const taut_lath_options options = {
+        .follow = {.tolerance = step_tolerance, .max_length = length, .monitor = monitor},
+        .tolerance = distance,
+        .residual = turning};
+    taut_linefield_fault fault = TAUT_LINEFIELD_FINE;
+    const taut_status status =
+        taut_lath_trace(carrier, kind, side->ends[0], along, 0, &options, arena, lath, &fault);
+
+    if (status != TAUT_OK) {
+        return taut_fail_status(error, status);
+    }
+    if (fault != TAUT_LINEFIELD_FINE || lath->count == 0) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "singular", "/of", taut_none, taut_none,
+                         "the surface has no normal at (%.6g, %.6g)", side->ends[0][0],
+                         side->ends[0][1]);
+    }
+    if (lath->kink_count > 0) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "crease", "/of", taut_none, taut_none,
+                         "the surface has a kink at (%.6g, %.6g)", lath->kinks[0].at[0],
+                         lath->kinks[0].at[1]);
+    }
+    memcpy(lath->segments[lath->count - 1].to.at, side->ends[1], sizeof(double[2]));
+    return TAUT_OK;
+}
+
+taut_status taut_pattern_geodesic(const taut_carrier *carrier, const double from[2],
+                                  const double to[2], const taut_monitor *monitor,
+                                  taut_arena *arena, taut_pattern_side *side, taut_error *error)
+{
+    static const taut_linefield_kind kind = {TAUT_TRACE_GEODESIC, 0};
+    const taut_follow_options options = {
+        .tolerance = step_tolerance, .max_length = lengths * carrier->size, .monitor = monitor};
+    taut_between way;
+    taut_lath lath;
+    taut_status status = taut_geodesic_between(carrier, from, to, &options, arena, &way);
+
+    if (status != TAUT_OK) {
+        return taut_fail_status(error, status);
+    }
+    if (!way.is_found) {
+        return taut_fail(
+            error, TAUT_NO_SOLUTION, "no-geodesic", "/seams", taut_none, taut_none,
+            "no geodesic from (%.6g, %.6g) to (%.6g, %.6g) was found inside the window", from[0],
+            from[1], to[0], to[1]);
+    }
+    memcpy(side->ends[0], from, sizeof side->ends[0]);
+    memcpy(side->ends[1], to, sizeof side->ends[1]);
+    side->is_seam = 1;
+    status = follow(carrier, kind, side, way.along, way.length, monitor, arena, &lath, error);
+    return status == TAUT_OK ? take_lath(carrier, &lath, -1, arena, side, error) : status;
+}
+
+taut_status taut_pattern_border(const taut_carrier *carrier, int edge, int backwards,
+                                const taut_monitor *monitor, taut_arena *arena,
+                                taut_pattern_side *side, taut_error *error)
+{
+    const int held = edge / 2, along = 1 - held;
+    const taut_linefield_kind kind = {TAUT_TRACE_ISOPARAMETRIC, held};
+    double x[TAUT_CARRIER_VECTORS][3];
+    taut_form_pair forms;
+    taut_lath lath;
+
+    for (int end = 0; end < 2; end++) {
+        side->ends[end][held] = edge % 2 == 0 ? carrier->lo[held] : carrier->hi[held];
+        side->ends[end][along] = end == backwards ? carrier->lo[along] : carrier->hi[along];
+    }
+    snprintf(side->name, sizeof side->name, "%s", edges[edge]);
+    taut_carrier_forms_at(carrier, side->ends[0], x, &forms);
+    double way[3];
+    for (int c = 0; c < 3; c++) {
+        way[c] = backwards ? -x[1 + along][c] : x[1 + along][c];
+    }
+    const taut_status status =
+        follow(carrier, kind, side, way, lengths * carrier->size, monitor, arena, &lath, error);
+    return status == TAUT_OK ? take_lath(carrier, &lath, held, arena, side, error) : status;
+}
+
+void taut_pattern_side_at(const taut_pattern_side *side, double x, double w[3][2])
+{
+    const taut_basis *basis = taut_curve_t(side->window);
+    const double lo = taut_basis_lo(basis), range = taut_basis_hi(basis) - lo;
+    double values[3][3], scale = 1;
+
+    taut_curve_eval(side->window, x < 1 ? lo + x * range : lo + range, 2, values[0]);
+    for (int k = 0; k < 3; k++, scale *= range) {
+        for (int d = 0; d < 2; d++) {
+            w[k][d] = scale * values[k][d];
+        }
+    }
+}

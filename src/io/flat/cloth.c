@@ -1,0 +1,230 @@
+#include "io/flat/cloth.h"
+
+#include "core/elementary/elementary.h"
+#include "core/fail.h"
+#include "core/unit.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { CUT, SEW, FOLD, MARK, TEXT, ROLL, LAYERS };
+static const taut_flat_layer layers[LAYERS] = {
+    [CUT] = {"CUT", "1", "#d00000"},   [SEW] = {"SEW", "5", "#0000d0"},
+    [FOLD] = {"FOLD", "6", "#a000a0"}, [MARK] = {"MARK", "3", "#008000"},
+    [TEXT] = {"TEXT", "4", "#006060"}, [ROLL] = {"ROLL", "8", "#808080"}};
+/* Of chords, in mm and over the roll; of letters, over a piece's width, in mm at most; of the arrow, over its length. */
+static const double chord = 0.05, chord_share = 1e-5, letters = 0.05, letters_most = 20,
+                    arrow = 0.2, barb = 0.2;
+
+enum { LOOK = 4 /* places of a span, for its bend */, LINES = 3, TEXTS = 6 /* of a piece */ };
+
+typedef struct drawing {
+    const taut_model *model;
+    taut_arena *arena;
+    taut_flat *flat;
+    double error; /* of chords, in the model's unit */
+    double most;  /* height of letters */
+} drawing;
+
+static const taut_record *member(const taut_record *object, const char *key)
+{
+    return object != NULL && taut_record_kind_of(object) == TAUT_RECORD_OBJECT
+               ? taut_record_get(object, key)
+               : NULL;
+}
+
+static const taut_curve *curve_named(const taut_model *model, const char *piece, const char *what)
+{
+    char name[TAUT_NAME_MAX + 16];
+    snprintf(name, sizeof name, "%.200s.%s", piece, what);
+    for (int i = 0; i < taut_model_curve_count(model); i++) {
+        if (strcmp(taut_curve_name(taut_model_curve(model, i)), name) == 0) {
+            return taut_model_curve(model, i);
+        }
+    }
+    return NULL;
+}
+
+int taut_flat_is_cloth(const taut_model *model)
+{
+    const taut_record *details = taut_model_details(model), *kind = member(details, "pattern");
+    return kind != NULL && strcmp(taut_record_text(kind), "cloth") == 0 &&
+           member(details, "roll") != NULL && taut_record_count(member(details, "pieces")) > 0;
+}
+
+/* How many chords a span is to have. */
+static int chords_of(const drawing *to, const taut_curve *curve, double a, double b)
+{
+    enum { MOST = 1000 };
+    double bend = 0;
+    for (int k = 0; k <= LOOK; k++) {
+        double y[3][3];
+        taut_curve_eval(curve, a + (b - a) * k / LOOK, 2, y[0]);
+        bend = fmax(bend, taut_hypot(y[2][0], y[2][1]));
+    }
+    const double count = ceil(1.1 * (b - a) * sqrt(bend / (8 * to->error)));
+    return count > 1 ? (int)fmin(count, MOST) : 1;
+}
+
+/* The curve as a polyline from a place on; closed: without its last point. */
+static void add_curve(drawing *to, int layer, const taut_curve *curve, const double at[2],
+                      int closed)
+{
+    const taut_basis *basis = taut_curve_t(curve);
+    const double *breaks = taut_basis_breaks(basis);
+    const int spans = taut_basis_span_count(basis);
+    size_t count = 1, n = 0;
+
+    for (int i = 0; i < spans; i++) {
+        count += (size_t)chords_of(to, curve, breaks[i], breaks[i + 1]);
+    }
+    double(*points)[2] = taut_arena_take(to->arena, count, sizeof *points);
+    if (points == NULL) {
+        return;
+    }
+    for (int i = 0; i < spans; i++) {
+        const int chords = chords_of(to, curve, breaks[i], breaks[i + 1]);
+        for (int k = i == 0 ? 0 : 1; k <= chords; k++) {
+            const double t =
+                k == chords ? breaks[i + 1] : breaks[i] + (breaks[i + 1] - breaks[i]) * k / chords;
+            double y[3];
+            taut_curve_eval(curve, t, 0, y);
+            points[n][0] = y[0] + at[0];
+            points[n][1] = y[1] + at[1];
+            n++;
+        }
+    }
+    to->flat->lines[to->flat->line_count++] =
+        (taut_flat_line){layer, closed, n - (closed ? 1 : 0), (const double(*)[2])points};
+}
+
+static void add_text(drawing *to, const char *text, const double at[2], double angle, double height)
+{
+    const char *own = taut_arena_text(to->arena, text);
+    to->flat->texts[to->flat->text_count++] =
+        (taut_flat_text){own != NULL ? own : "", {at[0], at[1]}, angle, height};
+}
+
+/* From its tail to its tip along the warp, and its barbs. */
+static void add_arrow(drawing *to, const double middle[2], double length)
+{
+    const double half = length / 2, b = barb * half;
+    const double shape[5][2] = {{-half, 0}, {half, 0}, {half - b, b}, {half, 0}, {half - b, -b}};
+    double(*points)[2] = taut_arena_take(to->arena, 5, sizeof *points);
+    for (int k = 0; points != NULL && k < 5; k++) {
+        points[k][0] = middle[0] + shape[k][0];
+        points[k][1] = middle[1] + shape[k][1];
+    }
+    to->flat->lines[to->flat->line_count++] =
+        (taut_flat_line){MARK, 0, 5, (const double(*)[2])points};
+}
+
+/* The piece's own name and its arrow in the middle, and along each seam who is on its other side. */
+static void add_names(drawing *to, const taut_record *piece, const char *name, const double at[2])
+{
+    static const char *const sides[2] = {"right", "left"};
+    const taut_record *seams = member(taut_model_details(to->model), "seams");
+    double middle[2][3], centre[2] = {0, 0}, ways[2];
+
+    for (int k = 0; k < 2; k++) {
+        const taut_curve *edge = curve_named(to->model, name, sides[k]);
+        double y[2][3];
+        if (edge == NULL) {
+            return;
+        }
+        taut_curve_eval(edge, 0.5, 1, y[0]);
+        memcpy(middle[k], y[0], sizeof middle[k]);
+        ways[k] = taut_atan2(y[1][1], y[1][0]);
+        centre[0] += y[0][0] / 2 + at[0] / 2;
+        centre[1] += y[0][1] / 2 + at[1] / 2;
+    }
+    const double wide = taut_hypot(middle[1][0] - middle[0][0], middle[1][1] - middle[0][1]);
+    const double height = fmin(letters * wide, to->most);
+    const double above[2] = {centre[0], centre[1] + 1.5 * height};
+    add_text(to, name, above, 0, height);
+    add_arrow(to, centre, arrow * wide);
+    for (int k = 0; k < 2; k++) {
+        const taut_record *seam = member(member(member(piece, "edges"), sides[k]), "seam");
+        for (size_t i = 0; seam != NULL && i < taut_record_count(seams); i++) {
+            const taut_record *one = taut_record_at(seams, i), *pair = member(one, "pieces");
+            const char *first = taut_record_text(taut_record_at(pair, 0));
+            const char *second = taut_record_text(taut_record_at(pair, 1));
+            char text[64];
+            if (strcmp(taut_record_text(member(one, "name")), taut_record_text(seam)) != 0) {
+                continue;
+            }
+            snprintf(text, sizeof text, "%.20s: %.20s", taut_record_text(seam),
+                     strcmp(first, name) == 0 ? second : first);
+            const double inward = k == 0 ? 1.2 * height : -1.2 * height;
+            const double place[2] = {middle[k][0] + at[0] - inward * taut_sin(ways[k]),
+                                     middle[k][1] + at[1] + inward * taut_cos(ways[k])};
+            add_text(to, text, place, ways[k], height);
+        }
+    }
+}
+
+static int add_piece(drawing *to, const taut_record *piece, const taut_record *roll)
+{
+    const char *name = taut_record_text(member(piece, "name"));
+    const taut_curve *cut = curve_named(to->model, name, "cut");
+    const taut_record *places = member(roll, "pieces");
+    for (size_t k = 0; k < taut_record_count(places); k++) {
+        const taut_record *place = taut_record_at(places, k), *pair = member(place, "at");
+        const double at[2] = {taut_record_number(taut_record_at(pair, 0)),
+                              taut_record_number(taut_record_at(pair, 1))};
+        if (strcmp(taut_record_text(member(place, "name")), name) == 0 && cut != NULL &&
+            isfinite(at[0]) && isfinite(at[1])) {
+            add_curve(to, CUT, cut, at, 1);
+            add_names(to, piece, name, at);
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static void add_roll(drawing *to, const double size[2])
+{
+    double(*corners)[2] = taut_arena_take(to->arena, 4, sizeof *corners);
+    for (int k = 0; corners != NULL && k < 4; k++) {
+        corners[k][0] = k == 1 || k == 2 ? size[0] : 0;
+        corners[k][1] = k >= 2 ? size[1] : 0;
+    }
+    to->flat->lines[to->flat->line_count++] =
+        (taut_flat_line){ROLL, 1, 4, (const double(*)[2])corners};
+}
+
+taut_status taut_flat_read_cloth(const taut_model *model, taut_arena *arena, taut_flat *flat,
+                                 taut_error *error)
+{
+    const taut_record *details = taut_model_details(model), *roll = member(details, "roll");
+    const taut_record *pieces = member(details, "pieces");
+    const size_t count = taut_record_count(pieces);
+    const double millimetre = taut_unit_ratio("mm", taut_model_unit(model));
+    drawing to = {.model = model, .arena = arena, .flat = flat, .most = letters_most * millimetre};
+    int is_fine = 1;
+
+    *flat = (taut_flat){.layer_count = LAYERS,
+                        .text_layer = TEXT,
+                        .layers = layers,
+                        .lines = taut_arena_take(arena, LINES * count + 1, sizeof *flat->lines),
+                        .texts = taut_arena_take(arena, TEXTS * count + 1, sizeof *flat->texts),
+                        .size = {taut_record_number(member(roll, "length")),
+                                 taut_record_number(member(roll, "width"))}};
+    if (taut_arena_status(arena) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    to.error = fmin(chord * millimetre, chord_share * fmax(flat->size[0], flat->size[1]));
+    is_fine = flat->size[0] > 0 && flat->size[1] > 0 && isfinite(flat->size[0] + flat->size[1]);
+    add_roll(&to, flat->size);
+    for (size_t k = 0; is_fine && k < count; k++) {
+        is_fine = add_piece(&to, taut_record_at(pieces, k), roll);
+    }
+    if (taut_arena_status(arena) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    return is_fine
+               ? TAUT_OK
+               : taut_fail(error, TAUT_BAD_INPUT, "value", "/details/roll", taut_none, taut_none,
+                           "the model's pieces are not what a pattern tells of them");
+}

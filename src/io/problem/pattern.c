@@ -1,0 +1,239 @@
+/* pattern.c -- the document of a cutting pattern, { "pattern": "cloth", "of": MODEL | PROBLEM | FILE, "seams": [RULE, ...], ... }
+ * (docs/format.md).
+ *
+ * It has "pattern" where other problems have "construct".
+ */
+#include "taut/pattern.h"
+
+#include "core/constants.h"
+#include "core/fail.h"
+#include "io/problem/document_ops.h"
+#include "io/problem/of_document.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static const char *const members[] = {"pattern", "of",           "surface", "seams", "seam_length",
+                                      "cloth",   "compensation", "untrim",  NULL};
+static const char *const patterns[] = {"cloth", NULL};
+static const char *const lengths[] = {"shared", "true", NULL};
+static const char *const edges[] = {"u0", "u1", "v0", "v1", NULL};
+static const char *const measures[] = {"length", "parameter", NULL};
+static const char *const rule_members[] = {"across", "count", "width", "by", NULL};
+static const char *const cloth_members[] = {"width", "material", "thread", "gap", NULL};
+static const char *const material_members[] = {"E", "nu", "G", NULL};
+static const char *const compensation_members[] = {"warp", "weft", "seam", NULL};
+
+/* Typical values, in kN/m. ETFE is isotropic: G = E / (2 (1 + nu)). */
+static const struct {
+    const char *name;
+    taut_pattern_material material;
+} materials[] = {{"default", {{0, 0}, 0, 0}},
+                 {"etfe", {{1, 1}, 0.43, 1 / 2.86}},
+                 {"ptfe-glass", {{1200, 800}, 0.5, 30}},
+                 {"pvc-pes", {{1000, 700}, 0.2, 20}}};
+
+/* A word or a value that is wrong has the pattern's own reason. */
+static void take_reason(taut_reader *in, int was_fine, const char *reason)
+{
+    if (was_fine && in->status == TAUT_BAD_INPUT && in->error != NULL &&
+        (strcmp(in->error->reason, "name") == 0 || strcmp(in->error->reason, "value") == 0)) {
+        snprintf(in->error->reason, sizeof in->error->reason, "%s", reason);
+    }
+}
+
+/* ---- seams ---- */
+
+typedef struct rules {
+    taut_pattern_rule *list;
+    int count;
+} rules;
+
+static taut_status read_edge(const taut_json *at, void *edge, taut_error *error)
+{
+    taut_reader in = {.object = at, .error = error};
+    int word = 0;
+    in.status = taut_json_word(at, edges, &word, error);
+    take_reason(&in, 1, "edge");
+    *(taut_edge *)edge = (taut_edge)word;
+    return in.status;
+}
+
+static taut_status read_positive(const taut_json *at, void *value, taut_error *error)
+{
+    const taut_status status = taut_json_number(at, value, error);
+    return status == TAUT_OK && !(*(double *)value > 0)
+               ? taut_json_expected(at, error, "a positive number")
+               : status;
+}
+
+/* true: that of the cloth; or a width. */
+static taut_status read_rule_width(const taut_json *at, void *into, taut_error *error)
+{
+    return taut_json_kind_at(at) == TAUT_JSON_TRUE ? TAUT_OK : read_positive(at, into, error);
+}
+
+static taut_status read_rule(const taut_json *at, void *into, taut_error *error)
+{
+    rules *all = into;
+    taut_pattern_rule *rule = &all->list[all->count++];
+    taut_reader in = taut_reader_of(at, rule_members, error);
+    int by = 0;
+
+    if (in.status == TAUT_OK && !taut_reader_has(&in, "across")) {
+        return taut_json_refuse(at, error, "rule", "\"across\" with two opposite edges");
+    }
+    taut_reader_items(&in, "across", 2, "edges", read_edge, rule->edges, sizeof rule->edges[0]);
+    if (in.status == TAUT_OK && taut_reader_has(&in, "count") && taut_reader_has(&in, "width")) {
+        const taut_json width = taut_json_member(at, "width");
+        return taut_json_fail(&width, error, "conflict", taut_none, taut_none,
+                              "found \"width\" beside \"count\", expected one of them");
+    }
+    const int was_fine = in.status == TAUT_OK;
+    if (!taut_reader_has(&in, "width")) {
+        taut_reader_integer(&in, "count", 1, TAUT_PATTERN_PIECES_MAX, &rule->count);
+        take_reason(&in, was_fine, "count");
+    }
+    taut_reader_optional(&in, "width", read_rule_width, &rule->width);
+    taut_reader_optional_word(&in, "by", measures, &by);
+    rule->by = (taut_pattern_by)by;
+    return in.status;
+}
+
+static void read_rules(taut_reader *document, taut_arena *arena, taut_pattern_problem *data)
+{
+    const taut_json at = taut_json_member(document->object, "seams");
+    const size_t count = taut_json_count_at(&at);
+    rules all = {.count = 0};
+
+    if (document->status != TAUT_OK) {
+        return;
+    }
+    all.list = taut_arena_take(
+        arena, (count < TAUT_PATTERN_RULES_MAX ? count : TAUT_PATTERN_RULES_MAX) + 1,
+        sizeof *all.list);
+    if (all.list == NULL) {
+        document->status = taut_fail_memory(document->error);
+        return;
+    }
+    document->status =
+        taut_json_each(&at, 1, TAUT_PATTERN_RULES_MAX, "rules", read_rule, &all, document->error);
+    data->rules = all.list;
+    data->rule_count = all.count;
+}
+
+/* ---- cloth ---- */
+
+static taut_status read_material(const taut_json *at, void *into, taut_error *error)
+{
+    taut_pattern_material *material = into;
+    const char *name = taut_json_text_at(at);
+
+    for (size_t k = 0; name != NULL && k < sizeof materials / sizeof materials[0]; k++) {
+        if (strcmp(name, materials[k].name) == 0) {
+            *material = materials[k].material;
+            return TAUT_OK;
+        }
+    }
+    if (taut_json_kind_at(at) != TAUT_JSON_OBJECT) {
+        return taut_json_refuse(at, error, "material",
+                                "\"%s\", \"%s\", \"%s\", \"%s\", or E, nu and G", materials[0].name,
+                                materials[1].name, materials[2].name, materials[3].name);
+    }
+    taut_reader in = taut_reader_of(at, material_members, error);
+    taut_reader_numbers(&in, "E", 2, material->e);
+    taut_reader_number(&in, "nu", &material->nu);
+    taut_reader_number(&in, "G", &material->g);
+    if (in.status == TAUT_OK &&
+        !(material->e[0] > 0 && material->e[1] > 0 && material->g > 0 && material->nu >= 0 &&
+          material->nu * material->nu * material->e[1] < material->e[0])) {
+        return taut_json_refuse(at, error, "material",
+                                "E and G above 0, and nu^2 below E_warp/E_weft");
+    }
+    return in.status;
+}
+
+static taut_status read_thread(const taut_json *at, void *into, taut_error *error)
+{
+    static const char *const words[] = {"along", "across", NULL};
+    double *thread = into;
+    int word = 0;
+    if (taut_json_text_at(at) != NULL) {
+        const taut_status status = taut_json_word(at, words, &word, error);
+        *thread = word == 1 ? TAUT_PI / 2 : 0;
+        return status;
+    }
+    const taut_status status = taut_json_number(at, thread, error);
+    return status == TAUT_OK && !(*thread > -TAUT_PI && *thread <= TAUT_PI)
+               ? taut_json_expected(at, error, "an angle in (-pi, pi]")
+               : status;
+}
+
+static taut_status read_gap(const taut_json *at, void *into, taut_error *error)
+{
+    taut_pattern_cloth *cloth = into;
+    const taut_status status = taut_json_number(at, &cloth->gap, error);
+    cloth->has_gap = 1;
+    return status == TAUT_OK && !(cloth->gap >= 0)
+               ? taut_json_expected(at, error, "a number that is not negative")
+               : status;
+}
+
+static taut_status read_cloth(const taut_json *at, void *into, taut_error *error)
+{
+    taut_pattern_cloth *cloth = into;
+    taut_reader in = taut_reader_of(at, cloth_members, error);
+    taut_reader_optional(&in, "width", read_positive, &cloth->width);
+    taut_reader_optional(&in, "material", read_material, &cloth->material);
+    taut_reader_optional(&in, "thread", read_thread, &cloth->thread);
+    taut_reader_optional(&in, "gap", read_gap, cloth);
+    return in.status;
+}
+
+static taut_status read_share(const taut_json *at, void *into, taut_error *error)
+{
+    double *share = into;
+    const taut_status status = taut_json_number(at, share, error);
+    return status == TAUT_OK && !(*share >= -0.1 && *share <= 0.3)
+               ? taut_json_refuse(at, error, "compensation", "a number from -0.1 to 0.3")
+               : status;
+}
+
+static taut_status read_compensation(const taut_json *at, void *into, taut_error *error)
+{
+    taut_pattern_compensation *c = into;
+    taut_reader in = taut_reader_of(at, compensation_members, error);
+    taut_reader_optional(&in, "warp", read_share, &c->warp);
+    taut_reader_optional(&in, "weft", read_share, &c->weft);
+    taut_reader_optional(&in, "seam", read_share, &c->seam);
+    c->has_seam = taut_reader_has(&in, "seam");
+    return in.status;
+}
+
+/* ---- the whole ---- */
+
+static void pattern_read(taut_reader *document, taut_problem *problem, void *into)
+{
+    taut_pattern_problem *const data = into;
+    const char *name = NULL;
+    int word = 0;
+
+    taut_reader_word(document, "pattern", patterns, &word);
+    taut_of_document_read(document, problem, &data->model, &data->of);
+    if (taut_reader_has(document, "surface")) {
+        taut_reader_text(document, "surface", &name);
+        data->surface = name != NULL ? taut_arena_text(problem->arena, name) : NULL;
+    }
+    read_rules(document, problem->arena, data);
+    word = 0;
+    taut_reader_optional_word(document, "seam_length", lengths, &word);
+    data->seam_length = (taut_pattern_seam_length)word;
+    taut_reader_optional(document, "cloth", read_cloth, &data->cloth);
+    taut_reader_optional(document, "compensation", read_compensation, &data->compensation);
+}
+
+const taut_document_ops taut_document_pattern = {
+    .members = members,
+    .size = sizeof(taut_pattern_problem),
+    .read = pattern_read,
+};

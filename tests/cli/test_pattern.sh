@@ -1,0 +1,45 @@
+# test_pattern.sh -- cutting patterns from the command line: by words and by document, drawings read back, with what is wrong told.
+. "$SOURCE/tests/cli/cli.sh"
+
+"$TAUT" example pattern-sail > sail.json
+run 0 make sail.json -o made.json -o made.dxf -o made.svg -o made.step --report report.json
+for claim in surface cover on-surface geodesic edges seams no-fold no-overlap stationary stable exhausts roll identity; do
+    contains err.txt "$claim +holds"
+done
+contains made.json '"name": "P4.cut"'
+run 0 certify made.json sail.json
+run 0 certify made.json
+
+# The words of the command are the same document.
+sed -n '/"of"/,/^  },/p' sail.json | sed '1s/.*/{/; $s/.*/}/' > surface.json
+run 0 pattern surface.json --across v0,v1 --count 4 --width 0.75 --warp 0.02 --weft 0.045 --quiet -o words.json
+sed 's/"of": {/"of": "surface.json",/; /"taut": 1,/,/^  },/{/"construct"\|"pattern"\|^  "taut"/!{/"of"/!d}}' sail.json > document.json
+run 0 make document.json --quiet -o document-made.json
+cmp words.json document-made.json || complain "the words make another pattern than the document"
+run 0 pattern surface.json --across u1,u0 --width 0.8 --by parameter --material pvc-pes --seam-length true --quiet -o wide.json
+contains wide.json '"seam_length": "true"'
+run 0 certify wide.json
+for threads in 1 3; do
+    run 0 pattern surface.json --across v0,v1 --count 5 --threads $threads --quiet -o threads-$threads.json
+done
+cmp threads-1.json threads-3.json || complain "threads change the pattern"
+
+refused 2 'value --across v0' pattern surface.json --across v0 --count 3 -o none.json
+refused 2 'edge' pattern surface.json --across v0,u1 --count 3 -o none.json
+refused 2 'compensation' pattern surface.json --across v0,v1 --count 3 --warp 0.5 -o none.json
+refused 2 'missing' pattern surface.json --across v0,v1 -o none.json
+refused 2 'material' pattern surface.json --across v0,v1 --count 3 --material silk -o none.json
+"$TAUT" example trace-torus > torus.json
+refused 2 'option' pattern torus.json -o none.json
+refused 4 'width' pattern surface.json --across v0,v1 --count 2 --width 0.3 -o none.json
+refused 3 'kind' pattern sail.json --across v0,v1 --count 2 -o none.json
+run 0 schema pattern
+contains out.txt '#/\$defs/pattern'
+
+# Drawings, as another program reads them.
+if python_with ezdxf; then
+    "$PYTHON" "$SOURCE/tests/cli/read_cloth.py" made.json made.dxf made.svg > read.txt || complain "$(cat read.txt)"
+fi
+absent none.json
+
+finish

@@ -1,0 +1,31 @@
+/* cloths.h -- cutting patterns from the text of a document, made and proved. */
+#ifndef TAUT_TEST_CLOTHS_H
+#define TAUT_TEST_CLOTHS_H
+
+#include "taut/taut.h"
+
+/* z = 0.3 (x^2 - y^2) over [-1, 1]^2, as JSON for `of`. */
+#define SADDLE                                                                                     \
+    "{ \"taut\": 1, \"surfaces\": [{ \"name\": \"sail\", \"u\": { \"type\": \"bezier\", "          \
+    "\"degree\": 2 }, \"v\": { \"type\": \"bezier\", \"degree\": 2 }, \"points\": [[[-1, -1, 0], " \
+    "[-1, 0, 0.6], [-1, 1, 0]], [[0, -1, -0.6], [0, 0, 0], [0, 1, -0.6]], [[1, -1, 0], [1, 0, "    \
+    "0.6], [1, 1, 0]]] }] }"
+
+typedef struct made_cloth {
+    taut_problem *problem;
+    taut_model *model;
+    taut_certificate *proof;
+    taut_status status; /* of the first call that failed */
+    taut_error error;
+} made_cloth;
+
+/* "of": surface (JSON), and the rest of the members, such as "\"seams\": [...]". */
+made_cloth cloth_make(const char *surface, const char *members);
+void cloth_free(made_cloth *made);
+
+/* A piece or a seam of details by its name, or NULL. */
+const taut_record *cloth_told(const made_cloth *made, const char *list, const char *name);
+/* A number of a piece, along a path of members: "edges/right/flat_length", "extent/0". NaN if there is none. */
+double cloth_number(const made_cloth *made, const char *list, const char *name, const char *path);
+
+#endif /* TAUT_TEST_CLOTHS_H */

@@ -1,0 +1,205 @@
+/* test_pattern.c -- patterns that do not fit: each claim fails on a model that was changed where it looks, by ten times what it allows,
+ * and holds where the change is a tenth. */
+#include "certificates.h"
+#include "check.h"
+#include "cloths.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char strips[] = "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 3 }]";
+
+/* What becomes of a point of an object: `x` is its share of the object's points. */
+typedef struct change {
+    const char *object;
+    double bump[3]; /* times sin(pi x) */
+    double scale;   /* of x and y, about the origin; 0: none */
+    double turn;    /* the points of the right half turned over: y is that much less */
+} change;
+
+static void move(const change *c, const char *name, size_t count, const double *from, double *to)
+{
+    for (size_t k = 0; k < count; k++) {
+        const double x = (double)k / (double)(count - 1), s = sin(3.14159265358979 * x);
+        for (int d = 0; d < 3; d++) {
+            to[3 * k + (size_t)d] = from[3 * k + (size_t)d];
+            if (strcmp(name, c->object) == 0) {
+                to[3 * k + (size_t)d] += (k > 0 && k + 1 < count) * s * c->bump[d];
+                to[3 * k + (size_t)d] *= d < 2 && c->scale != 0 ? c->scale : 1;
+            }
+        }
+        if (strcmp(name, c->object) == 0 && x > 0.5) {
+            to[3 * k] -= c->turn * (x - 0.5);
+        }
+    }
+}
+
+static taut_model *changed(const made_cloth *made, const change *c, const taut_record *details)
+{
+    const taut_model *model = made->model;
+    taut_model *copy = NULL;
+    taut_model_new(&copy);
+    for (int i = 0; i < taut_model_surface_count(model); i++) {
+        const taut_surface *from = taut_model_surface(model, i);
+        const size_t count = (size_t)taut_basis_count(taut_surface_u(from)) *
+                             (size_t)taut_basis_count(taut_surface_v(from));
+        double *points = malloc(3 * count * sizeof(double));
+        taut_surface *surface = NULL;
+        move(c, taut_surface_name(from), count, taut_surface_points(from), points);
+        taut_surface_new(taut_surface_name(from), taut_surface_u(from), taut_surface_v(from),
+                         points, NULL, &surface, NULL);
+        taut_model_add_surface(copy, surface);
+        free(points);
+    }
+    for (int i = 0; i < taut_model_curve_count(model); i++) {
+        const taut_curve *from = taut_model_curve(model, i);
+        const size_t count = (size_t)taut_basis_count(taut_curve_t(from));
+        double *points = malloc(3 * count * sizeof(double));
+        taut_curve *curve = NULL;
+        move(c, taut_curve_name(from), count, taut_curve_points(from), points);
+        taut_curve_new(taut_curve_name(from), taut_curve_t(from), points, NULL, &curve, NULL);
+        taut_model_add_curve(copy, curve);
+        free(points);
+    }
+    taut_model_set_details(copy,
+                           taut_record_copy(details != NULL ? details : taut_model_details(model)));
+    return copy;
+}
+
+static taut_verdict judge(const made_cloth *made, const change *c, const taut_record *details,
+                          const char *claim)
+{
+    taut_model *model = changed(made, c, details);
+    taut_certificate *proof = NULL;
+    taut_error error = {.status = TAUT_OK};
+    const taut_status status = taut_certify(model, made->problem, NULL, &proof, &error);
+    const taut_verdict verdict = claim_of(proof, claim)->holds;
+    CHECK(status == TAUT_OK, "%s: %s", claim, error.message);
+    taut_certificate_free(proof);
+    taut_model_free(model);
+    return verdict;
+}
+
+static void test_moved(void)
+{
+    /* size 2: limits are times that */
+    static const struct {
+        const char *claim;
+        change fine, wrong;
+    } rows[] = {
+        {"on-surface", {"S1", {0, 0, 2e-7}, 0, 0}, {"S1", {0, 0, 2e-5}, 0, 0}},
+        {"geodesic", {"S1", {0, 0, 0}, 0, 0}, {"S1", {1e-5, 0, 0}, 0, 0}},
+        {"edges", {"P2.left", {0, 2e-7, 0}, 0, 0}, {"P2.left", {0, 2e-5, 0}, 0, 0}},
+        {"seams", {"P2.left", {0, 0, 0}, 1 + 1e-10, 0}, {"P2.left", {0, 0, 0}, 1 + 1e-8, 0}},
+        {"stationary", {"P2", {1e-12, 0, 0}, 0, 0}, {"P2", {1e-6, 0, 0}, 0, 0}},
+        {"no-fold", {"P1", {0, 0, 0}, 0, 0.1}, {"P1", {0, 0, 0}, 0, 6}},
+        {"no-overlap", {"P1.cut", {0, 0, 0}, 0, 0}, {"P1.cut", {0, 0, 0}, 0, 6}},
+        {"roll", {"P1.cut", {0, 0, 0}, 1 - 1e-9, 0}, {"P1.cut", {0, 0, 0}, 1.5, 0}},
+        {"surface", {"S1", {0, 0, 0}, 0, 0}, {"sail", {0, 0, 1e-9}, 0, 0}},
+        {"exhausts", {"S1", {0, 0, 0}, 0, 0}, {"S1", {0, 0, 0}, 0, 0}}};
+    made_cloth made = cloth_make(SADDLE, strips);
+    CHECK(made.status == TAUT_OK, "%s", made.error.message);
+    for (size_t k = 0; k < sizeof rows / sizeof rows[0]; k++) {
+        CHECK(judge(&made, &rows[k].fine, NULL, rows[k].claim) == TAUT_TRUE, "%s: hardly moved",
+              rows[k].claim);
+        if (strcmp(rows[k].claim, "exhausts") != 0) {
+            CHECK(judge(&made, &rows[k].wrong, NULL, rows[k].claim) == TAUT_FALSE, "%s: moved",
+                  rows[k].claim);
+        }
+    }
+    cloth_free(&made);
+}
+
+/* A copy of details in which a text is another one, or a member of `domain` is left out. */
+static taut_record *edited(const taut_record *from, const char *key, const char *old,
+                           const char *new)
+{
+    taut_record *to =
+        taut_record_kind_of(from) == TAUT_RECORD_LIST ? taut_record_new_list() : taut_record_new();
+    const int is_list = taut_record_kind_of(from) == TAUT_RECORD_LIST;
+    for (size_t k = 0; k < taut_record_count(from); k++) {
+        const taut_record *item = taut_record_at(from, k);
+        const char *name = is_list ? NULL : taut_record_key(from, k);
+        switch (taut_record_kind_of(item)) {
+        case TAUT_RECORD_NUMBER:
+            taut_record_add_number(to, name, taut_record_number(item));
+            break;
+        case TAUT_RECORD_BOOL:
+            taut_record_add_bool(to, name, taut_record_bool(item));
+            break;
+        case TAUT_RECORD_TEXT: {
+            const int is_it =
+                name != NULL && strcmp(name, key) == 0 && strcmp(taut_record_text(item), old) == 0;
+            taut_record_add_text(to, name, is_it ? new : taut_record_text(item));
+            break;
+        }
+        case TAUT_RECORD_NULL:
+            taut_record_add_null(to, name);
+            break;
+        default: {
+            taut_record *child = edited(item, key, old, new);
+            taut_record_add_record(to, name, child);
+            taut_record_free(child);
+        }
+        }
+    }
+    return to;
+}
+
+static void test_told(void)
+{
+    static const change none = {"", {0, 0, 0}, 0, 0};
+    made_cloth made = cloth_make(SADDLE, strips);
+    const taut_record *details = taut_model_details(made.model);
+    static const char *const rows[][3] = {
+        {"seam", "S1", "S2"},  /* both sides of two seams are those of one */
+        {"name", "S1", "S9"},  /* a seam that is not there */
+        {"edge", "u0", "u1"},  /* one border twice */
+        {"name", "P2", "P1"}}; /* one piece twice */
+    for (size_t k = 0; k < sizeof rows / sizeof rows[0]; k++) {
+        taut_record *other = edited(details, rows[k][0], rows[k][1], rows[k][2]);
+        CHECK(judge(&made, &none, other, "cover") == TAUT_FALSE, "%s %s", rows[k][0], rows[k][1]);
+        taut_record_free(other);
+    }
+    cloth_free(&made);
+}
+
+/* A maximum or a saddle of the energy is none that stands still: the Hessian says so. */
+static void test_true_length(void)
+{
+    static const change longer = {"P2.left", {0, 0, 0}, 1 + 1e-8, 0};
+    static const change fine = {"P2.left", {0, 0, 0}, 1 + 1e-10, 0};
+    made_cloth made = cloth_make(SADDLE, "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": "
+                                         "3 }], \"seam_length\": \"true\"");
+    CHECK(made.status == TAUT_OK, "%s", made.error.message);
+    CHECK(judge(&made, &fine, NULL, "lengths") == TAUT_TRUE, "as long");
+    CHECK(judge(&made, &longer, NULL, "lengths") == TAUT_FALSE, "longer");
+    cloth_free(&made);
+}
+
+/* A developed piece that is strained, by details of another: the claim is about what is there. */
+static void test_isometric(void)
+{
+    static const char plane[] =
+        "{ \"taut\": 1, \"surfaces\": [{ \"name\": \"p\", \"u\": { \"type\": \"bezier\", "
+        "\"degree\": 2 }, \"v\": { \"type\": \"bezier\", \"degree\": 1 }, \"points\": [[[0, 0, 0], "
+        "[0, 2, 0]], [[0.5, 0, 0], [0.5, 2, 0]], [[1, 0, 0], [1.5, 2, 0]]] }] }";
+    static const change none = {"", {0, 0, 0}, 0, 0};
+    static const change wide = {"P1", {0, 1e-9, 0}, 0, 0};
+    made_cloth made =
+        cloth_make(plane, "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }]");
+    CHECK(made.status == TAUT_OK, "%s", made.error.message);
+    CHECK(judge(&made, &none, NULL, "isometric") == TAUT_TRUE, "a plane");
+    CHECK(judge(&made, &wide, NULL, "isometric") == TAUT_FALSE, "strained");
+    cloth_free(&made);
+}
+
+int main(void)
+{
+    test_moved();
+    test_told();
+    test_true_length();
+    test_isometric();
+    return check_failures != 0;
+}

@@ -1,0 +1,275 @@
+/* test_pattern.c -- cutting patterns against closed forms (cylinder, cone) and against digits that two discretisations of another
+ * program share (gores of the sphere, strips of the catenoid, the saddle sail); which piece is which; words that are wrong. */
+#include "certificates.h"
+#include "check.h"
+#include "cli/embedded_files.h"
+#include "cloths.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* A document of examples/, with other members in place of its own from "seams" on. */
+static made_cloth example(const char *name, const char *members)
+{
+    made_cloth made = {.status = TAUT_BAD_INPUT};
+    const taut_embedded *file = taut_examples;
+    char own[64];
+    snprintf(own, sizeof own, "%s.json", name);
+    while (file->name != NULL && strcmp(file->name, own) != 0) {
+        file++;
+    }
+    char *text = calloc(1, file->length + 1);
+    if (text != NULL && file->name != NULL) {
+        memcpy(text, file->text, file->length);
+        char *of = strstr(text, "\"of\": ") + strlen("\"of\": ");
+        *strstr(text, ",\n  \"seams\"") = '\0';
+        made = cloth_make(of, members);
+    }
+    CHECK(made.status == TAUT_OK, "%s: %s", name, made.error.message);
+    free(text);
+    return made;
+}
+
+static void check_holds(const made_cloth *made, const char *what)
+{
+    for (int k = 0; k < taut_certificate_claim_count(made->proof); k++) {
+        const taut_claim *claim = taut_certificate_claim(made->proof, k);
+        CHECK(claim->holds == TAUT_TRUE, "%s: %s %g at %s", what, claim->claim, claim->residual,
+              claim->where);
+    }
+}
+
+static void check_piece(const made_cloth *made, const char *path, double expected, double tolerance)
+{
+    CHECK_NEAR(cloth_number(made, "pieces", "P2", path), expected, tolerance, "P2 %s", path);
+}
+
+/* R = 2, height 3, helices from angle 0 to 1.2 turned by 0.7: a parallelogram. */
+static void test_cylinder(void)
+{
+    made_cloth made =
+        example("pattern-cylinder", "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 3 }]");
+    check_holds(&made, "cylinder");
+    CHECK(has_claim(made.proof, "isometric") && !has_claim(made.proof, "stationary"), "unrolled");
+    check_piece(&made, "edges/right/length", 3.84187454245970916, 1e-12);
+    check_piece(&made, "edges/right/flat_length", 3.84187454245970916, 1e-12);
+    check_piece(&made, "edges/end/flat_length", 1.4, 1e-12);
+    check_piece(&made, "flat_area", 4.2, 1e-12);
+    check_piece(&made, "extent/1", 1.09321633322024241, 1e-12);
+    cloth_free(&made);
+    made =
+        example("pattern-cylinder", "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 3 }], "
+                                    "\"compensation\": { \"warp\": 0.02, \"weft\": 0.045 }");
+    check_holds(&made, "cylinder, smaller");
+    check_piece(&made, "edges/right/flat_length", 0.98 * 3.84187454245970916, 1e-12);
+    check_piece(&made, "extent/1", 0.955 * 1.09321633322024241, 1e-12);
+    cloth_free(&made);
+}
+
+/* Sine 0.6, slant 1 to 3, turn pi/4: an annular sector of angle 0.471.. */
+static void test_cone(void)
+{
+    made_cloth made =
+        example("pattern-cone", "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 4 }]");
+    check_holds(&made, "cone");
+    check_piece(&made, "flat_area", 1.88495559215387594, 1e-11);
+    check_piece(&made, "extent/0", 2.0276300796023234, 1e-11);
+    check_piece(&made, "extent/1", 1.40067218313543247, 1e-11);
+    cloth_free(&made);
+    /* in two strips of the whole the pieces differ, and by width their number is found */
+    made = example("pattern-cone", "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"width\": 1.2 }]");
+    check_holds(&made, "cone by width");
+    CHECK_NEAR(figure_of(made.proof, "pieces"), 5, 0, "2 * 3 * sin(0.6 pi/2n) is below 1.2");
+    cloth_free(&made);
+}
+
+/* Seams and widths to the digits that the discretisations share at 16 x 4 spans. */
+static void test_curved(void)
+{
+    made_cloth made =
+        example("pattern-sphere", "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 3 }]");
+    check_holds(&made, "sphere");
+    check_piece(&made, "edges/right/length", 2.09439510239319549, 1e-10);
+    check_piece(&made, "edges/start/length", 0.261799387799149437, 1e-12);
+    check_piece(&made, "area", 0.906899682117108925, 1e-11);
+    check_piece(&made, "curvature", 0.906899682117108925, 1e-11);
+    check_piece(&made, "width_middle", 0.5233316127, 2e-8);
+    check_piece(&made, "edges/right/flat_length", 2.127306067, 6e-6);
+    check_piece(&made, "flat_area", 0.90698411728, 3e-10);
+    check_piece(&made, "energy", 2.80274336e-5, 6e-11);
+    check_piece(&made, "strain/min", -0.02206, 6e-6);
+    check_piece(&made, "strain/max", 0.01080, 6e-6);
+    cloth_free(&made);
+    made = example("pattern-sphere", "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 3 }], "
+                                     "\"seam_length\": \"true\"");
+    check_holds(&made, "sphere, true length");
+    check_piece(&made, "edges/right/flat_length", 2.09439510239319549, 1e-9);
+    check_piece(&made, "energy", 1.67695339e-4, 1e-6 * 1.7e-4);
+    check_piece(&made, "width_middle", 0.522095538, 1e-7);
+    cloth_free(&made);
+    made =
+        example("pattern-catenoid", "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 4 }]");
+    check_holds(&made, "catenoid");
+    check_piece(&made, "edges/right/length", 2.68466254905597415, 1e-9);
+    check_piece(&made, "curvature", -0.626452724298527918, 1e-10);
+    check_piece(&made, "edges/right/flat_length", 2.66317414, 6e-7);
+    check_piece(&made, "width_middle", 0.398058412, 2e-8);
+    check_piece(&made, "energy", 9.57919238e-6, 1e-11);
+    check_piece(&made, "strain/max", 0.012819, 6e-7);
+    cloth_free(&made);
+}
+
+static double total(const made_cloth *made, const char *path)
+{
+    static const char *const names[] = {"P1", "P2", "P3", "P4"};
+    double sum = 0;
+    for (int k = 0; k < 4; k++) {
+        sum += cloth_number(made, "pieces", names[k], path);
+    }
+    return sum;
+}
+
+static void test_saddle(void)
+{
+    made_cloth made =
+        cloth_make(SADDLE, "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 4 }]");
+    CHECK(made.status == TAUT_OK, "%s", made.error.message);
+    check_holds(&made, "saddle");
+    CHECK_NEAR(cloth_number(&made, "seams", "S1", "length"), 2.10558835496695862, 1e-12, "S1");
+    CHECK_NEAR(cloth_number(&made, "seams", "S2", "length"), 2.11423187685613931, 3e-12, "S2");
+    CHECK_NEAR(total(&made, "alone/energy"), 1.31532e-5, 6e-11, "alone");
+    CHECK_NEAR(total(&made, "energy"), 1.34268e-5, 6e-11, "averaged");
+    const taut_curve *seam = taut_model_curve(made.model, 0);
+    double x[3];
+    taut_curve_eval(seam, 0, 0, x);
+    CHECK_NEAR(x[0], -0.520229661428359748, 1e-12, "S1 begins");
+    taut_curve_eval(seam, taut_basis_hi(taut_curve_t(seam)) / 2, 0, x);
+    CHECK_NEAR(x[0], -0.444223467015668934, 1e-11, "S1 in the middle");
+    cloth_free(&made);
+    made = cloth_make(SADDLE, "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 4 }], "
+                              "\"seam_length\": \"true\"");
+    CHECK_NEAR(total(&made, "energy"), 4.26748e-5, 6e-11, "true length");
+    cloth_free(&made);
+}
+
+/* Left and right, seen from the upper side, for strips each way; pieces count from the low end. */
+static void test_orientation(void)
+{
+    static const struct {
+        const char *seams, *right, *left;
+    } rows[] = {{"[\"v0\", \"v1\"]", "seam", "edge"},
+                {"[\"v1\", \"v0\"]", "edge", "seam"},
+                {"[\"u0\", \"u1\"]", "edge", "seam"},
+                {"[\"u1\", \"u0\"]", "seam", "edge"}};
+    for (size_t k = 0; k < sizeof rows / sizeof rows[0]; k++) {
+        char members[128];
+        snprintf(members, sizeof members, "\"seams\": [{ \"across\": %s, \"count\": 2 }]",
+                 rows[k].seams);
+        made_cloth made = cloth_make(SADDLE, members);
+        CHECK(made.status == TAUT_OK, "%s: %s", members, made.error.message);
+        check_holds(&made, members);
+        const taut_record *edges = taut_record_get(cloth_told(&made, "pieces", "P1"), "edges");
+        CHECK(taut_record_get(taut_record_get(edges, "right"), rows[k].right) != NULL &&
+                  taut_record_get(taut_record_get(edges, "left"), rows[k].left) != NULL,
+              "%s", members);
+        cloth_free(&made);
+    }
+}
+
+/* A law of cloth, and the thread at an angle. */
+static void test_material(void)
+{
+    made_cloth made =
+        cloth_make(SADDLE, "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 3 }], "
+                           "\"cloth\": { \"material\": \"pvc-pes\", \"thread\": 0.3 }");
+    CHECK(made.status == TAUT_OK, "%s", made.error.message);
+    check_holds(&made, "pvc-pes");
+    double y[2][3];
+    for (int end = 0; end < 2; end++) {
+        taut_surface_eval(taut_model_surface(made.model, 1), end, 0.5, 0, y[end]);
+    }
+    CHECK_NEAR(hypot(y[0][0], y[0][1]), 0, 1e-12, "the middle of start is the origin");
+    CHECK_NEAR(atan2(y[1][1], y[1][0]), 0.3, 1e-12, "the chord is at that angle from the warp");
+    cloth_free(&made);
+}
+
+static void test_refusals(void)
+{
+    static const struct {
+        const char *members, *reason, *where;
+        taut_status status;
+    } rows[] = {
+        {"\"seams\": [{ \"across\": [\"v0\", \"u1\"], \"count\": 2 }]", "edge", "/seams/0/across",
+         TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"across\": [\"v0\", \"x\"], \"count\": 2 }]", "edge", "/seams/0/across/1",
+         TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 0 }]", "count", "/seams/0/count",
+         TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 501 }]", "count", "/seams/0/count",
+         TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"count\": 2 }]", "rule", "/seams/0", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }, { \"across\": [\"v0\", "
+         "\"v1\"], \"count\": 2 }]",
+         "rule", "/seams/1", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"width\": true }]", "missing",
+         "/cloth/width", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2, \"width\": 1 }]", "conflict",
+         "/seams/0/width", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }], \"cloth\": { \"width\": "
+         "0.5 }",
+         "width", "/seams/0", TAUT_NO_SOLUTION},
+        {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }], \"cloth\": { "
+         "\"material\": \"silk\" }",
+         "material", "/cloth/material", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }], \"cloth\": { "
+         "\"material\": { \"E\": [1, 4], \"nu\": 0.5, \"G\": 1 } }",
+         "material", "/cloth/material", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }], \"compensation\": { "
+         "\"warp\": 2 }",
+         "compensation", "/compensation/warp", TAUT_BAD_INPUT}};
+    for (size_t k = 0; k < sizeof rows / sizeof rows[0]; k++) {
+        made_cloth made = cloth_make(SADDLE, rows[k].members);
+        CHECK(made.status == rows[k].status && strcmp(made.error.reason, rows[k].reason) == 0 &&
+                  strcmp(made.error.where, rows[k].where) == 0,
+              "%s: status %d, reason %s at %s: %s", rows[k].members, (int)made.status,
+              made.error.reason, made.error.where, made.error.message);
+        cloth_free(&made);
+    }
+}
+
+/* Surfaces of any size, by the same numbers. */
+static void test_sizes(void)
+{
+    static const int powers[] = {-140, 40, 140};
+    static const char flat[] =
+        "{ \"taut\": 1, \"surfaces\": [{ \"u\": { \"type\": \"bezier\", \"degree\": 2 }, \"v\": { "
+        "\"type\": \"bezier\", \"degree\": 1 }, \"points\": [[[0, 0, 0], [0, %.17g, %.17g]], "
+        "[[%.17g, 0, %.17g], [%.17g, %.17g, 0]], [[%.17g, 0, 0], [%.17g, %.17g, %.17g]]] }] }";
+    double energy = 0;
+    for (size_t k = 0; k < 3; k++) {
+        const double a = ldexp(1, powers[k]), b = ldexp(0.25, powers[k]);
+        char text[1024];
+        snprintf(text, sizeof text, flat, a, b, a, b, a, a, 2 * a, 2 * a, a, b);
+        made_cloth made =
+            cloth_make(text, "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }]");
+        CHECK(made.status == TAUT_OK, "2^%d: %s", powers[k], made.error.message);
+        check_holds(&made, "of any size");
+        const double found = ldexp(cloth_number(&made, "pieces", "P1", "energy"), -2 * powers[k]);
+        CHECK(k == 0 || found == energy, "2^%d: %g is %g", powers[k], found, energy);
+        energy = found;
+        cloth_free(&made);
+    }
+}
+
+int main(void)
+{
+    test_cylinder();
+    test_cone();
+    test_curved();
+    test_saddle();
+    test_orientation();
+    test_material();
+    test_refusals();
+    test_sizes();
+    return check_failures != 0;
+}
