@@ -539,8 +539,6 @@ static taut_status draw_models(figure *f, int count, const taut_model *const *mo
     }
     f->limit = 1;
     f->vector = strcmp(kind, "png") != 0;
-    f->pieces =
-        count == 1 && strcmp(kind, "pdf") == 0 && taut_flat_is(models[0]) ? models[0] : NULL;
     f->arena = taut_arena_new();
     if (f->arena == NULL) {
         return taut_fail_memory(error);
@@ -556,6 +554,10 @@ static taut_status draw_spread(figure *f, int count, const taut_model *const *mo
     taut_model *own[TAUT_MODELS_MAX] = {NULL};
     const taut_model *shown[TAUT_MODELS_MAX] = {NULL};
     taut_status status = TAUT_OK;
+    f->pieces =
+        count == 1 && models[0] != NULL && strcmp(kind, "pdf") == 0 && taut_flat_is(models[0])
+            ? models[0]
+            : NULL;
     for (int i = 0; status == TAUT_OK && i < count; i++) {
         status = models[i] != NULL ? taut_flat_spread(models[i], &own[i]) : TAUT_OK;
         shown[i] = own[i] != NULL ? own[i] : models[i];
