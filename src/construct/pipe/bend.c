@@ -7,7 +7,7 @@
 #include <math.h>
 #include <stddef.h>
 
-enum { GAUSS = 16, ROOT_STEPS = 80, GRADED = 32 };
+enum { ROOT_STEPS = 80, GRADED = 32 };
 
 static const double cusp = 1e-12;
 
@@ -121,9 +121,53 @@ static double sample_parameter(int i, int samples)
                           : i * step;
 }
 
+static int is_reached(const taut_pipe_bend_stop *stop, double curvature)
+{
+    return curvature >= stop->curvature || stop->factor * curvature >= stop->room;
+}
+
+/* Reached at t: the first place to look at from now on. */
+static void remember(taut_pipe_bend_stop *stop, double t)
+{
+    int k = 0;
+    while (k < stop->count && stop->at[k] != t) {
+        k++;
+    }
+    k = k < TAUT_PIPE_BEND_STOPS ? k : TAUT_PIPE_BEND_STOPS - 1;
+    stop->count = k == stop->count ? k + 1 : stop->count;
+    for (; k > 0; k--) {
+        stop->at[k] = stop->at[k - 1];
+    }
+    stop->at[0] = t;
+}
+
+/* Is it reached where it was before? */
+static int is_reached_again(const taut_pipe_arc *arc, taut_pipe_bend_stop *stop)
+{
+    for (int k = 0; k < stop->count; k++) {
+        const double t = stop->at[k];
+        if (is_reached(stop, pace_at(arc, t).curvature)) {
+            remember(stop, t);
+            return 1;
+        }
+    }
+    return 0;
+}
+
 void taut_pipe_bend_extremes(const taut_pipe_arc *arc, int samples, taut_pipe_bend *bend)
 {
+    taut_pipe_bend_stop never = {.curvature = INFINITY, .room = INFINITY};
+    (void)taut_pipe_bend_extremes_below(arc, samples, &never, bend);
+}
+
+int taut_pipe_bend_extremes_below(const taut_pipe_arc *arc, int samples, taut_pipe_bend_stop *stop,
+                                  taut_pipe_bend *bend)
+{
     double largest = 0, before = 0;
+
+    if (is_reached_again(arc, stop)) {
+        return 0;
+    }
     pace last = pace_at(arc, 0);
 
     bend->curvature = 0;
@@ -144,27 +188,111 @@ void taut_pipe_bend_extremes(const taut_pipe_arc *arc, int samples, taut_pipe_be
             record_root(curvature_slope, arc, before, t, last.curvature_slope, p.curvature_slope,
                         bend);
         }
+        if (is_reached(stop, bend->curvature)) {
+            remember(stop, bend->curvature_at);
+            return 0;
+        }
         before = t;
         last = p;
     }
     bend->least_speed = largest > 0 ? bend->least_speed / largest : 0;
+    return 1;
+}
+
+/* ---- integrals ---- */
+
+typedef struct gauss {
+    double nodes[TAUT_PIPE_GAUSS], weights[TAUT_PIPE_GAUSS];
+} gauss;
+
+static void fill_interval(int degree, int i, int intervals, const gauss *rule,
+                          taut_pipe_nodes *nodes)
+{
+    for (int k = 0; k < TAUT_PIPE_GAUSS; k++) {
+        /* t = s^2 (3 - 2s) brings nodes to the ends, where curvature may peak */
+        const double s = (i + 0.5 + 0.5 * rule->nodes[k]) / intervals;
+        const double t = s * s * (3 - 2 * s);
+        double values[2 * TAUT_PIPE_DEGREE_MAX];
+
+        nodes->weight[k] = 0.5 * rule->weights[k] / intervals * 6 * s * (1 - s);
+        taut_bernstein_eval(degree - 1, 0, t, values);
+        for (int j = 0; j < degree; j++) {
+            nodes->velocity[j][k] = values[j];
+        }
+        taut_bernstein_eval(2 * degree - 4, 0, t, values);
+        for (int j = 0; j < 2 * degree - 3; j++) {
+            nodes->cross[j][k] = values[j];
+        }
+    }
+}
+
+void taut_pipe_nodes_fill(int degree, int intervals, taut_pipe_nodes *nodes)
+{
+    gauss rule;
+    taut_gauss_rule(TAUT_PIPE_GAUSS, rule.nodes, rule.weights);
+    for (int i = 0; i < intervals; i++) {
+        fill_interval(degree, i, intervals, &rule, &nodes[i]);
+    }
+}
+
+/* squares[k] = |sum c_j values[j][k]|^2. */
+static void find_squares(int count, const double (*c)[3], const double (*values)[TAUT_PIPE_GAUSS],
+                         double *squares)
+{
+    double x[3][TAUT_PIPE_GAUSS] = {{0}};
+
+    for (int j = 0; j < count; j++) {
+        for (int d = 0; d < 3; d++) {
+            for (int k = 0; k < TAUT_PIPE_GAUSS; k++) {
+                x[d][k] += c[j][d] * values[j][k];
+            }
+        }
+    }
+    for (int k = 0; k < TAUT_PIPE_GAUSS; k++) {
+        squares[k] = x[0][k] * x[0][k] + x[1][k] * x[1][k] + x[2][k] * x[2][k];
+    }
+}
+
+static void add_interval(const taut_pipe_arc *arc, const taut_pipe_nodes *nodes,
+                         taut_pipe_bend *bend)
+{
+    double squares[TAUT_PIPE_GAUSS], bent[TAUT_PIPE_GAUSS];
+
+    find_squares(arc->degree, arc->velocity, nodes->velocity, squares);
+    find_squares(2 * arc->degree - 3, arc->cross, nodes->cross, bent);
+    for (int k = 0; k < TAUT_PIPE_GAUSS; k++) {
+        const double speed = sqrt(squares[k]);
+        const double curvature = speed > 0 ? sqrt(bent[k]) / (speed * speed * speed) : 0;
+        const double ds = nodes->weight[k] * speed;
+        bend->length += ds;
+        bend->turning += curvature * ds;
+        bend->bending += curvature * curvature * ds;
+    }
 }
 
 void taut_pipe_bend_integrals(const taut_pipe_arc *arc, int intervals, taut_pipe_bend *bend)
 {
-    double nodes[GAUSS], weights[GAUSS];
+    gauss rule;
 
-    taut_gauss_rule(GAUSS, nodes, weights);
+    taut_gauss_rule(TAUT_PIPE_GAUSS, rule.nodes, rule.weights);
     bend->length = bend->turning = bend->bending = 0;
     for (int i = 0; i < intervals; i++) {
-        for (int k = 0; k < GAUSS; k++) {
-            /* t = s^2 (3 - 2s) brings nodes to the ends, where curvature may peak */
-            const double s = (i + 0.5 + 0.5 * nodes[k]) / intervals;
-            const pace p = pace_at(arc, s * s * (3 - 2 * s));
-            const double ds = 0.5 * weights[k] / intervals * 6 * s * (1 - s) * p.speed;
-            bend->length += ds;
-            bend->turning += p.curvature * ds;
-            bend->bending += p.curvature * p.curvature * ds;
+        taut_pipe_nodes nodes;
+        fill_interval(arc->degree, i, intervals, &rule, &nodes);
+        add_interval(arc, &nodes, bend);
+    }
+}
+
+int taut_pipe_bend_integrals_below(const taut_pipe_arc *arc, int intervals,
+                                   const taut_pipe_nodes *nodes, int by_length, double most,
+                                   taut_pipe_bend *bend)
+{
+    bend->length = bend->turning = bend->bending = 0;
+    for (int i = 0; i < intervals; i++) {
+        add_interval(arc, &nodes[i], bend);
+        if ((by_length ? bend->length * bend->bending : bend->bending) >= most) {
+            return 0;
         }
     }
+    return 1;
 }

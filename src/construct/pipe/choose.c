@@ -17,15 +17,7 @@
 #include <math.h>
 #include <string.h>
 
-enum {
-    COARSE = 5,
-    STARTS = 4,
-    SAMPLES = 64,
-    INTERVALS = 4,
-    INTERVALS_FINE = 16,
-    ROUNDS = 20,
-    BISECTIONS = 40
-};
+enum { COARSE = 5, STARTS = 4, SAMPLES = 64, ROUNDS = 20, BISECTIONS = 40 };
 
 typedef enum pipe_goal {
     GOAL_BENDING,
@@ -53,11 +45,12 @@ static int may_touch(const taut_pipe_task *task, double turning)
 }
 
 /* What a choice is worth: `goal` where the pipe fits, with room; else 1e200 and more, growing with
- * what is missing. A value that is not below `bound` may come back without a look at other parts of
- * the pipe. */
+ * what is missing. Of one that is not below `bound` so much is known as soon as part of an integral or one place shows it: it is `bound`
+ * then. */
 static double merit_of(taut_pipe_task *task, const double edges[3][3], const double shape[3],
-                       pipe_goal goal, double bound)
+                       pipe_goal goal, double bound, taut_pipe_bend_stop *stop)
 {
+    const int is_bounded = bound < infeasible; /* by one that fits */
     taut_pipe_arc arc;
     taut_pipe_bend bend;
     double room = 0, value = 0;
@@ -66,12 +59,27 @@ static double merit_of(taut_pipe_task *task, const double edges[3][3], const dou
         return cusped;
     }
     taut_pipe_arc_of(task, edges, shape, &arc);
-    taut_pipe_bend_extremes(&arc, SAMPLES, &bend);
+    if (task->nodes_degree != arc.degree) {
+        taut_pipe_nodes_fill(arc.degree, TAUT_PIPE_INTERVALS, task->nodes[0]);
+        taut_pipe_nodes_fill(arc.degree, TAUT_PIPE_INTERVALS_FINE, task->nodes[1]);
+        task->nodes_degree = arc.degree;
+    }
+    if (!taut_pipe_bend_integrals_below(
+            &arc, task->intervals, task->nodes[task->intervals == TAUT_PIPE_INTERVALS_FINE],
+            goal == GOAL_FAIRNESS, is_bounded && goal != GOAL_CURVATURE ? bound : INFINITY,
+            &bend)) {
+        return bound;
+    }
+    stop->curvature = is_bounded && goal == GOAL_CURVATURE ? bound : INFINITY;
+    stop->factor = fmax(task->radius, task->bend_radius);
+    stop->room = is_bounded ? TAUT_PIPE_ROOM : INFINITY;
+    if (!taut_pipe_bend_extremes_below(&arc, SAMPLES, stop, &bend)) {
+        return bound;
+    }
     if (taut_pipe_bend_is_cusp(&bend)) {
         return cusped;
     }
-    room = fmax(task->radius, task->bend_radius) * bend.curvature;
-    taut_pipe_bend_integrals(&arc, task->intervals, &bend);
+    room = stop->factor * bend.curvature;
     value = goal == GOAL_CURVATURE ? bend.curvature
             : goal == GOAL_BENDING ? bend.bending
                                    : bend.length * bend.bending;
@@ -95,6 +103,7 @@ typedef struct search {
     pipe_goal goal;
     int side;     /* the handle that is sought; 2: both */
     double bound; /* the best value of this search: no more is asked of worse ones */
+    taut_pipe_bend_stop stop;
 } search;
 
 static double lower_bound(search *s, double value)
@@ -106,8 +115,8 @@ static double lower_bound(search *s, double value)
 static double shape_merit(void *context, const double *x)
 {
     search *s = context;
-    return lower_bound(s,
-                       merit_of(s->task, (const double(*)[3])s->task->edges, x, s->goal, s->bound));
+    return lower_bound(
+        s, merit_of(s->task, (const double(*)[3])s->task->edges, x, s->goal, s->bound, &s->stop));
 }
 
 static double handle_merit(void *context, const double *x)
@@ -121,8 +130,8 @@ static double handle_merit(void *context, const double *x)
         handles[s->side] = taut_exp(x[0]);
     }
     taut_pipe_edges(s->task, handles, edges);
-    return lower_bound(
-        s, merit_of(s->task, (const double(*)[3])edges, s->task->shape, s->goal, s->bound));
+    return lower_bound(s, merit_of(s->task, (const double(*)[3])edges, s->task->shape, s->goal,
+                                   s->bound, &s->stop));
 }
 
 /* A step to the best of the neighbours at a part `step` of the box; 0 if none is better. */
@@ -159,7 +168,7 @@ static double leave_creases(int count, const double *lo, const double *hi, taut_
                             search *s, double *best)
 {
     double least = 0;
-    s->task->intervals = INTERVALS_FINE;
+    s->task->intervals = TAUT_PIPE_INTERVALS_FINE;
     s->bound = INFINITY;
     least = f(s, best);
     for (int round = 0; round < ROUNDS; round++) {
@@ -181,7 +190,7 @@ static double search_from_grid(int count, const double *lo, const double *hi, co
 {
     double starts[STARTS][TAUT_PIPE_SEARCH_MAX], values[STARTS], least = INFINITY;
     int cells = 1, kept = 0;
-    s->task->intervals = INTERVALS;
+    s->task->intervals = TAUT_PIPE_INTERVALS;
     for (int k = 0; k < count; k++) {
         cells *= COARSE;
     }

@@ -49,7 +49,9 @@ taut_status taut_pipe_decide(taut_pipe_task *task, const char *name, taut_error 
     taut_status status = TAUT_OK;
 
     task->reach_scratch = taut_arena_take(task->arena, TAUT_PIPE_REACH_ROOM(1), sizeof(double));
-    if (task->reach_scratch == NULL) {
+    task->nodes[0] = taut_arena_take(task->arena, TAUT_PIPE_INTERVALS, sizeof *task->nodes[0]);
+    task->nodes[1] = taut_arena_take(task->arena, TAUT_PIPE_INTERVALS_FINE, sizeof *task->nodes[1]);
+    if (taut_arena_status(task->arena) != TAUT_OK) {
         return taut_fail_memory(error);
     }
     status = taut_pipe_begin(task, error);

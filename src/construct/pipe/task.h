@@ -12,6 +12,9 @@
 /* A bend made to have a radius of curvature is made so much larger. */
 #define TAUT_PIPE_SLACK 1e-7
 
+/* Of the quadratures that judge a choice: those of searches, and of their last steps. */
+enum { TAUT_PIPE_INTERVALS = 4, TAUT_PIPE_INTERVALS_FINE = 16 };
+
 typedef struct taut_pipe_task {
     const taut_pipe_problem *problem;
     const taut_monitor *monitor; /* or NULL; asked before each axis that is tried */
@@ -36,8 +39,10 @@ typedef struct taut_pipe_task {
     taut_pipe_bend bend;
     taut_pipe_reach reach;
     double *reach_scratch;
-    int intervals;   /* of the quadrature that judges a choice */
-    int evaluations; /* of the choices */
+    int intervals;             /* of the quadrature that judges a choice, one of the two below */
+    taut_pipe_nodes *nodes[2]; /* of arcs of a degree, by so many intervals */
+    int nodes_degree;          /* 0: not filled */
+    int evaluations;           /* of the choices */
     int chose_shape;
 } taut_pipe_task;
 
