@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _library as c
-from .errors import raise_for
+from .errors import InputError, raise_for
 
 Array = npt.NDArray[np.float64]
 library = c.library
@@ -49,9 +49,8 @@ def view(owner: object, address: int, shape: tuple[int, ...], kind: Any = c_doub
         count *= length
     memory = _array_type(kind, count).from_address(address)
     memory.owner = owner
-    array = np.frombuffer(memory, dtype=np.uint32 if kind is c_uint32 else np.float64).reshape(shape)
-    array.flags.writeable = False
-    return array
+    # of memory that cannot be written: nobody can make the array writable again
+    return np.frombuffer(memoryview(memory).toreadonly(), dtype=np.uint32 if kind is c_uint32 else np.float64).reshape(shape)
 
 
 def numbers(values: Any, shape: tuple[int, ...] | None = None) -> Array:
@@ -75,10 +74,20 @@ def text_of(function: Any, *arguments: Any) -> bytes:
         library.taut_text_free(pointer)
 
 
+def expect(value: Any, *kinds: type) -> None:
+    """Refuses what is none of these."""
+    if not isinstance(value, kinds):
+        names = " or ".join(kind.__name__.lower() for kind in kinds)
+        raise InputError(f"found {type(value).__name__}, expected a {names}", "", "type")
+
+
 def encoded(text: str | None) -> c_char_p | bytes | None:
     """A text for C; one with a NUL inside would be cut there, and is refused."""
     if text is None:
         return None
     if "\0" in text:
         raise ValueError("a text with a NUL in it")
-    return text.encode("utf-8", "surrogateescape")
+    try:
+        return text.encode("utf-8", "surrogateescape")
+    except UnicodeEncodeError as error:
+        raise InputError(f"a text with a character that UTF-8 does not have, at {error.start}", "", "text") from None

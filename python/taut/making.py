@@ -12,7 +12,7 @@ from typing import Any, Callable, Mapping, Sequence, Union
 import numpy as np
 
 from . import _library as c
-from ._handle import Handle, encoded, library, made
+from ._handle import Handle, encoded, expect, library, made
 from .bases import Basis
 from .errors import CheckFailed, InputError, raise_for
 from .geometry import Curve, Surface
@@ -60,6 +60,7 @@ def _plain_array(array: Any, where: str) -> Any:
         raise InputError(f"{where}: found an array of {array.dtype}, expected numbers", where, "type")
     if array.dtype.kind != "f":
         return array.tolist()
+    array = np.asarray(array, dtype=np.float64)
     finite = np.isfinite(array)
     if finite.all():
         return array.tolist()
@@ -70,7 +71,10 @@ def _plain_array(array: Any, where: str) -> Any:
         for i, row in enumerate(rows):
             flat[i] = None if unknown.reshape(-1)[i] else row
         return points.tolist()
-    place = "".join(f"/{i}" for i in np.argwhere(~finite)[0])
+    if not np.isinf(array).any() and array.ndim > 1:  # points to be found, of another size than points are
+        raise InputError(f"{where}: found an array of shape {array.shape} with NaN, expected (..., 3), a point to be found each",
+                         where, "size")
+    place = "".join(f"/{i}" for i in np.argwhere(np.isinf(array) if np.isinf(array).any() else ~finite)[0])
     raise InputError(f"{where}{place}: found a number that is not finite", where + place, "value")
 
 
@@ -137,6 +141,8 @@ def _strict(model: Model, certificate: Certificate | None, strict: bool) -> Mode
 
 
 def _options(tolerance: float | None, threads: int | None, exact: bool) -> tuple[c.MakeOptions, c.CertifyOptions]:
+    if threads is not None and not 1 <= threads <= 256:
+        raise InputError(f"threads is {threads}; expected 1 to 256", "", "argument", threads)
     return (c.MakeOptions(tolerance=tolerance or 0.0, threads=threads or 0, exact=int(exact)),
             c.CertifyOptions(tolerance=tolerance or 0.0, threads=threads or 0, exact=int(exact)))
 
@@ -149,8 +155,16 @@ def _problems(document: Document) -> Handle:
     """The problems of a document, which is a list of C's."""
     if isinstance(document, os.PathLike) or (isinstance(document, str) and not _is_text(document)):
         return made(library.taut_problem_list_read, library.taut_problem_list_free, encoded(os.fspath(document)))
-    text = document if isinstance(document, str) else json.dumps(with_version(plain(document)))
-    data = text.encode()
+    if isinstance(document, (bytes, bytearray)):
+        data = bytes(document)
+    else:
+        try:
+            text = document if isinstance(document, str) else json.dumps(with_version(plain(document)))
+            data = text.encode()
+        except RecursionError:
+            raise InputError("a document that contains itself, or that is nested too deep", "", "nesting") from None
+        except UnicodeEncodeError as error:
+            raise InputError(f"a text with a character that UTF-8 does not have, at {error.start}", "", "text") from None
     return made(library.taut_problem_list_read_text, library.taut_problem_list_free, data, len(data), b"<document>")
 
 
@@ -195,6 +209,7 @@ def certify(model: Model, problem: Document | None = None, tolerance: float | No
     """Proves a model again from its numbers alone, against its problem where that is given. Arguments as of make; with strict
     CheckFailed.model is the model."""
     options = _options(tolerance, threads, exact)[1]
+    expect(model, Model)
     problems = None if problem is None else _problems(problem)
     one = None if problems is None else library.taut_problem_list_at(problems.pointer, 0)
     with Watch(progress) as watch:

@@ -6,7 +6,7 @@ from ctypes import byref, c_double, c_void_p, create_string_buffer
 from typing import Any, Union
 
 from . import _library as c
-from ._handle import Handle, encoded, library, made, text_of
+from ._handle import Handle, encoded, expect, library, made, text_of
 from .errors import InputError, raise_for
 from .geometry import Curve, Surface
 from .making import Progress, Watch
@@ -48,6 +48,7 @@ def measure(what: Union[Model, Surface, Curve], grid: int = 101, threads: int | 
     A model gives {"surfaces": [...], "curves": [...]}; a surface or curve its own object. Extremes are over grid x grid
     parameters; integrals are good to 1e-10 relative, or come with their error. progress as of make.
     """
+    expect(what, Model, Surface, Curve)
     options = c.MeasureOptions(grid=grid, threads=threads or 0)
     with Watch(progress) as watch:
         options.monitor = watch.monitor
@@ -59,6 +60,8 @@ def measure(what: Union[Model, Surface, Curve], grid: int = 101, threads: int | 
 
 def join(a: Surface, edge_a: str, b: Surface, edge_b: str) -> dict[str, Any]:
     """How two surfaces meet along an edge each ("u0", "u1", "v0", "v1"): max_gap, angles, c_order, g_order, kind."""
+    expect(a, Surface)
+    expect(b, Surface)
     for edge in (edge_a, edge_b):
         if edge not in _EDGES:
             raise InputError(f"the edge is {edge!r}; expected one of {', '.join(_EDGES)}", "", "name")
@@ -70,6 +73,7 @@ def join(a: Surface, edge_a: str, b: Surface, edge_b: str) -> dict[str, Any]:
 
 
 def _changed(function: Any, model: Model, *arguments: Any) -> Model:
+    expect(model, Model)
     return Model._of(made(function, library.taut_model_free, model._pointer, *arguments))
 
 
@@ -100,6 +104,7 @@ def to_unit(model: Model, unit: str) -> Model:
 
 def to_nurbs(model: Model, tolerance: float = 1e-6) -> tuple[Model, float]:
     """Every surface and curve as NURBS within tolerance times its size, and the distance that is proved, a length."""
+    expect(model, Model)
     bound, error, pointer = c_double(), c.ErrorStruct(), c_void_p()
     status = library.taut_model_to_nurbs(model._pointer, tolerance, byref(pointer), byref(bound), byref(error))
     if status != c.OK:

@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _library as c
-from ._handle import Array, Handle, encoded, library, made, text_of, view
+from ._handle import Array, Handle, encoded, expect, library, made, text_of, view
 from .errors import InputError, raise_for
 from .geometry import Curve, Surface
 
@@ -132,9 +132,11 @@ class Model:
         handle = Handle(pointer.value or 0, library.taut_model_free)
         if library.taut_model_set_unit(handle.pointer, encoded(unit)) != c.OK:
             raise InputError(f"unit is {unit!r}; expected mm, m, cm, in or ft", "/unit", "value")
-        for objects, copy, add, free in ((surfaces, library.taut_surface_copy, library.taut_model_add_surface, library.taut_surface_free),
-                                         (curves, library.taut_curve_copy, library.taut_model_add_curve, library.taut_curve_free)):
+        for objects, kind, copy, add, free in (
+                (surfaces, Surface, library.taut_surface_copy, library.taut_model_add_surface, library.taut_surface_free),
+                (curves, Curve, library.taut_curve_copy, library.taut_model_add_curve, library.taut_curve_free)):
             for one in objects:
+                expect(one, kind)
                 status = copy(one._pointer, byref(pointer))
                 if status == c.OK:
                     status = add(handle.pointer, pointer)
@@ -220,7 +222,7 @@ class Model:
                     view (azimuth, elevation in degrees), title, isolines, reflections, combs, reactions, side_by_side, column, width
         """
         error, chosen = c.ErrorStruct(), write_options(tolerance, threads, options)
-        status = library.taut_model_write(self._pointer, encoded(os.fspath(path)), byref(chosen), byref(error))
+        status = library.taut_model_write(self._pointer, encoded(os.fsdecode(path)), byref(chosen), byref(error))
         if status != c.OK:
             raise_for(status, error)
 

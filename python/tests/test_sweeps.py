@@ -132,6 +132,76 @@ def test_restart(tmp_path):
     assert len(dict(taut.map(problems(30), out=out))) == 30 and out.read_bytes() == whole
 
 
+def test_other_problems(tmp_path):
+    """A file of results is of its problems: of others nothing is given back, and nothing is changed."""
+    out = tmp_path / "r.jsonl"
+    first, other = list(problems(3)), list(problems(5))[3:]
+    whole = [taut.make(one) for one in first]
+    assert [model for _, model in sorted(taut.map(first, out=out), key=lambda pair: pair[0])] == whole
+    text = out.read_bytes()
+    with pytest.raises(taut.InputError) as caught:
+        list(taut.map(other, out=out))
+    assert caught.value.reason == "other-sweep" and out.read_bytes() == text
+    assert [model for _, model in taut.map(first[:2], out=out)] == whole[:2] and out.read_bytes() == text
+    assert [model for _, model in sorted(taut.map(first + other, out=out), key=lambda pair: pair[0])][:3] == whole
+    out.with_suffix(".jsonl.sums").unlink()  # as the program leaves it
+    assert len(list(taut.map(first + other, out=out))) == 5
+
+
+@pytest.mark.parametrize("text", [b"my thesis\nchapter 1\n", b"my thesis", b'{"a": 1}\n', b"[1]\n"])
+def test_no_file_of_results(tmp_path, text):
+    out = tmp_path / "notes.txt"
+    out.write_bytes(text)
+    with pytest.raises(taut.FileError):
+        list(taut.map(problems(2), out=out))
+    assert out.read_bytes() == text
+
+
+def test_two_sweeps_at_once(tmp_path):
+    out = tmp_path / "r.jsonl"
+    running = taut.map(problems(4), out=out)
+    next(running)
+    with pytest.raises(taut.FileError):
+        list(taut.map(problems(4), out=out))
+    list(running)
+    assert len(list(taut.map(problems(4), out=out))) == 4
+
+
+def test_none_is_a_result():
+    found = dict(taut.map([None, next(problems(1))]))
+    assert isinstance(found[0], taut.InputError) and isinstance(found[1], taut.Model)
+
+
+def test_wrong_places(tmp_path):
+    for wrong in (tmp_path, tmp_path / "no" / "r.jsonl"):
+        with pytest.raises(taut.FileError):
+            list(taut.map(problems(1), out=wrong))
+    with pytest.raises(taut.InputError):
+        taut.map(problems(1), threads=0)
+
+
+def test_interrupt(tmp_path):
+    """Ctrl-C ends a sweep of problems that take long, at once."""
+    script = tmp_path / "sweep.py"
+    script.write_text("""
+import signal, sys, threading, numpy as np, taut
+n = 100
+x, y = np.meshgrid(np.linspace(0, 1, n), np.linspace(0, 1, n), indexing="ij")
+points = np.stack([x, y, 0.5 * np.sin(7 * x) * np.cos(5 * y)], axis=-1)
+points[1:-1, 1:-1] = np.nan
+b = taut.bspline(3, count=n)
+threading.Timer(2, lambda: signal.raise_signal(signal.SIGINT)).start()
+try:
+    list(taut.map([{"construct": "plateau", "u": b, "v": b, "points": points}] * 8, threads=2))
+    print("made all")
+except KeyboardInterrupt:
+    print("stopped")
+""")
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
+    done = subprocess.run([sys.executable, str(script)], env=environment, capture_output=True, text=True, timeout=60)
+    assert done.stdout.strip() == "stopped", done.stderr
+
+
 def test_iterator_is_not_read_ahead():
     read = []
 
