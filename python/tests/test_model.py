@@ -216,7 +216,7 @@ def test_ctrl_c():
     assert process.stdout.readline() == "begun\n"
     time.sleep(0.5)
     process.send_signal(signal.SIGINT)
-    out, errors = process.communicate(timeout=60)
+    out, errors = process.communicate(timeout=300)
     assert out == "interrupted True\n", errors
     assert errors == ""
 

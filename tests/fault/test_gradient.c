@@ -3,7 +3,6 @@
 #include "check.h"
 #include "fault.h"
 #include "problems.h"
-#include "sails.h"
 
 #include "taut/gradient.h"
 #include "taut/read.h"
@@ -103,35 +102,6 @@ static taut_status derive_film(const void *context, void **result, taut_error *e
     return status;
 }
 
-typedef struct sailing {
-    const taut_film_problem *problem;
-    const taut_model *model;
-} sailing;
-
-static taut_status derive_film_struct(const void *context, void **result, taut_error *error)
-{
-    static taut_film_slopes slopes;
-    const sailing *s = context;
-    const taut_status status = taut_film_gradient(s->problem, s->model, NULL, &slopes, error);
-    if (status == TAUT_OK) {
-        *result = &slopes;
-    }
-    return status;
-}
-
-static void derive_sail_struct(void)
-{
-    sail s = sail_new(2, 4, sail_square, 2);
-    taut_model *model = NULL;
-
-    s.problem.without_least = 1;
-    CHECK(taut_film_make(&s.problem, NULL, &model, NULL) == TAUT_OK, "sail");
-    const sailing context = {&s.problem, model};
-    fault_check("taut_film_gradient", derive_film_struct, NULL, &context, 3);
-    taut_model_free(model);
-    sail_free(&s);
-}
-
 /* A flat sail. */
 static void derive_sail(void)
 {
@@ -171,6 +141,5 @@ int main(void)
                 TAUT_GRADIENT_POINTS);
     derive_structs();
     derive_sail();
-    derive_sail_struct();
     return check_failures != 0;
 }
