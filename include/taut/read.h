@@ -32,11 +32,11 @@ extern "C" {
       "spell it as docs/format.md does, or leave it out")                                          \
     X("conflict", "members that exclude each other", "leave one of them out")                      \
     X("type", "another JSON type, or another shape of a list, than expected",                      \
-      "write what error.expected says")                                                            \
+      "write what the message expects")                                                            \
     X("value", "the right type, but a value outside of its range",                                 \
-      "stay within error.limit, or what error.expected says")                                      \
-    X("size", "too many or too few items, points, bytes", "give as many as error.limit says")      \
-    X("name", "a word that is none of those known here", "take one that error.expected names")
+      "stay within the limit of the message, or write what it expects")                            \
+    X("size", "too many or too few items, points, bytes", "give as many as the message expects")   \
+    X("name", "a word that is none of those known here", "take one that the message names")
 
 /* path "-" is standard input. The results are the caller's. */
 TAUT_API taut_status taut_problem_read(const char *path, taut_problem **problem, taut_error *error);

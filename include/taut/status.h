@@ -42,7 +42,7 @@ typedef enum taut_status {
  * its own header. docs/errors.md has them all. */
 #define TAUT_REASON_LIST(X)                                                                        \
     X("argument", "an argument of a C call is NULL or outside its documented range",               \
-      "see the call in its header")                                                                \
+      "see what the call takes, in its header or docstring")                                       \
     X("memory", "memory ran out", "take fewer points, or give the process more memory")            \
     X("interrupted", "the caller, or the person at the keyboard, asked it to stop",                \
       "start it again")                                                                            \

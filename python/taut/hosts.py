@@ -147,9 +147,12 @@ def claims(certificate: Certificate | None) -> list[str]:
                if isinstance(value, (int, float)) and not isinstance(value, bool)])
 
 
+_SAID = {"argument", "name", "size", "type", "value"}  # whose message says what was expected: the remedy has no more
+
+
 def told(error: BaseException) -> str:
     """What failed, and what to change."""
-    if isinstance(error, Error) and error.remedy:
+    if isinstance(error, Error) and error.remedy and error.reason not in _SAID:
         return f"{error.message}. What to change: {error.remedy}"
     return str(error) or type(error).__name__
 

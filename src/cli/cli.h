@@ -328,6 +328,9 @@ taut_status cli_read_either(const char *path, const cli_options *options, taut_p
 /* Proves the certificate that a model of `file` carries again, for whoever looks at it; warns where it fails, and where it stays
  * as it was saved. */
 void cli_prove_again(const char *file, taut_model *model, const cli_options *options);
+/* Its certificate is what its problem proves; a claim that does not hold is warned of. 0 or the exit code. */
+int cli_prove_against(const char *file, const char *problem_file, taut_model *model,
+                      const cli_options *options);
 /* Where an output is a picture: *proved is a copy of the model with its certificate proved again, else NULL; 0 or the exit code. */
 int cli_prove_for_pictures(const char *file, const taut_model *model, const cli_options *options,
                            taut_model **proved);

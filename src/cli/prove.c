@@ -69,6 +69,30 @@ void cli_prove_again(const char *file, taut_model *model, const cli_options *opt
     taut_model_set_certificate(model, certificate);
 }
 
+int cli_prove_against(const char *file, const char *problem_file, taut_model *model,
+                      const cli_options *options)
+{
+    const taut_certify_options chosen = {.threads = options->threads,
+                                         .monitor = cli_monitor(options->json)};
+    taut_certificate *certificate = NULL;
+    taut_problem *problem = NULL;
+    taut_error error;
+    const int is_read = taut_problem_read(problem_file, &problem, &error) == TAUT_OK;
+    const int is_proved =
+        is_read && taut_certify(model, problem, &chosen, &certificate, &error) == TAUT_OK;
+
+    cli_monitor_done();
+    taut_problem_free(problem);
+    if (!is_proved) {
+        return cli_fail_in(is_read ? file : problem_file, &error);
+    }
+    if (taut_certificate_holds(certificate) == TAUT_FALSE) {
+        warn_of_claims(file, certificate, options);
+    }
+    taut_model_set_certificate(model, certificate);
+    return 0;
+}
+
 int cli_prove_for_pictures(const char *file, const taut_model *model, const cli_options *options,
                            taut_model **proved)
 {

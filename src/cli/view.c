@@ -67,8 +67,12 @@ static int run(const cli_options *options)
     if (cli_read_model(options->files[0], options, &model, &error) != TAUT_OK) {
         return cli_fail_in(options->files[0], &error);
     }
-    cli_prove_again(options->files[0], model, options);
-    code = write_pages(model, options);
+    if (options->file_count > 1) {
+        code = cli_prove_against(options->files[0], options->files[1], model, options);
+    } else {
+        cli_prove_again(options->files[0], model, options);
+    }
+    code = code == 0 ? write_pages(model, options) : code;
     taut_model_free(model);
     return code;
 }
@@ -88,14 +92,14 @@ static const cli_option options_of_view[] = {
 
 const cli_command cli_command_view = {
     .name = "view",
-    .usage = "MODEL.json [-o FILE.html]",
+    .usage = "MODEL.json [PROBLEM.json] [-o FILE.html]",
     .summary = "write a page to turn a model in, with its certificate",
     .text = "The page is one file and asks for no other: open it in any browser. `make` and "
             "`convert` write it\ntoo, as -o FILE.html. It says what of a large model it leaves "
-            "out.\n",
+            "out. The certificate is proved again; give the problem too, and no claim is as it was saved.\n",
     .example = "taut view model.json -o model.html\n",
     .files_min = 1,
-    .files_max = 1,
+    .files_max = 2,
     .options = options_of_view,
     .run = run,
 };

@@ -21,12 +21,14 @@ static taut_status refuse_weak(const taut_film_work *w, double least, taut_error
     const int e = w->edges[0];
     char where[32] = "/edges/u0/cable";
     memcpy(where + 7, taut_film_edge_names[e], 2);
-    return taut_fail(error, TAUT_NO_SOLUTION, "cable-too-weak", where, problem->edges[e].force,
-                     least * problem->edges[e].force,
-                     "the cables are too weak for this film: lowered together from where there is "
-                     "a film, the last found is at %.6g times their forces (%.6g for edge %s); "
-                     "below it the film draws a cable into another edge, or folds",
-                     least, least * problem->edges[e].force, taut_film_edge_names[e]);
+    return taut_fail(
+        error, TAUT_NO_SOLUTION, "cable-too-weak", where, problem->edges[e].force,
+        least * problem->edges[e].force,
+        "the cables are too weak for this film: lowered together from where there is "
+        "a film, the last found is at %.6g times their forces (%.6g for edge %s); "
+        "below it the film draws a cable into another edge, folds, or gets thinner at a "
+        "corner than its knots can tell",
+        least, least * problem->edges[e].force, taut_film_edge_names[e]);
 }
 
 /* net: a film with all forces *factor times, from the start. */
@@ -42,7 +44,14 @@ static taut_status find_strong(taut_film_work *w, double *factor, taut_error *er
     return inner.status == TAUT_OK ? TAUT_OK : taut_film_pass_on(&inner, error);
 }
 
-/* From the film at `factor` down to 1. `saved` is a net of scratch. Only a film that folds says that cables are too weak. */
+/* Is that the end of films that get weaker: a fold, or one that is at rest by every rule, and another by each? */
+static int is_end(const taut_film_work *w, const taut_error *inner)
+{
+    return strcmp(inner->reason, "folds") == 0 || (strcmp(inner->reason, "not-converged") == 0 &&
+                                                   w->region.residual <= w->region.tolerance);
+}
+
+/* From the film at `factor` down to 1. `saved` is a net of scratch. */
 static taut_status come_down(taut_film_work *w, double factor, double *saved, taut_error *error)
 {
     const size_t bytes = 3 * w->space->count * sizeof(double);
@@ -63,7 +72,7 @@ static taut_status come_down(taut_film_work *w, double factor, double *saved, ta
         memcpy(w->net, saved, bytes);
         step *= 0.5;
     }
-    if (factor > 1 && strcmp(inner.reason, "folds") == 0) {
+    if (factor > 1 && is_end(w, &inner)) {
         return refuse_weak(w, factor, error);
     }
     return factor > 1 ? taut_film_pass_on(&inner, error) : TAUT_OK;

@@ -84,6 +84,21 @@ static void test_space(void)
     sail_free(&s);
 }
 
+/* Forces that no rule settles a film of say so too, and name the same force within a per cent. */
+static void test_thin(void)
+{
+    static const double corners[4][3] = {{0, 0, 2}, {6, 0, 2}, {0, 4, 2}, {6, 4, 3}};
+    static const double forces[] = {1, 2.5, 3.3};
+
+    for (int k = 0; k < 3; k++) {
+        sail s = sail_new(4, 12, corners, forces[k]);
+        const taut_error error =
+            refusal(&s, TAUT_NO_SOLUTION, "cable-too-weak", "/edges/u0/cable", "thin");
+        CHECK(error.limit > 3.73 && error.limit < 3.76, "%g of %g", error.limit, forces[k]);
+        sail_free(&s);
+    }
+}
+
 static void test_data(void)
 {
     const double crossed[4][3] = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}};
@@ -141,6 +156,7 @@ int main(void)
     test_flat();
     test_half_flat();
     test_space();
+    test_thin();
     test_data();
     return check_failures != 0;
 }
