@@ -1,13 +1,13 @@
-/* test_studio.js TAUT FOLDER [PICTURES] -- the page of `taut studio` in Chromium, from the disk: it loads without a complaint and without
+/* test_studio.js TAUT FOLDER AXE [PICTURES] -- the page of `taut studio` in Chromium, from the disk: it loads without a complaint and without
  * asking for any other address; window.taut makes, changes, undoes and proves; hands and keys do the same; what it saves and exports
- * are the program's bytes. With PICTURES, states are written there as PNG, to be looked at. */
+ * are the program's bytes; axe (the file of axe-core, or -) finds nothing. GESTURES: how many at random, 100. With PICTURES, states are written there as PNG, to be looked at. */
 'use strict';
 const { execFileSync, spawnSync } = require('node:child_process');
 const fs = require('node:fs');
 const path = require('node:path');
 const { Browser, Page, decode, differs } = require('../viewer/browser.js');
 
-const [taut, folder, pictures] = process.argv.slice(2);
+const [taut, folder, axe, pictures] = process.argv.slice(2);
 let failures = 0;
 
 function check(holds, what) {
@@ -175,12 +175,22 @@ async function testMirror(page, seen, before) {
     await page.evaluate('(document.getElementById("mirror").value = "", taut.undo())');
 }
 
+/* Bytes of the page's own objects that are in use. */
+async function heapOf(page) {
+    await page.send('HeapProfiler.collectGarbage');
+    return (await page.send('Runtime.getHeapUsage')).usedSize;
+}
+
 /* Random gestures: drags anywhere, keys, wheels; the page never complains, and its model is the program's at the end. */
 async function testGestures(browser, count) {
     const page = await open(browser, write('gestures', 'dirichlet-tent'));
     let seed = 12345;
     const random = () => (seed = (seed * 48271) % 2147483647) / 2147483647;
+    let first = 0;
     for (let k = 0; k < count; k++) {
+        if (k === Math.floor(count / 10)) {
+            first = await heapOf(page);
+        }
         const x = 20 + 860 * random(), y = 90 + 700 * random();
         await page.mouse('mousePressed', x, y, { buttons: 1 });
         await page.mouse('mouseMoved', x + 60 * (random() - 0.5), y + 60 * (random() - 0.5), { buttons: 1 });
@@ -191,6 +201,9 @@ async function testGestures(browser, count) {
     }
     const document = await page.evaluate('taut.problem()');
     check(same(await page.evaluate('taut.model()'), made(document)), 'after gestures the model is the program\'s');
+    const grown = await heapOf(page) - first;
+    console.log('after ' + count + ' gestures the page holds ' + Math.round(grown / 1000) + ' kB more than after a tenth of them');
+    check(grown < 2e6, 'the page grows by ' + grown + ' bytes');
     quiet(page, 'gestures');
     await page.close();
 }
@@ -209,6 +222,22 @@ async function testShare(browser) {
     await other.close();
 }
 
+/* axe-core, in light and dark, at the widths of a desk and of a phone. */
+async function testAccess(browser) {
+    if (axe === '-') {
+        return;
+    }
+    for (const width of [1280, 420]) {
+        const page = await open(browser, write('access', 'dirichlet-tent'), '', width, 800);
+        for (const dark of [true, false]) {
+            await page.evaluate(`document.documentElement.classList.toggle('dark', ${dark})`);
+            const found = await page.violations(fs.readFileSync(axe, 'utf8'));
+            check(found.length === 0, 'axe finds at ' + width + ' in ' + (dark ? 'dark' : 'light') + ': ' + found.join('; '));
+        }
+        await page.close();
+    }
+}
+
 async function main() {
     const browser = new Browser(process.env.CHROMIUM || 'chromium');
     try {
@@ -217,7 +246,8 @@ async function main() {
         await testHand(browser);
         await testShare(browser);
         await testExamples(browser);
-        await testGestures(browser, 100);
+        await testAccess(browser);
+        await testGestures(browser, Number(process.env.GESTURES || 100));
     } catch (error) {
         failures++;
         console.log('FAILED: ' + error.stack);

@@ -5,6 +5,12 @@ for tool in node "${CHROMIUM:=chromium}"; do
     command -v "$tool" > /dev/null || skip "$tool" 'tools/deps.sh browser'
 done
 export CHROMIUM
+# axe-core judges accessibility: in AXE, or as npm has it.
+for file in "${AXE:-}" /usr/share/nodejs/axe-core/axe.min.js "$(npm root -g 2> /dev/null)/axe-core/axe.min.js"; do
+    [ -f "$file" ] && break
+    file=-
+done
+[ "$file" != - ] || missing axe-core 'npm install --global axe-core@4'
 
 run 2 studio
 run 2 studio -o page.htm
@@ -23,5 +29,5 @@ if command -v tsc > /dev/null; then
     tsc --noEmit --checkJs --allowJs --strict --target es2022 --module es2022 --moduleResolution node --lib es2022,dom,dom.iterable \
         "$SOURCE/studio/globals.d.ts" "$SOURCE/studio/main.js" > types.txt 2>&1 || complain "$(cat types.txt)"
 fi
-node "$SOURCE/tests/studio/test_studio.js" "$TAUT" "$work" ${PICTURES:+"$PICTURES"} || complain 'the page of the studio'
+node "$SOURCE/tests/studio/test_studio.js" "$TAUT" "$work" "$file" ${PICTURES:+"$PICTURES"} || complain 'the page of the studio'
 finish

@@ -149,6 +149,12 @@ class Page {
         await this.mouse('mouseReleased', x, y);
     }
 
+    /* What axe-core, the text of its file, has against the page: "impact rule: elements". */
+    async violations(axe) {
+        await this.evaluate(axe + '; 0');
+        return this.evaluate(`axe.run().then((r) => r.violations.map((v) => v.impact + ' ' + v.id + ': ' + v.nodes.map((n) => n.html.slice(0, 100)).join(' | ')))`);
+    }
+
     close() {
         return this.browser.send('Target.closeTarget', { targetId: this.targetId });
     }
