@@ -9,7 +9,7 @@ from program import complain, example, finish, load, run, save
 # One for each way in which a construction fills a model.
 NAMES = ["asymptotic-low", "asymptotic-ruled", "biharmonic-c1", "biharmonic-rows", "bonnet-enneper", "bonnet-figure-1a",
          "bonnet-helicoid", "dirichlet-hammock", "dirichlet-tent", "dirichlet-through", "film-sail", "harmonic-derivative", "harmonic-even",
-         "harmonic-extension", "harmonic-neighbour", "harmonic-rows", "pipe-elbow", "pipe-g2", "pipe-paper", "pipe-run",
+         "harmonic-extension", "harmonic-neighbour", "harmonic-rows", "pattern-cylinder", "pipe-elbow", "pipe-g2", "pipe-paper", "pipe-run",
          "pipe-run-coil", "plateau-bicubic", "plateau-curves", "plateau-mast", "trace-principal"]
 EXAMPLES = [line.split()[0] for line in run("example")[1].splitlines() if line.strip()]
 FLAT = {"u": {"type": "bezier", "degree": 1}, "v": {"type": "bezier", "degree": 1},

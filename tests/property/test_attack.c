@@ -276,6 +276,55 @@ static void lath_name(edit_model *edit, double amount, int way)
     }
 }
 
+/* Of cut cloth: inside the first piece, and on its seam. */
+static void piece_inside(edit_model *edit, double amount, int way)
+{
+    edit_surface *s = named(edit, "P1");
+
+    move_at(s, s->nu / 2, s->nv / 2, amount, way % 2);
+}
+
+static void piece_seam(edit_model *edit, double amount, int way)
+{
+    edit_surface *s = named(edit, "P1");
+
+    move_at(s, s->nu / 2, s->nv - 1, amount, way % 2);
+}
+
+/* A point in the middle of a line of the first piece. */
+static void move_line(edit_model *edit, const char *name, double amount, int way)
+{
+    for (int i = 0; i < edit->curves; i++) {
+        if (strcmp(edit->curve[i].name, name) == 0) {
+            edit->curve[i].points[3 * (edit->curve[i].n / 2) + way % 2] +=
+                amount * size_of(&edit->surface[0]);
+        }
+    }
+}
+
+static void piece_side(edit_model *edit, double amount, int way)
+{
+    move_line(edit, "P1.right", amount, way);
+}
+
+static void piece_cut(edit_model *edit, double amount, int way)
+{
+    move_line(edit, "P1.cut", -amount, way);
+}
+
+/* The piece one seam along on top of the next, and away from its roll. */
+static void piece_aside(edit_model *edit, double amount, int way)
+{
+    for (int i = 0; i < edit->curves; i++) {
+        for (int k = 0; strcmp(edit->curve[i].name, "P1.cut") == 0 && k < edit->curve[i].n; k++) {
+            edit->curve[i].points[3 * k + way % 2] += amount * size_of(&edit->surface[0]);
+        }
+    }
+    for (int k = 0; k < named(edit, "P1")->nu * named(edit, "P1")->nv; k++) {
+        named(edit, "P1")->points[3 * k + way % 2] += amount * size_of(&edit->surface[0]);
+    }
+}
+
 enum { ABOVE = 1, OPEN = 2, ONE_WAY = 4, ALONE = 8, ANY = 16 };
 
 /* ABOVE     it holds above its limit
@@ -370,6 +419,20 @@ static const attack_row rows[] = {
     {"trace", "spacing", "trace-enneper", lath_name, ANY | ONE_WAY},
     {"trace", "pattern", "trace-planks", lath_name, ANY | ONE_WAY},
     {"trace", "identity", "trace-principal", other_unit, 0},
+    {"pattern", "surface", "pattern-cylinder", corner, 0},
+    {"pattern", "cover", "pattern-cylinder", lath_name, ANY | ONE_WAY},
+    {"pattern", "on-surface", "pattern-cylinder", lath_middle, ONE_WAY},
+    {"pattern", "geodesic", "pattern-cylinder", lath_middle, ONE_WAY},
+    {"pattern", "edges", "pattern-cylinder", piece_seam, ONE_WAY},
+    {"pattern", "seams", "pattern-cylinder", piece_side, ONE_WAY},
+    {"pattern", "isometric", "pattern-cylinder", piece_inside, ONE_WAY},
+    {"pattern", "stationary", "pattern-sail", piece_inside, ONE_WAY},
+    {"pattern", "stable", "pattern-sail", piece_inside, ANY | ONE_WAY},
+    {"pattern", "no-fold", "pattern-cylinder", piece_inside, ANY | ONE_WAY},
+    {"pattern", "no-overlap", "pattern-cylinder", piece_cut, ANY | ONE_WAY},
+    {"pattern", "exhausts", "pattern-cylinder", lath_name, ANY | ONE_WAY},
+    {"pattern", "roll", "pattern-cylinder", piece_aside, ANY | ONE_WAY},
+    {"pattern", "identity", "pattern-cylinder", other_unit, 0},
 };
 
 enum { ROWS = sizeof rows / sizeof rows[0] };

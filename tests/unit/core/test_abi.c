@@ -163,7 +163,7 @@ static void test_values(void)
     const taut_abi_table *table = taut_abi();
     for (size_t i = 0; i < table->enum_count; i++) {
         const taut_abi_enum *e = &table->enums[i];
-        CHECK(e->count > 1 && e->size == sizeof(int), "%s", e->name);
+        CHECK(e->count > 0 && e->size == sizeof(int), "%s", e->name);
         for (size_t k = 0; k < e->count; k++) {
             int value = -99;
             CHECK(taut_enum_value(e->name, e->values[k].word, &value) == TAUT_OK &&
