@@ -177,8 +177,8 @@ static void test_raised_and_halved(void)
     static const char *const bases[] = {
         "{ \"type\": \"bezier\", \"degree\": 3 }", "{ \"type\": \"bezier\", \"degree\": 4 }",
         "{ \"type\": \"bezier\", \"degree\": 5 }", "{ \"type\": \"bezier\", \"degree\": 6 }",
-        "{ \"type\": \"bspline\", \"degree\": 3, \"knots\": [0, 0, 0, 0, 0.5, 0.5, 0.5, 1, 1, 1, "
-        "1] }"};
+        ("{ \"type\": \"bspline\", \"degree\": 3, \"knots\": [0, 0, 0, 0, 0.5, 0.5, 0.5, 1, 1, 1, "
+         "1] }")};
     enum { TELLINGS = sizeof bases / sizeof bases[0] };
     static const char *const nets[] = {"asymptotic", "principal"};
     telling tellings[TELLINGS];

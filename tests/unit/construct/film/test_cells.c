@@ -54,7 +54,7 @@ static found find(const char *document, int cells, const char *what)
         f = (found){.energy = figure(certificate, "energy", -1),
                     .area = figure(certificate, "area", -1),
                     .lowest = figure(certificate, "lowest_eigenvalue", -1),
-                    .holds = taut_certificate_holds(certificate)};
+                    .holds = taut_certificate_holds(certificate) == TAUT_TRUE};
         for (int k = 0; k < cells; k++) {
             f.volumes[k] = figure(certificate, "volumes", k);
             f.pressures[k] = figure(certificate, "pressures", k);

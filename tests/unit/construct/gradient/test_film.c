@@ -149,10 +149,12 @@ static void test_laws(void)
 
     s.problem.tolerance = 1e-13;
     s.problem.without_least = 1;
-    s.problem.edges[1] = (taut_film_edge){TAUT_FILM_CABLE, .law = TAUT_FILM_LENGTH, .length = 2.4};
-    s.problem.edges[2] = (taut_film_edge){TAUT_FILM_CABLE, .law = TAUT_FILM_ELASTIC,
-                                          .unstressed = 2.2, .stiffness = 30};
-    s.problem.edges[3] = (taut_film_edge){TAUT_FILM_CABLE, .law = TAUT_FILM_SAG, .sag = 0.12};
+    s.problem.edges[1] =
+        (taut_film_edge){.kind = TAUT_FILM_CABLE, .law = TAUT_FILM_LENGTH, .length = 2.4};
+    s.problem.edges[2] = (taut_film_edge){
+        .kind = TAUT_FILM_CABLE, .law = TAUT_FILM_ELASTIC, .unstressed = 2.2, .stiffness = 30};
+    s.problem.edges[3] =
+        (taut_film_edge){.kind = TAUT_FILM_CABLE, .law = TAUT_FILM_SAG, .sag = 0.12};
     for (int trial = 0; trial < random_trials(1); trial++) {
         test_moved(&s.problem, 1e-6, "laws");
     }
@@ -173,7 +175,7 @@ static void test_sums(void)
     taut_model *model = NULL;
     double by_growth = 0, by_points = 0;
 
-    s.problem.edges[1] = (taut_film_edge){TAUT_FILM_FIXED};
+    s.problem.edges[1] = (taut_film_edge){.kind = TAUT_FILM_FIXED};
     CHECK(taut_film_make(&s.problem, NULL, &model, NULL) == TAUT_OK, "made");
     CHECK(taut_film_gradient(&s.problem, model, &area, &slopes, NULL) == TAUT_OK, "derived");
     for (int k = 0; k < 3; k++) {
@@ -233,7 +235,7 @@ static void test_refused(void)
     other.method = TAUT_FILM_NORMAL;
     refused(&other, model, none, "no-gradient");
     other = s.problem;
-    other.edges[0] = (taut_film_edge){TAUT_FILM_FIXED};
+    other.edges[0] = (taut_film_edge){.kind = TAUT_FILM_FIXED};
     refused(&other, model, (taut_film_gradient_request){.of = TAUT_FILM_GRADIENT_TENSION},
             "argument");
     taut_model_free(model);
