@@ -82,8 +82,6 @@ static int write_document(const cli_options *options, cli_words *t)
 
 static int run(const cli_options *options)
 {
-    taut_problem *problem = NULL;
-    taut_error error;
     int code = cli_check_outputs(options);
 
     if (code != 0) {
@@ -92,18 +90,9 @@ static int run(const cli_options *options)
     if (options->across != NULL) {
         return cli_run_words(options, "pattern", write_document);
     }
-    if (taut_problem_read(options->files[0], &problem, &error) != TAUT_OK) {
-        return cli_fail_in(options->files[0], &error);
-    }
-    if (strcmp(taut_problem_construction(problem), "pattern") != 0) {
-        code =
-            cli_misuse("option", "`taut pattern` needs --across with the surface of a problem or "
-                                 "a model");
-    } else {
-        code = cli_make_one(problem, options);
-    }
-    taut_problem_free(problem);
-    return code;
+    return cli_run_document(
+        options, "pattern",
+        "`taut pattern` needs --across with the surface of a problem or a model");
 }
 
 static const cli_option options_of_pattern[] = {

@@ -222,8 +222,6 @@ static int run(const cli_options *said)
 {
     cli_options own = *said;
     const cli_options *options = &own;
-    taut_problem *problem = NULL;
-    taut_error error;
     int code = cli_check_outputs(options);
 
     code = code == 0 ? take_width(&own) : code;
@@ -233,17 +231,8 @@ static int run(const cli_options *said)
     if (options->net != NULL) {
         return cli_run_words(options, "trace", write_document);
     }
-    if (taut_problem_read(options->files[0], &problem, &error) != TAUT_OK) {
-        return cli_fail_in(options->files[0], &error);
-    }
-    if (strcmp(taut_problem_construction(problem), "trace") != 0) {
-        code = cli_misuse("option",
-                          "`taut trace` needs --net with the surface of a problem or a model");
-    } else {
-        code = cli_make_one(problem, options);
-    }
-    taut_problem_free(problem);
-    return code;
+    return cli_run_document(options, "trace",
+                            "`taut trace` needs --net with the surface of a problem or a model");
 }
 
 static const cli_option options_of_trace[] = {

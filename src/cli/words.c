@@ -88,3 +88,19 @@ int cli_run_words(const cli_options *options, const char *command,
     free(document.bytes);
     return code;
 }
+
+int cli_run_document(const cli_options *options, const char *construction, const char *needs)
+{
+    taut_problem *problem = NULL;
+    taut_error error;
+    int code = 0;
+
+    if (taut_problem_read(options->files[0], &problem, &error) != TAUT_OK) {
+        return cli_fail_in(options->files[0], &error);
+    }
+    code = strcmp(taut_problem_construction(problem), construction) == 0
+               ? cli_make_one(problem, options)
+               : cli_misuse("option", "%s", needs);
+    taut_problem_free(problem);
+    return code;
+}

@@ -21,5 +21,8 @@ void cli_put_named(const char *word, const char *member, cli_words *t);
 /* Makes what `write` writes, which returns 0 or the exit code after one message; the same. command: the name, for messages. */
 int cli_run_words(const cli_options *options, const char *command,
                   int (*write)(const cli_options *options, cli_words *t));
+/* The document in the first file, of the construction of this name; 0 or the exit code after one message, `needs` where it is
+ * another's. */
+int cli_run_document(const cli_options *options, const char *construction, const char *needs);
 
 #endif /* TAUT_CLI_WORDS_H */
