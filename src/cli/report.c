@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { COLUMN = 22, OBJECTS = 8 };
+enum { COLUMN = 22, OBJECTS = 8, ROWS = 6 };
 
 /* "dirichlet_energy" as "dirichlet energy". */
 static const char *words(const char *key, char *buffer, size_t size)
@@ -130,6 +130,29 @@ static void print_value(const taut_record *value, int digits)
     }
 }
 
+/* Rows of numbers, or short objects: a line each. */
+static int is_rows(const taut_record *value)
+{
+    const taut_record_kind kind = taut_record_kind_of(taut_record_at(value, 0));
+    return taut_record_kind_of(value) == TAUT_RECORD_LIST && taut_record_count(value) > 1 &&
+           !is_table(value) && (kind == TAUT_RECORD_LIST || kind == TAUT_RECORD_OBJECT);
+}
+
+/* The first stands beside the key already. */
+static void print_rows(const taut_record *value, int digits)
+{
+    for (size_t i = 0; i < taut_record_count(value) && i < ROWS; i++) {
+        if (i > 0) {
+            fprintf(stderr, "\n  %-*s ", COLUMN - 1, "");
+        }
+        print_value(taut_record_at(value, i), digits);
+    }
+    if (taut_record_count(value) > ROWS) {
+        fprintf(stderr, "\n  %-*s ... and %zu more", COLUMN - 1, "",
+                taut_record_count(value) - ROWS);
+    }
+}
+
 /* A force times a length: what bounds the energy of a film, where other surfaces have their area bounded. */
 static int is_energy(const taut_record *figures, const char *key)
 {
@@ -148,7 +171,12 @@ void cli_members_print(const taut_record *record, const char *unit)
         }
         fprintf(stderr, "  %-*s ", COLUMN - 1,
                 words(taut_record_key(record, i), name, sizeof name));
-        print_value(value, digits_of(record, taut_record_key(record, i)));
+        const int digits = digits_of(record, taut_record_key(record, i));
+        if (is_rows(value)) {
+            print_rows(value, digits);
+        } else {
+            print_value(value, digits);
+        }
         fprintf(stderr, "%s\n",
                 unit != NULL && !is_energy(record, taut_record_key(record, i))
                     ? cli_unit_of(taut_record_key(record, i), unit, room)
@@ -167,8 +195,12 @@ void cli_certificate_print(const taut_certificate *certificate, const char *unit
         if (isfinite(claim->residual)) {
             snprintf(residual, sizeof residual, "%.3g", claim->residual);
         }
-        fprintf(stderr, "  %-*s%s (%s): %s, limit %.3g%s%s\n", COLUMN, claim->claim, verdict,
-                taut_claim_kind_name(claim->kind), residual, claim->limit,
+        /* some hold above their limit: `stable`, `regular`, `graph`, `positive-weights` */
+        const int is_least = (claim->holds == TAUT_TRUE && claim->residual > claim->limit) ||
+                             (claim->holds == TAUT_FALSE && claim->residual < claim->limit);
+        fprintf(stderr, "  %-*s%s (%s): %s, %s %.3g%s%s\n", COLUMN, claim->claim, verdict,
+                taut_claim_kind_name(claim->kind), residual, is_least ? "at least" : "limit",
+                claim->limit,
                 claim->where[0] == '\0'          ? ""
                 : claim->holds == TAUT_UNDECIDED ? ": "
                                                  : ", at ",

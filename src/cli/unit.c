@@ -32,15 +32,18 @@ const char *cli_unit_of(const char *key, const char *unit, char room[CLI_UNIT_RO
         const char *key;
         int power; /* of the unit of length */
     } rows[] = {{"area", 2},
+                {"areas", 2},
                 {"area_error", 2},
                 {"dirichlet_area", 2},
                 {"lower_bound", 2},
                 {"length", 1},
+                {"lengths", 1},
                 {"max_gap", 1},
                 {"gap_bound", 1},
                 {"bounding_box", 1},
                 {"largest_radius", 1},
                 {"volume", 3},
+                {"volumes", 3},
                 {"wall_volume", 3},
                 {"max_curvature", -1},
                 {"mean_curvature", -1},
