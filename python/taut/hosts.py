@@ -147,7 +147,7 @@ def claims(certificate: Certificate | None) -> list[str]:
                if isinstance(value, (int, float)) and not isinstance(value, bool)])
 
 
-_SAID = {"argument", "name", "size", "type", "value"}  # whose message says what was expected: the remedy has no more
+_SAID = {"argument", "knots", "name", "size", "type", "value"}  # whose message says what was expected: the remedy has no more
 
 
 def told(error: BaseException) -> str:

@@ -80,8 +80,10 @@ def run():
         one.location = given["shift"]
     bpy.context.view_layer.update()
     surface = bpy.context.object
+    curves[1].name = "renamed"  # it stays the surface's
     select(surface)
     assert bpy.ops.taut.again() == {"FINISHED"}
+    curves[1].name = "edge1"
     result["moved"] = state(bpy.context.object, curves)
     assert bpy.ops.taut.drag(corner=0, offset=(0.25, 0, 0.5)) == {"FINISHED"}
     result["dragged"] = state(bpy.context.object, curves)
@@ -114,6 +116,11 @@ def run():
     between = len(bpy.data.objects)
     bpy.ops.ed.undo()
     result["undo"] = [before, between, len(bpy.data.objects)]
+    made = [one for one in bpy.data.objects if "taut_model" in one][-1]
+    bpy.data.objects.remove(taut_surfaces.curves_of(made)[0], do_unlink=True)
+    bpy.context.view_layer.update()
+    bpy.context.view_layer.objects.active = made
+    result["deleted"] = [len(taut_surfaces.curves_of(made)), told(bpy.ops.taut.again)]
     taut_surfaces.unregister()
     return result
 

@@ -77,6 +77,11 @@ def test_refusals(result):
     assert "take Mesh" in result["degree"] and "poll() failed" in result["three"] and "cyclic" in result["cyclic"]
 
 
+def test_deleted_curve(result):
+    left, says = result["deleted"]
+    assert left == 3 and "was deleted" in says
+
+
 def test_undo(result):
     before, between, after = result["undo"]
     assert between == before + 1 and after == before

@@ -141,7 +141,7 @@ def nurbs_object(context, shape, scale, name):
 def put(obj, model, curves, settings):
     """What the object keeps: its problem's parameters, its curves, the model as JSON, the certificate as lines."""
     for name, value in (("construct", settings.construct), ("result", settings.result), ("degree", list(settings.degree)), ("refine", settings.refine),
-                        ("divide", settings.divide), ("curves", json.dumps([one.name for one in curves])), ("model", model.to_json()),
+                        ("divide", settings.divide), *((f"curve_{i}", one) for i, one in enumerate(curves)), ("model", model.to_json()),
                         ("certificate", "\n".join(hosts.claims(model.certificate)))):
         obj["taut_" + name] = value
 
@@ -169,9 +169,9 @@ def build(context, curves, settings, obj=None, draft=False):
 
 
 def curves_of(obj):
-    """The curves that a surface was made from; [] of any other object."""
-    names = json.loads(obj.get("taut_curves", "[]")) if obj is not None else []
-    return [bpy.data.objects[name] for name in names if name in bpy.data.objects]
+    """The curves that a surface was made from, whatever they are called by now, without those that were deleted; [] of any other object."""
+    found = [obj.get(f"taut_curve_{i}") for i in range(4)] if obj is not None else []
+    return [one for one in found if one is not None]
 
 
 # --- Operators and panel -------------------------------------------------------------------------------------------------------
@@ -226,6 +226,8 @@ class TAUT_OT_again(Told, bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
+        if context.object is not None and "taut_model" in context.object and len(curves_of(context.object)) < 4:
+            cls.poll_message_set("A curve that the surface was made from was deleted: select four, and make it anew")
         return context.mode == "OBJECT" and len(curves_of(context.object)) == 4
 
     def execute(self, context):
