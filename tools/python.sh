@@ -26,7 +26,7 @@ if ! has "$PYTHON" numpy pytest; then
 fi
 
 make_wheel() {
-    rm -rf "$wheels"
+    rm -rf "$wheels/src" "$wheels"/*.whl # what `wheel` has installed stays
     mkdir -p "$wheels/src"
     cp -R python/taut python/setup.py python/pyproject.toml python/README.md "$wheels/src"
     "$PYTHON" -m pip --quiet wheel --no-build-isolation --no-deps -w "$wheels" "$wheels/src"
@@ -47,6 +47,7 @@ pack) make_wheel ;;
 wheel)
     shift
     make_wheel
+    rm -rf "$wheels/installed"
     "$PYTHON" -m pip --quiet install --no-deps --no-index --target "$wheels/installed" "$wheels"/*.whl
     TAUT_WHEEL=1 PYTHONPATH=$PWD/$wheels/installed "$PYTHON" -m pytest -q -p no:cacheprovider python/tests "$@"
     ;;
