@@ -16,6 +16,7 @@ typedef struct change {
     double bump[3]; /* times sin(pi x) */
     double scale;   /* of x and y, about the origin; 0: none */
     double turn;    /* the points of the right half turned over: y is that much less */
+    int is_crossed; /* nonzero: y times cos(2 pi x) */
 } change;
 
 static void move(const change *c, const char *name, size_t count, const double *from, double *to)
@@ -31,6 +32,9 @@ static void move(const change *c, const char *name, size_t count, const double *
         }
         if (strcmp(name, c->object) == 0 && x > 0.5) {
             to[3 * k] -= c->turn * (x - 0.5);
+        }
+        if (strcmp(name, c->object) == 0 && c->is_crossed) {
+            to[3 * k + 1] *= cos(2 * 3.14159265358979 * x);
         }
     }
 }
@@ -88,16 +92,18 @@ static void test_moved(void)
         const char *claim;
         change fine, wrong;
     } rows[] = {
-        {"on-surface", {"S1", {0, 0, 2e-7}, 0, 0}, {"S1", {0, 0, 2e-5}, 0, 0}},
-        {"geodesic", {"S1", {0, 0, 0}, 0, 0}, {"S1", {1e-5, 0, 0}, 0, 0}},
-        {"edges", {"P2.left", {0, 2e-7, 0}, 0, 0}, {"P2.left", {0, 2e-5, 0}, 0, 0}},
-        {"seams", {"P2.left", {0, 0, 0}, 1 + 1e-10, 0}, {"P2.left", {0, 0, 0}, 1 + 1e-8, 0}},
-        {"stationary", {"P2", {1e-12, 0, 0}, 0, 0}, {"P2", {1e-6, 0, 0}, 0, 0}},
-        {"no-fold", {"P1", {0, 0, 0}, 0, 0.1}, {"P1", {0, 0, 0}, 0, 6}},
-        {"no-overlap", {"P1.cut", {0, 0, 0}, 0, 0}, {"P1.cut", {0, 0, 0}, 0, 6}},
-        {"roll", {"P1.cut", {0, 0, 0}, 1 - 1e-9, 0}, {"P1.cut", {0, 0, 0}, 1.5, 0}},
-        {"surface", {"S1", {0, 0, 0}, 0, 0}, {"sail", {0, 0, 1e-9}, 0, 0}},
-        {"exhausts", {"S1", {0, 0, 0}, 0, 0}, {"S1", {0, 0, 0}, 0, 0}}};
+        {"on-surface", {"S1", {0, 0, 2e-7}, 0, 0, 0}, {"S1", {0, 0, 2e-5}, 0, 0, 0}},
+        {"geodesic", {"S1", {0, 0, 0}, 0, 0, 0}, {"S1", {1e-5, 0, 0}, 0, 0, 0}},
+        {"edges", {"P2.left", {0, 2e-7, 0}, 0, 0, 0}, {"P2.left", {0, 2e-5, 0}, 0, 0, 0}},
+        {"seams", {"P2.left", {0, 0, 0}, 1 + 1e-10, 0, 0}, {"P2.left", {0, 0, 0}, 1 + 1e-8, 0, 0}},
+        {"stationary", {"P2", {1e-12, 0, 0}, 0, 0, 0}, {"P2", {1e-6, 0, 0}, 0, 0, 0}},
+        {"no-fold", {"P1", {0, 0, 0}, 0, 0.1, 0}, {"P1", {0, 0, 0}, 0, 6, 0}},
+        {"no-overlap", {"P1.cut", {0, 0, 0}, 0, 0, 0}, {"P1.cut", {0, 0, 0}, 0, 6, 0}},
+        {"no-overlap", {"P2.cut", {0, 0, 0}, 0, 0, 0}, {"P2.cut", {0, 0, 0}, 0, 0, 1}},
+        {"roll", {"P3.cut", {0, 0, 0}, 0, 0, 0}, {"P3.cut", {0, 50, 0}, 0, 0, 0}},
+        {"roll", {"P1.cut", {0, 0, 0}, 1 - 1e-9, 0, 0}, {"P1.cut", {0, 0, 0}, 1.5, 0, 0}},
+        {"surface", {"S1", {0, 0, 0}, 0, 0, 0}, {"sail", {0, 0, 1e-9}, 0, 0, 0}},
+        {"exhausts", {"S1", {0, 0, 0}, 0, 0, 0}, {"S1", {0, 0, 0}, 0, 0, 0}}};
     made_cloth made = cloth_make(SADDLE, strips);
     CHECK(made.status == TAUT_OK, "%s", made.error.message);
     for (size_t k = 0; k < sizeof rows / sizeof rows[0]; k++) {
@@ -149,7 +155,7 @@ static taut_record *edited(const taut_record *from, const char *key, const char 
 
 static void test_told(void)
 {
-    static const change none = {"", {0, 0, 0}, 0, 0};
+    static const change none = {"", {0, 0, 0}, 0, 0, 0};
     made_cloth made = cloth_make(SADDLE, strips);
     const taut_record *details = taut_model_details(made.model);
     static const char *const rows[][3] = {
@@ -168,8 +174,8 @@ static void test_told(void)
 /* A maximum or a saddle of the energy is none that stands still: the Hessian says so. */
 static void test_true_length(void)
 {
-    static const change longer = {"P2.left", {0, 0, 0}, 1 + 1e-8, 0};
-    static const change fine = {"P2.left", {0, 0, 0}, 1 + 1e-10, 0};
+    static const change longer = {"P2.left", {0, 0, 0}, 1 + 1e-8, 0, 0};
+    static const change fine = {"P2.left", {0, 0, 0}, 1 + 1e-10, 0, 0};
     made_cloth made = cloth_make(SADDLE, "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": "
                                          "3 }], \"seam_length\": \"true\"");
     CHECK(made.status == TAUT_OK, "%s", made.error.message);
@@ -185,8 +191,8 @@ static void test_isometric(void)
         "{ \"taut\": 1, \"surfaces\": [{ \"name\": \"p\", \"u\": { \"type\": \"bezier\", "
         "\"degree\": 2 }, \"v\": { \"type\": \"bezier\", \"degree\": 1 }, \"points\": [[[0, 0, 0], "
         "[0, 2, 0]], [[0.5, 0, 0], [0.5, 2, 0]], [[1, 0, 0], [1.5, 2, 0]]] }] }";
-    static const change none = {"", {0, 0, 0}, 0, 0};
-    static const change wide = {"P1", {0, 1e-9, 0}, 0, 0};
+    static const change none = {"", {0, 0, 0}, 0, 0, 0};
+    static const change wide = {"P1", {0, 1e-9, 0}, 0, 0, 0};
     made_cloth made =
         cloth_make(plane, "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }]");
     CHECK(made.status == TAUT_OK, "%s", made.error.message);
