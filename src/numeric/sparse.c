@@ -92,7 +92,9 @@ static int weigh(const taut_sparse *s, const int *nodes, int count)
 static list keep(taut_arena *arena, const int *from, int count)
 {
     list kept = {taut_arena_take(arena, (size_t)count + 1, sizeof(int)), count};
-    if (kept.at != NULL && count > 0) {
+    if (kept.at == NULL) {
+        kept.count = 0;
+    } else if (count > 0) {
         memcpy(kept.at, from, (size_t)count * sizeof(int));
     }
     return kept;
