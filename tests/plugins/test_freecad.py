@@ -75,10 +75,11 @@ def test_pipes(result, make):
     model = make({"construct": "pipe", "radius": 20, "from": {"point": [0, 0, 0], "direction": [1, 0, 0]},
                   "to": {"point": [240, 160, 120], "direction": [0, 1, 0]}})
     same(result["Lines"], model["blend"], 300)
-    # their axes are turned by FreeCAD, to rounding; handles are sought by steps down to 1e-9 of their range, where rounding decides
+    # their axes are turned by FreeCAD, to rounding. Around a minimum that is sought by its values alone these are flat: the last bits of
+    # the points move the handles by 6e-8 of themselves, and the area by 2.5e-9
     cylinders = result["Pipe"]
     assert cylinders["holds"] == "holds" and np.array(cylinders["poles"]).shape == model["blend"].points.shape
-    assert cylinders["area"] == pytest.approx(result["Lines"]["area"], rel=1e-8)
+    assert cylinders["area"] == pytest.approx(result["Lines"]["area"], rel=5e-9)
 
 
 def test_join(result, make, tmp_path):
