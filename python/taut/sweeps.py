@@ -108,7 +108,7 @@ class _Sums:
 
     def check(self, index: int, text: str) -> None:
         """The problem of a line that is there already; unknown where the file beside it is not (as `taut make --lines` leaves it)."""
-        if index < len(self._known) and self._known[index] != _sum(text):
+        if index < len(self._known) and self._known[index] not in (b"-", _sum(text)):
             raise InputError(f"{self._path}: line {index + 1} is of another problem; give another file for this sweep, or remove it",
                              f"{self._path}:{index + 1}", "other-sweep")
 

@@ -146,6 +146,10 @@ def test_other_problems(tmp_path):
     assert [model for _, model in sorted(taut.map(first + other, out=out), key=lambda pair: pair[0])][:3] == whole
     out.with_suffix(".jsonl.sums").unlink()  # as the program leaves it
     assert len(list(taut.map(first + other, out=out))) == 5
+    out.write_bytes(text)  # three lines from elsewhere, and two more of a sweep's own, again and again
+    out.with_suffix(".jsonl.sums").unlink()
+    for _ in range(3):
+        assert len(list(taut.map(first + other, out=out))) == 5
 
 
 @pytest.mark.parametrize("text", [b"my thesis\nchapter 1\n", b"my thesis", b'{"a": 1}\n', b"[1]\n"])
