@@ -39,8 +39,9 @@ typedef enum taut_pattern_by {
 typedef struct taut_pattern_rule {
     taut_pattern_rule_kind kind;
     taut_edge edges[2]; /* opposite ones: strips run from the first to the second */
-    int count;    /* of strips, 1 to TAUT_PATTERN_PIECES_MAX; 0: the least whose pieces all fit */
-    double width; /* where count is 0: into this width, or 0: into that of the cloth */
+    int count;     /* of strips, 1 to TAUT_PATTERN_PIECES_MAX; 0: the least whose pieces all fit */
+    double width;  /* where count is 0: into this width, or 0: into that of the cloth */
+    double strain; /* where count is 0: and none is strained more than this; 0: as much as it is */
     taut_pattern_by by;
 } taut_pattern_rule;
 
@@ -83,6 +84,8 @@ typedef struct taut_pattern_problem {
     taut_pattern_seam_length seam_length;
     taut_pattern_cloth cloth;
     taut_pattern_compensation compensation;
+    double
+        strain; /* claim: the largest |principal strain| is no more; 0: that of the rule, or none */
 } taut_pattern_problem;
 
 /* Reasons: word, meaning, remedy. */
@@ -109,6 +112,8 @@ typedef struct taut_pattern_problem {
       "scale it")                                                                                  \
     X("width", "a flat piece is wider than the roll, or no number of strips up to 500 fits",       \
       "take more strips, or a wider roll")                                                         \
+    X("strain", "no number of strips up to 500 is strained as little as that",                     \
+      "allow more strain: halving the width of strips quarters it")                                \
     X("folds", "no flat piece without folds was found to begin with", "take more strips")          \
     X("not-converged", "the flattening did not settle",                                            \
       "take more strips, or a material whose moduli differ less")
@@ -121,7 +126,7 @@ TAUT_API taut_status taut_pattern_make(const taut_pattern_problem *problem,
                                        taut_error *error);
 
 /* The certificate: claims surface, cover, on-surface, geodesic, seams, lengths, no-fold, no-overlap, stationary, stable, isometric,
- * exhausts, roll; docs/pattern.md says what each is held against. */
+ * strain, exhausts, roll; docs/pattern.md says what each is held against. */
 TAUT_API taut_status taut_pattern_certify(const taut_model *model,
                                           const taut_pattern_problem *problem,
                                           const taut_certify_options *options,

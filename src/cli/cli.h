@@ -50,7 +50,7 @@ typedef struct cli_options {
     int solid;             /* trace, make: --solid */
     const char *cut_sheet; /* trace --sheet */
     const char *across;    /* pattern */
-    const char *warp, *weft;
+    const char *warp, *weft, *strain;
     const char *seam_length;
     int count;
     int cells;

@@ -23,8 +23,14 @@ static int put_across(const cli_options *options, cli_words *t)
     cli_put_named(options->by, "by", t);
     if (options->count > 0) {
         cli_put(t, ", \"count\": %d", options->count);
-    } else {
+    } else if (options->lath_width != NULL || options->strain == NULL) {
         cli_put(t, ", \"width\": true");
+    }
+    if (options->count == 0 && options->strain != NULL) {
+        const int code = cli_put_number("--strain", options->strain, "strain", t);
+        if (code != 0) {
+            return code;
+        }
     }
     cli_put(t, " }]");
     return 0;
@@ -76,6 +82,9 @@ static int write_document(const cli_options *options, cli_words *t)
     cli_put_named(options->seam_length, "seam_length", t);
     code = code == 0 ? put_object("cloth", 2, cloth, t) : code;
     code = code == 0 ? put_object("compensation", 2, compensation, t) : code;
+    if (code == 0 && options->count > 0 && options->strain != NULL) {
+        code = cli_put_number("--strain", options->strain, "strain", t);
+    }
     cli_put(t, " }");
     return code == 0 && t->failed ? cli_no_memory() : code;
 }
@@ -99,7 +108,7 @@ static const cli_option options_of_pattern[] = {
     {"--across", CLI_TEXT, offsetof(cli_options, across), 0, 0, 0, "E,E",
      "strips from one edge to the opposite one: v0,v1 or u0,u1, or the other way"},
     {"--count", CLI_INTEGER, offsetof(cli_options, count), 0, 1, TAUT_PATTERN_PIECES_MAX, "N",
-     "of strips; without it the least number that fits --width"},
+     "of strips; without it the least number that fits --width and --strain"},
     {"--by", CLI_TEXT, offsetof(cli_options, by), 0, 0, 0, "BY",
      "the edges are cut in equal parts of length (default) or parameter"},
     {"--width", CLI_TEXT, offsetof(cli_options, lath_width), 0, 0, 0, "W", "of the roll"},
@@ -108,6 +117,8 @@ static const cli_option options_of_pattern[] = {
     {"--warp", CLI_TEXT, offsetof(cli_options, warp), 0, 0, 0, "C",
      "compensation: the share by which the warp is cut smaller"},
     {"--weft", CLI_TEXT, offsetof(cli_options, weft), 0, 0, 0, "C", "the same of the weft"},
+    {"--strain", CLI_TEXT, offsetof(cli_options, strain), 0, 0, 0, "E",
+     "no more than this: claimed, and without --count as many strips as it takes"},
     {"--seam-length", CLI_TEXT, offsetof(cli_options, seam_length), 0, 0, 0, "L",
      "shared (default): the mean of both sides; true: that of the surface"},
     CLI_SURFACE,
@@ -126,8 +137,9 @@ static const cli_option options_of_pattern[] = {
 
 const cli_command cli_command_pattern = {
     .name = "pattern",
-    .usage = "MODEL.json|PROBLEM.json --across E,E [--count N | --width W] [-o FILE]... | "
-             "PATTERN.json",
+    .usage =
+        "MODEL.json|PROBLEM.json --across E,E [--count N | --width W | --strain E] [-o FILE]... | "
+        "PATTERN.json",
     .summary = "flat pieces of cloth for a surface, with seams that fit",
     .text =
         "Cuts a surface into strips along geodesics, and lays each flat so that the cloth is "

@@ -399,13 +399,15 @@
     X(taut_pattern_problem, rules, "const taut_pattern_rule *") \
     X(taut_pattern_problem, seam_length, "taut_pattern_seam_length") \
     X(taut_pattern_problem, cloth, "taut_pattern_cloth") \
-    X(taut_pattern_problem, compensation, "taut_pattern_compensation")
+    X(taut_pattern_problem, compensation, "taut_pattern_compensation") \
+    X(taut_pattern_problem, strain, "double")
 
 #define TAUT_ABI_MEMBERS_taut_pattern_rule(X) \
     X(taut_pattern_rule, kind, "taut_pattern_rule_kind") \
     X(taut_pattern_rule, edges, "taut_edge[2]") \
     X(taut_pattern_rule, count, "int") \
     X(taut_pattern_rule, width, "double") \
+    X(taut_pattern_rule, strain, "double") \
     X(taut_pattern_rule, by, "taut_pattern_by")
 
 #define TAUT_ABI_MEMBERS_taut_pipe_axis(X) \

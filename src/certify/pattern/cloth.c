@@ -228,6 +228,7 @@ static void take_asked(taut_cloth *cloth, const taut_record *details)
     cloth->warp = number_of(share, "warp");
     cloth->weft = number_of(share, "weft");
     cloth->thread = number_of(told, "thread");
+    cloth->strain = number_of(details, "strain");
     cloth->has_law = material != NULL;
     if (cloth->problem != NULL) {
         m = cloth->problem->cloth.material;
@@ -236,6 +237,8 @@ static void take_asked(taut_cloth *cloth, const taut_record *details)
         cloth->warp = cloth->problem->compensation.warp;
         cloth->weft = cloth->problem->compensation.weft;
         cloth->thread = cloth->problem->cloth.thread;
+        cloth->strain =
+            cloth->problem->strain > 0 ? cloth->problem->strain : cloth->problem->rules[0].strain;
     }
     const double plain[4] = {1, 1, 0, 0.5};
     memcpy(cloth->law, plain, sizeof plain);
@@ -312,6 +315,25 @@ int taut_cloth_window(const taut_cloth *cloth, const taut_cloth_piece *piece, do
         w[0][d] = fmin(fmax(w[0][d], lo), hi);
     }
     return 1;
+}
+
+void taut_cloth_window_bend(const taut_cloth *cloth, const taut_cloth_piece *piece, double s,
+                            double t, double bend[2][2])
+{
+    double sides[2][3][3];
+    for (int k = 0; k < 2; k++) {
+        const taut_curve *side = cloth->sides[piece->sides[k]].window;
+        const double lo = taut_basis_lo(taut_curve_t(side)), hi = taut_basis_hi(taut_curve_t(side));
+        taut_curve_eval(side, s < 1 ? lo + s * (hi - lo) : hi, 2, sides[k][0]);
+        for (int d = 0; d < 2; d++) {
+            sides[k][1][d] *= hi - lo;
+            sides[k][2][d] *= (hi - lo) * (hi - lo);
+        }
+    }
+    for (int d = 0; d < 2; d++) {
+        bend[0][d] = (1 - t) * sides[0][2][d] + t * sides[1][2][d];
+        bend[1][d] = sides[1][1][d] - sides[0][1][d];
+    }
 }
 
 int taut_cloth_metric(const taut_cloth *cloth, const taut_cloth_piece *piece, double s, double t,

@@ -52,6 +52,7 @@ typedef struct taut_cloth {
     int is_true, has_law;
     double law[4]; /* D11, D22, D12, D33 */
     double warp, weft, thread;
+    double strain; /* that none is to be above; 0: none */
     const taut_crew *crew;
     double tolerance;
 } taut_cloth;
@@ -64,6 +65,9 @@ taut_status taut_cloth_read(taut_arena *arena, const taut_model *model,
 /* w, and its derivatives by s and t. 0 where a side leaves the window. */
 int taut_cloth_window(const taut_cloth *cloth, const taut_cloth_piece *piece, double s, double t,
                       double w[3][2]);
+/* w_ss and w_st (w_tt is 0), where the sides are inside the window. */
+void taut_cloth_window_bend(const taut_cloth *cloth, const taut_cloth_piece *piece, double s,
+                            double t, double bend[2][2]);
 /* g_ss, g_st, g_tt; 0 where there is none. */
 int taut_cloth_metric(const taut_cloth *cloth, const taut_cloth_piece *piece, double s, double t,
                       double g[3]);

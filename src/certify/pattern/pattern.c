@@ -6,6 +6,7 @@
  *   stationary   gradient of the Lagrangian over the largest that strains of 1 would give; of pieces that were solved (check)
  *   stable       the lowest eigenvalue on the constraints over the largest of the diagonal; of these (check)
  *   isometric    largest strain of pieces that are told to have none (check)
+ *   strain       largest principal strain, where one is asked for (check)
  *   exhausts     areas of the pieces against that of the surface (check)
  *   roll         boxes of pieces that lie over each other or leave the roll (exact)
  */
@@ -16,6 +17,7 @@
 #include "certify/pattern/energy.h"
 #include "certify/pattern/fold.h"
 #include "certify/pattern/seams.h"
+#include "certify/pattern/unavoidable.h"
 #include "certify/pattern/worst.h"
 #include "core/fail.h"
 #include "numeric/quadrature.h"
@@ -33,6 +35,7 @@ static const double work_of_piece = 5e7;
 typedef struct states {
     const taut_cloth *cloth;
     taut_cloth_state *list;
+    taut_cloth_limit *limits;
     taut_status *status;
 } states;
 
@@ -42,12 +45,15 @@ static void look(void *context, int worker, int64_t task)
     const taut_cloth_piece *piece = &s->cloth->pieces[task];
     (void)worker;
     s->status[task] = taut_cloth_look_at(s->cloth, piece, !piece->is_developed, &s->list[task]);
+    taut_cloth_limit_of(s->cloth, piece, &s->limits[task]);
 }
 
-static taut_status look_at_all(const taut_cloth *cloth, taut_arena *arena, taut_cloth_state **list)
+static taut_status look_at_all(const taut_cloth *cloth, taut_arena *arena, taut_cloth_state **list,
+                               taut_cloth_limit **limits)
 {
     const size_t count = (size_t)cloth->piece_count;
     states s = {cloth, taut_arena_take(arena, count + 1, sizeof *s.list),
+                taut_arena_take(arena, count + 1, sizeof *s.limits),
                 taut_arena_take(arena, count + 1, sizeof *s.status)};
     if (taut_arena_status(arena) != TAUT_OK) {
         return TAUT_NO_MEMORY;
@@ -57,6 +63,7 @@ static taut_status look_at_all(const taut_cloth *cloth, taut_arena *arena, taut_
         return TAUT_INTERRUPTED;
     }
     *list = s.list;
+    *limits = s.limits;
     for (size_t k = 0; k < count; k++) {
         if (s.status[k] != TAUT_OK) {
             return s.status[k];
@@ -68,13 +75,14 @@ static taut_status look_at_all(const taut_cloth *cloth, taut_arena *arena, taut_
 static taut_status add_states(const taut_cloth *cloth, const taut_cloth_state *list,
                               taut_certificate *certificate)
 {
-    taut_worst gradient = {0, ""}, isometric = {0, ""}, stable = {0, ""};
+    taut_worst gradient = {0, ""}, isometric = {0, ""}, stable = {0, ""}, strain = {0, ""};
     int solved = 0, developed = 0;
     double lowest = INFINITY;
 
     for (int k = 0; k < cloth->piece_count; k++) {
         const taut_cloth_piece *piece = &cloth->pieces[k];
         const taut_cloth_state *one = &list[k];
+        taut_worst_take(&strain, one->is_folded ? INFINITY : one->largest, piece->name, 0);
         if (piece->is_developed) {
             developed = 1;
             taut_worst_take(&isometric, one->is_folded ? INFINITY : one->largest, piece->name, 0);
@@ -102,6 +110,9 @@ static taut_status add_states(const taut_cloth *cloth, const taut_cloth_state *l
     }
     if (status == TAUT_OK && developed) {
         status = taut_worst_add(&isometric, "isometric", TAUT_CHECK, isometric_limit, certificate);
+    }
+    if (status == TAUT_OK && cloth->strain > 0) {
+        status = taut_worst_add(&strain, "strain", TAUT_CHECK, cloth->strain, certificate);
     }
     return status;
 }
@@ -213,12 +224,13 @@ static taut_status add_roll(const taut_cloth *cloth, taut_arena *arena,
 
 /* ---- figures ---- */
 
-static taut_status add_figures(const taut_cloth *cloth, const taut_cloth_state *list, double area,
+static taut_status add_figures(const taut_cloth *cloth, const taut_cloth_state *list,
+                               const taut_cloth_limit *limits, double area,
                                taut_certificate *certificate)
 {
     taut_record *figures = taut_record_new();
     const taut_record *roll = taut_record_get(taut_model_details(cloth->model), "roll");
-    double flat = 0, energy = 0, plain = 0, seams = 0;
+    double flat = 0, energy = 0, plain = 0, seams = 0, unavoidable = 0, expected = 0;
     double strain[2] = {INFINITY, -INFINITY}, inner[2] = {INFINITY, -INFINITY};
 
     for (int k = 0; k < cloth->piece_count; k++) {
@@ -229,6 +241,8 @@ static taut_status add_figures(const taut_cloth *cloth, const taut_cloth_state *
         strain[1] = taut_certify_max(strain[1], list[k].strain[1]);
         inner[0] = taut_certify_min(inner[0], list[k].inner[0]);
         inner[1] = taut_certify_max(inner[1], list[k].inner[1]);
+        unavoidable = taut_certify_max(unavoidable, limits[k].unavoidable);
+        expected = taut_certify_max(expected, limits[k].expected);
     }
     for (int k = 0; k < cloth->side_count; k++) {
         const taut_cloth_side *side = &cloth->sides[k];
@@ -255,6 +269,9 @@ static taut_status add_figures(const taut_cloth *cloth, const taut_cloth_state *
     taut_record_add_number(figures, "inner_min_strain", inner[0]);
     taut_record_add_number(figures, "rms_strain", sqrt(2 * plain / area));
     taut_record_add_number(figures, "energy", ldexp(energy, 2 * cloth->unit));
+    taut_record_add_number(figures, "unavoidable_strain", unavoidable);
+    taut_record_add_text(figures, "unavoidable_kind", "check");
+    taut_record_add_number(figures, "expected_strain", expected);
     const taut_status status = taut_record_status(figures);
     taut_certificate_set_figures(certificate, figures);
     return status;
@@ -265,13 +282,14 @@ static taut_status add_figures(const taut_cloth *cloth, const taut_cloth_state *
 static taut_status prove(const taut_cloth *cloth, taut_arena *arena, taut_certificate *certificate)
 {
     taut_cloth_state *list = NULL;
+    taut_cloth_limit *limits = NULL;
     double area = 0;
     taut_status status = taut_cloth_add_lines(cloth, certificate);
     if (status == TAUT_OK) {
         status = taut_cloth_add_folds(cloth, arena, certificate);
     }
     if (status == TAUT_OK) {
-        status = look_at_all(cloth, arena, &list);
+        status = look_at_all(cloth, arena, &list, &limits);
     }
     if (status == TAUT_OK) {
         status = add_states(cloth, list, certificate);
@@ -282,7 +300,7 @@ static taut_status prove(const taut_cloth *cloth, taut_arena *arena, taut_certif
     if (status == TAUT_OK) {
         status = add_roll(cloth, arena, certificate);
     }
-    return status == TAUT_OK ? add_figures(cloth, list, area, certificate) : status;
+    return status == TAUT_OK ? add_figures(cloth, list, limits, area, certificate) : status;
 }
 
 static taut_status add_surface(const taut_cloth *cloth, taut_arena *arena, const taut_audit *audit,

@@ -1,6 +1,7 @@
 #include "construct/pattern/details.h"
 
 #include "construct/common/of.h"
+#include "construct/pattern/strains.h"
 #include "core/elementary/elementary.h"
 #include "numeric/quadrature.h"
 
@@ -47,52 +48,9 @@ static double across_length(const taut_pattern_piece *piece, double s)
 
 /* ---- strains ---- */
 
-typedef struct strains {
-    double low, high, at[2]; /* at: of the larger one */
-    double warp[2], weft[2], shear;
-} strains;
-
-static void widen(double range[2], double x)
-{
-    range[0] = fmin(range[0], x);
-    range[1] = fmax(range[1], x);
-}
-
-static strains strains_of(const taut_pattern_piece *piece)
-{
-    const taut_flat *flat = &piece->flat;
-    const int count[2] = {PARTS * flat->spans[0], PARTS * flat->spans[1]};
-    strains all = {.low = INFINITY,
-                   .high = -INFINITY,
-                   .warp = {INFINITY, -INFINITY},
-                   .weft = {INFINITY, -INFINITY}};
-    double most = -1;
-    for (int i = 0; i <= count[0]; i++) {
-        for (int k = 0; k <= count[1]; k++) {
-            const double s = (double)i / count[0], t = (double)k / count[1];
-            double g[3], y[3][2], strain[2], cloth[3];
-            taut_pattern_piece_metric(piece, s, t, g);
-            taut_flat_at(flat, s, t, y);
-            taut_flat_strain(flat, g, (const double(*)[2])y, strain, cloth);
-            all.low = fmin(all.low, strain[1]);
-            all.high = fmax(all.high, strain[0]);
-            widen(all.warp, cloth[0]);
-            widen(all.weft, cloth[1]);
-            all.shear = fmax(all.shear, fabs(cloth[2]));
-            const double larger = fmax(fabs(strain[0]), fabs(strain[1]));
-            if (larger > most) {
-                most = larger;
-                all.at[0] = s;
-                all.at[1] = t;
-            }
-        }
-    }
-    return all;
-}
-
 static void add_strain(const taut_pattern_piece *piece, taut_record *at)
 {
-    const strains all = strains_of(piece);
+    const taut_pattern_strains all = taut_pattern_strains_of(piece);
     taut_record *strain = taut_record_add_object(at, "strain");
     taut_record_add_number(strain, "min", all.low);
     taut_record_add_number(strain, "max", all.high);
@@ -166,6 +124,12 @@ static void describe_piece(const taut_pattern_layout *layout, int index,
 }
 
 /* ---- seams ---- */
+
+static void widen(double range[2], double x)
+{
+    range[0] = fmin(range[0], x);
+    range[1] = fmax(range[1], x);
+}
 
 static void describe_seam(const taut_pattern_layout *layout, const taut_pattern_cut *cut, int index,
                           const taut_pattern_outline *outlines, taut_record *list)
@@ -251,6 +215,10 @@ void taut_pattern_describe(const taut_pattern_layout *layout, const taut_pattern
     describe_cloth(problem, cut, details);
     taut_record_add_text(details, "seam_length",
                          cut->seam_length == TAUT_PATTERN_TRUE ? "true" : "shared");
+    const double strain = problem->strain > 0 ? problem->strain : problem->rules[0].strain;
+    if (strain > 0) {
+        taut_record_add_number(details, "strain", strain);
+    }
     taut_record *pieces = taut_record_add_list(details, "pieces");
     for (int k = 0; k < layout->piece_count; k++) {
         describe_piece(layout, k, &outlines[k], ends, pieces);

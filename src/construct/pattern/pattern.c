@@ -11,6 +11,7 @@
 #include "construct/common/of.h"
 #include "construct/construct_ops.h"
 #include "construct/pattern/details.h"
+#include "construct/pattern/strains.h"
 #include "core/fail.h"
 #include "core/unit.h"
 #include "problem/problem.h"
@@ -21,6 +22,8 @@
 
 /* Lengths are parameters, which are from 1e-60 to 1e60 (docs/limits.md): of sizes below 2^this. */
 enum { EXPONENT_MOST = 150 };
+/* Strains between the places that are looked at may be larger. */
+static const double strain_room = 0.999;
 
 typedef struct request {
     const taut_pattern_problem *problem;
@@ -35,6 +38,7 @@ typedef struct made_pieces {
     taut_pattern_outline *outlines;
     double widest; /* extent across of a cut piece, in the carrier's unit */
     int widest_piece;
+    double strain; /* the largest of all principal ones */
 } made_pieces;
 
 /* ---- what is asked for ---- */
@@ -83,9 +87,10 @@ static taut_status check_rule(const taut_pattern_problem *problem, taut_error *e
                          TAUT_PATTERN_PIECES_MAX, "found %d, expected a number from 1 to %d",
                          rule->count, TAUT_PATTERN_PIECES_MAX);
     }
-    if (rule->count == 0 && !(rule->width > 0) && !(problem->cloth.width > 0)) {
+    if (rule->count == 0 && !(rule->width > 0) && !(problem->cloth.width > 0) &&
+        !(rule->strain > 0)) {
         return taut_fail(error, TAUT_BAD_INPUT, "missing", "/cloth/width", taut_none, taut_none,
-                         "found no count and no width, expected one of them");
+                         "found no count, no width and no strain, expected one of them");
     }
     return TAUT_OK;
 }
@@ -111,6 +116,12 @@ static taut_status check_problem(const taut_pattern_problem *problem, taut_error
     const double shares[3] = {c->warp, c->weft, c->has_seam ? c->seam : 0};
     static const char *const places[3] = {"/compensation/warp", "/compensation/weft",
                                           "/compensation/seam"};
+    if (status == TAUT_OK) {
+        status = check_range(problem->strain, 0, 1, "value", "/strain", error);
+    }
+    if (status == TAUT_OK) {
+        status = check_range(problem->rules[0].strain, 0, 1, "value", "/seams/0/strain", error);
+    }
     for (int k = 0; status == TAUT_OK && k < 3; k++) {
         status = check_range(shares[k], -0.1, 0.3, "compensation", places[k], error);
     }
@@ -152,7 +163,7 @@ static taut_status make_outlines(const request *r, made_pieces *made, taut_error
     const int count = made->layout.piece_count;
     made->outlines = taut_arena_take(made->arena, (size_t)count, sizeof *made->outlines);
     taut_status status = taut_arena_status(made->arena);
-    made->widest = 0;
+    made->widest = made->strain = 0;
     for (int k = 0; status == TAUT_OK && k < count; k++) {
         taut_pattern_outline *outline = &made->outlines[k];
         status = taut_pattern_outline_new(&made->layout, &r->cut, k, made->arena, outline);
@@ -160,6 +171,8 @@ static taut_status make_outlines(const request *r, made_pieces *made, taut_error
             made->widest = outline->high[1] - outline->low[1];
             made->widest_piece = k;
         }
+        const taut_pattern_strains strains = taut_pattern_strains_of(&made->layout.pieces[k]);
+        made->strain = fmax(made->strain, fmax(strains.high, -strains.low));
     }
     return status == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 }
@@ -189,11 +202,36 @@ static taut_status fail_width(const made_pieces *made, const taut_carrier *carri
         made->layout.pieces[made->widest_piece].name, extent, width, made->layout.piece_count);
 }
 
-/* The least number of strips that all fit, up from one that is too few, or nearly; in an arena of its own. */
-static taut_status fit_width(const request *r, const taut_carrier *carrier, double width,
-                             const taut_crew *crew, made_pieces *made, taut_error *error)
+/* What pieces are to keep within; 0: nothing of this sort. */
+typedef struct wish {
+    double width, strain; /* in the carrier's unit */
+} wish;
+
+/* By how many times too few strips there are, as widths fall with their number and strains with its square; 1 or less: enough. */
+static double shortage(const made_pieces *made, const wish *w)
 {
-    const double room = ldexp(width, -carrier->scale);
+    const double wide = w->width > 0 ? made->widest / w->width : 0;
+    const double strained = w->strain > 0 ? made->strain / (strain_room * w->strain) : 0;
+    return fmax(wide, strained > 1 ? sqrt(strained) : strained);
+}
+
+static taut_status fail_wish(const taut_carrier *carrier, const wish *w, taut_error *error)
+{
+    const double width = ldexp(w->width, carrier->scale);
+    return w->strain > 0
+               ? taut_fail(error, TAUT_NO_SOLUTION, "strain", "/seams/0/strain", w->strain,
+                           taut_none, "no number of strips up to %d is strained by at most %.6g%s",
+                           TAUT_PATTERN_PIECES_MAX, w->strain,
+                           w->width > 0 ? " and fits the roll" : "")
+               : taut_fail(error, TAUT_NO_SOLUTION, "width", "/seams/0", width, taut_none,
+                           "no number of strips up to %d has pieces that are at most %.6g wide",
+                           TAUT_PATTERN_PIECES_MAX, width);
+}
+
+/* The least number of strips that are all as wished, up from one that is too few, or nearly; in an arena of its own. */
+static taut_status fit(const request *r, const taut_carrier *carrier, const wish *w,
+                       const taut_crew *crew, made_pieces *made, taut_error *error)
+{
     int count = 1, last = 0;
     taut_arena *kept = NULL;
 
@@ -208,7 +246,8 @@ static taut_status fit_width(const request *r, const taut_carrier *carrier, doub
             taut_arena_free(kept);
             return status;
         }
-        if (status == TAUT_OK && one.widest <= room) {
+        const double missing = status == TAUT_OK ? shortage(&one, w) : INFINITY;
+        if (missing <= 1) {
             taut_arena_free(kept);
             kept = own;
             *made = one;
@@ -224,13 +263,11 @@ static taut_status fit_width(const request *r, const taut_carrier *carrier, doub
         }
         last = count;
         /* what is missing, seen from here, but for one strip in ten */
-        const double need = status == TAUT_OK ? 0.9 * count * one.widest / room : count + 1.0;
+        const double need = status == TAUT_OK ? 0.9 * count * missing : count + 1.0;
         count = need > count + 1 ? (int)fmin(need, TAUT_PATTERN_PIECES_MAX + 1.0) : count + 1;
     }
     if (kept == NULL) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "width", "/seams/0", width, taut_none,
-                         "no number of strips up to %d has pieces that are at most %.6g wide",
-                         TAUT_PATTERN_PIECES_MAX, width);
+        return fail_wish(carrier, w, error);
     }
     made->arena = kept;
     return TAUT_OK;
@@ -245,7 +282,8 @@ static taut_status cut_pieces(const request *r, const taut_carrier *carrier, tau
     const taut_crew crew = {.threads = r->options->threads, .pulse = &pulse};
 
     if (rule->count == 0) {
-        return fit_width(r, carrier, rule->width > 0 ? rule->width : roll, &crew, made, error);
+        const wish w = {ldexp(rule->width > 0 ? rule->width : roll, -carrier->scale), rule->strain};
+        return fit(r, carrier, &w, &crew, made, error);
     }
     const taut_status status = make_strips(r, carrier, rule->count, &crew, arena, made, error);
     return status == TAUT_OK && roll > 0 && made->widest > ldexp(roll, -carrier->scale)

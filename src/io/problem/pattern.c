@@ -13,13 +13,13 @@
 #include <stdio.h>
 #include <string.h>
 
-static const char *const members[] = {"pattern", "of",           "surface", "seams", "seam_length",
-                                      "cloth",   "compensation", "untrim",  NULL};
+static const char *const members[] = {"pattern", "of",           "surface", "seams",  "seam_length",
+                                      "cloth",   "compensation", "strain",  "untrim", NULL};
 static const char *const patterns[] = {"cloth", NULL};
 static const char *const lengths[] = {"shared", "true", NULL};
 static const char *const edges[] = {"u0", "u1", "v0", "v1", NULL};
 static const char *const measures[] = {"length", "parameter", NULL};
-static const char *const rule_members[] = {"across", "count", "width", "by", NULL};
+static const char *const rule_members[] = {"across", "count", "width", "strain", "by", NULL};
 static const char *const cloth_members[] = {"width", "material", "thread", "gap", NULL};
 static const char *const material_members[] = {"E", "nu", "G", NULL};
 static const char *const compensation_members[] = {"warp", "weft", "seam", NULL};
@@ -73,9 +73,19 @@ static taut_status read_rule_width(const taut_json *at, void *into, taut_error *
     return taut_json_kind_at(at) == TAUT_JSON_TRUE ? TAUT_OK : read_positive(at, into, error);
 }
 
+static taut_status read_strain(const taut_json *at, void *into, taut_error *error)
+{
+    const taut_status status = read_positive(at, into, error);
+    return status == TAUT_OK && !(*(double *)into <= 1)
+               ? taut_json_expected(at, error,
+                                    "a strain, at most 1: that of one in a hundred is 0.01")
+               : status;
+}
+
 static taut_status read_rule(const taut_json *at, void *into, taut_error *error)
 {
     rules *all = into;
+    static const char *const searched[] = {"width", "strain"};
     taut_pattern_rule *rule = &all->list[all->count++];
     taut_reader in = taut_reader_of(at, rule_members, error);
     int by = 0;
@@ -84,17 +94,21 @@ static taut_status read_rule(const taut_json *at, void *into, taut_error *error)
         return taut_json_refuse(at, error, "rule", "\"across\" with two opposite edges");
     }
     taut_reader_items(&in, "across", 2, "edges", read_edge, rule->edges, sizeof rule->edges[0]);
-    if (in.status == TAUT_OK && taut_reader_has(&in, "count") && taut_reader_has(&in, "width")) {
-        const taut_json width = taut_json_member(at, "width");
-        return taut_json_fail(&width, error, "conflict", taut_none, taut_none,
-                              "found \"width\" beside \"count\", expected one of them");
+    for (int k = 0; in.status == TAUT_OK && taut_reader_has(&in, "count") && k < 2; k++) {
+        if (taut_reader_has(&in, searched[k])) {
+            const taut_json other = taut_json_member(at, searched[k]);
+            return taut_json_fail(&other, error, "conflict", taut_none, taut_none,
+                                  "found \"%s\" beside \"count\", expected one of them",
+                                  searched[k]);
+        }
     }
     const int was_fine = in.status == TAUT_OK;
-    if (!taut_reader_has(&in, "width")) {
+    if (!taut_reader_has(&in, "width") && !taut_reader_has(&in, "strain")) {
         taut_reader_integer(&in, "count", 1, TAUT_PATTERN_PIECES_MAX, &rule->count);
         take_reason(&in, was_fine, "count");
     }
     taut_reader_optional(&in, "width", read_rule_width, &rule->width);
+    taut_reader_optional(&in, "strain", read_strain, &rule->strain);
     taut_reader_optional_word(&in, "by", measures, &by);
     rule->by = (taut_pattern_by)by;
     return in.status;
@@ -230,6 +244,7 @@ static void pattern_read(taut_reader *document, taut_problem *problem, void *int
     data->seam_length = (taut_pattern_seam_length)word;
     taut_reader_optional(document, "cloth", read_cloth, &data->cloth);
     taut_reader_optional(document, "compensation", read_compensation, &data->compensation);
+    taut_reader_optional(document, "strain", read_strain, &data->strain);
 }
 
 const taut_document_ops taut_document_pattern = {

@@ -5,6 +5,8 @@
 #include "cli/embedded_files.h"
 #include "cloths.h"
 
+#include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -119,6 +121,44 @@ static void test_curved(void)
     cloth_free(&made);
 }
 
+/* What curvature alone makes of gores and of a strip of the catenoid, whose least strain is known in closed form; and as few strips
+ * as are strained no more than asked. */
+static void test_unavoidable(void)
+{
+    static const struct {
+        const char *name, *seams;
+        double unavoidable, expected, tolerance;
+    } rows[] = {{"pattern-sphere", "\"count\": 3", 0.00986775245379, 0.0171347299, 1e-10},
+                {"pattern-sphere", "\"count\": 6", 0.00288934850503, 0.0171347299 / 4, 1e-9},
+                {"pattern-catenoid", "\"count\": 4", 0.002743168, 0.00963829, 5e-9},
+                {"pattern-cone", "\"count\": 2", 0, 0, 0}};
+    char members[128];
+    made_cloth made;
+    for (size_t k = 0; k < sizeof rows / sizeof rows[0]; k++) {
+        snprintf(members, sizeof members, "\"seams\": [{ \"across\": [\"v0\", \"v1\"], %s }]",
+                 rows[k].seams);
+        made = example(rows[k].name, members);
+        const double unavoidable = figure_of(made.proof, "unavoidable_strain");
+        CHECK_NEAR(unavoidable, rows[k].unavoidable, rows[k].tolerance, "%s", rows[k].name);
+        CHECK_NEAR(figure_of(made.proof, "expected_strain"), rows[k].expected, 5e-9, "%s",
+                   rows[k].name);
+        CHECK(fmax(figure_of(made.proof, "max_strain"), -figure_of(made.proof, "min_strain")) >=
+                  unavoidable,
+              "%s: strained less than can be", rows[k].name);
+        cloth_free(&made);
+    }
+    for (int few = 0; few < 2; few++) {
+        snprintf(members, sizeof members, "\"seams\": [{ \"across\": [\"v0\", \"v1\"], %s }]%s",
+                 few ? "\"count\": 5" : "\"strain\": 0.006", few ? ", \"strain\": 0.006" : "");
+        made = example("pattern-sphere", members);
+        CHECK(claim_of(made.proof, "strain")->holds == (few ? TAUT_FALSE : TAUT_TRUE),
+              "strain in %g strips: %g", figure_of(made.proof, "pieces"),
+              claim_of(made.proof, "strain")->residual);
+        CHECK_NEAR(figure_of(made.proof, "pieces"), few ? 5 : 6, 0, "the least number");
+        cloth_free(&made);
+    }
+}
+
 static double total(const made_cloth *made, const char *path)
 {
     static const char *const names[] = {"P1", "P2", "P3", "P4"};
@@ -215,6 +255,12 @@ static void test_refusals(void)
          "/cloth/width", TAUT_BAD_INPUT},
         {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2, \"width\": 1 }]", "conflict",
          "/seams/0/width", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2, \"strain\": 1 }]", "conflict",
+         "/seams/0/strain", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"strain\": 2 }]", "value", "/seams/0/strain",
+         TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"strain\": 1e-9 }]", "strain",
+         "/seams/0/strain", TAUT_NO_SOLUTION},
         {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }], \"cloth\": { \"width\": "
          "0.5 }",
          "width", "/seams/0", TAUT_NO_SOLUTION},
@@ -266,6 +312,7 @@ int main(void)
     test_cylinder();
     test_cone();
     test_curved();
+    test_unavoidable();
     test_saddle();
     test_orientation();
     test_material();

@@ -1,0 +1,43 @@
+#include "construct/pattern/strains.h"
+
+#include <math.h>
+
+enum { PARTS = 4 /* of a span */ };
+
+static void widen(double range[2], double x)
+{
+    range[0] = fmin(range[0], x);
+    range[1] = fmax(range[1], x);
+}
+
+taut_pattern_strains taut_pattern_strains_of(const taut_pattern_piece *piece)
+{
+    const taut_flat *flat = &piece->flat;
+    const int count[2] = {PARTS * flat->spans[0], PARTS * flat->spans[1]};
+    taut_pattern_strains all = {.low = INFINITY,
+                                .high = -INFINITY,
+                                .warp = {INFINITY, -INFINITY},
+                                .weft = {INFINITY, -INFINITY}};
+    double most = -1;
+    for (int i = 0; i <= count[0]; i++) {
+        for (int k = 0; k <= count[1]; k++) {
+            const double s = (double)i / count[0], t = (double)k / count[1];
+            double g[3], y[3][2], strain[2], cloth[3];
+            taut_pattern_piece_metric(piece, s, t, g);
+            taut_flat_at(flat, s, t, y);
+            taut_flat_strain(flat, g, (const double(*)[2])y, strain, cloth);
+            all.low = fmin(all.low, strain[1]);
+            all.high = fmax(all.high, strain[0]);
+            widen(all.warp, cloth[0]);
+            widen(all.weft, cloth[1]);
+            all.shear = fmax(all.shear, fabs(cloth[2]));
+            const double larger = fmax(fabs(strain[0]), fabs(strain[1]));
+            if (larger > most) {
+                most = larger;
+                all.at[0] = s;
+                all.at[1] = t;
+            }
+        }
+    }
+    return all;
+}

@@ -1,0 +1,14 @@
+/* strains.h -- how a flat piece is strained, of places on a grid that has its border. */
+#ifndef TAUT_CONSTRUCT_PATTERN_STRAINS_H
+#define TAUT_CONSTRUCT_PATTERN_STRAINS_H
+
+#include "construct/pattern/piece.h"
+
+typedef struct taut_pattern_strains {
+    double low, high, at[2]; /* principal ones; at: of the larger one, in (s, t) */
+    double warp[2], weft[2], shear;
+} taut_pattern_strains;
+
+taut_pattern_strains taut_pattern_strains_of(const taut_pattern_piece *piece);
+
+#endif /* TAUT_CONSTRUCT_PATTERN_STRAINS_H */
