@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import ctypes
+import operator
 import weakref
 from ctypes import byref, c_char_p, c_double, c_size_t, c_uint32, c_void_p
 from functools import lru_cache
@@ -53,12 +54,48 @@ def view(owner: object, address: int, shape: tuple[int, ...], kind: Any = c_doub
     return np.frombuffer(memoryview(memory).toreadonly(), dtype=np.uint32 if kind is c_uint32 else np.float64).reshape(shape)
 
 
-def numbers(values: Any, shape: tuple[int, ...] | None = None) -> Array:
-    """values as doubles side by side."""
-    array = np.ascontiguousarray(values, dtype=np.float64)
-    if shape is not None and array.shape != shape:
-        array = np.ascontiguousarray(np.broadcast_to(array, shape))
+def numbers(values: Any, shape: tuple[int, ...] | None = None, what: str = "the argument") -> Array:
+    """values as doubles side by side; what names them where they are none."""
+    try:
+        array = np.asarray(values)
+        if array.dtype.kind == "c":
+            raise TypeError("complex numbers")
+        array = np.ascontiguousarray(array, dtype=np.float64).reshape(array.shape)
+        if shape is not None and array.shape != shape:
+            array = np.ascontiguousarray(np.broadcast_to(array, shape))
+    except (TypeError, ValueError) as error:
+        expected = "numbers" if shape is None else f"numbers of shape {shape}"
+        raise InputError(f"{what}: found {type(values).__name__}, expected {expected} ({error})", "", "type") from None
     return array
+
+
+def real(value: Any, what: str) -> float:
+    """value as one number."""
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        raise InputError(f"{what} is {value!r}; expected a number", "", "type") from None
+
+
+def whole(value: Any, what: str) -> int:
+    """value as an int of C; ctypes would cut a larger one."""
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise InputError(f"{what} is {value!r}; expected a whole number", "", "type") from None
+    if not -2**31 <= number < 2**31:
+        raise InputError(f"{what} is {value!r}; expected less than 2^31", "", "type")
+    return number
+
+
+def thread_count(threads: Any) -> int:
+    """As C takes it: 0 where nothing was said."""
+    if threads is None:
+        return 0
+    count = whole(threads, "threads")
+    if not 1 <= count <= 256:
+        raise InputError(f"threads is {threads}; expected 1 to 256", "", "argument", threads)
+    return count
 
 
 def text_of(function: Any, *arguments: Any) -> bytes:
@@ -85,8 +122,10 @@ def encoded(text: str | None) -> c_char_p | bytes | None:
     """A text for C; one with a NUL inside would be cut there, and is refused."""
     if text is None:
         return None
+    if not isinstance(text, str):
+        raise InputError(f"found {type(text).__name__}, expected a text", "", "type")
     if "\0" in text:
-        raise ValueError("a text with a NUL in it")
+        raise InputError("a text with a NUL in it", "", "text")
     try:
         return text.encode("utf-8", "surrogateescape")
     except UnicodeEncodeError as error:

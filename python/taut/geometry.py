@@ -1,16 +1,19 @@
 """Curves and surfaces: immutable, evaluated on arrays of parameters of any shape."""
 from __future__ import annotations
 
-from ctypes import byref, c_double, c_int
-from typing import Any, Callable
+from ctypes import c_double
+from typing import TYPE_CHECKING, Any, Callable
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _library as c
-from ._handle import Array, Handle, encoded, library, made, numbers, view
+from ._handle import Array, Handle, encoded, library, made, numbers, real, thread_count, view, whole
 from .bases import Basis, BasisLike, basis_of
-from .errors import InputError, raise_for
+from .errors import InputError
+
+if TYPE_CHECKING:
+    from .model import Mesh
 
 _three = c_double * 3
 _surface_eval = library.taut_surface_eval
@@ -20,18 +23,47 @@ _frombuffer: Callable[..., Array] = np.frombuffer
 
 def _net(points: npt.ArrayLike, weights: npt.ArrayLike | None, dimensions: int) -> tuple[Array, Array | None]:
     """Points and weights as C wants them; shapes are checked here, numbers there."""
-    net = np.ascontiguousarray(points, dtype=np.float64)
+    net = numbers(points, None, "points")
     if net.ndim != dimensions + 1 or net.shape[-1] != 3:
         raise InputError(f"points have the shape {net.shape}; expected {'(nu, nv, 3)' if dimensions == 2 else '(n, 3)'}", "/points",
                          "size")
-    factors = None if weights is None else np.ascontiguousarray(weights, dtype=np.float64)
+    factors = None if weights is None else numbers(weights, None, "weights")
     if factors is not None and factors.shape != net.shape[:-1]:
         raise InputError(f"weights have the shape {factors.shape}; expected {net.shape[:-1]}", "/weights", "size")
     return net, factors
 
 
-def _outside(message: str) -> InputError:
-    return InputError(message, "", "parameter")
+def _order(derivatives: Any, highest: int) -> int:
+    """How many derivatives, which are given."""
+    order = whole(derivatives, "derivatives")
+    if not 0 <= order <= highest:
+        raise InputError(f"derivatives is {derivatives}; expected 0 to {highest}", "", "argument", derivatives)
+    return order
+
+
+def _outside(*parameters: tuple[str, Any, tuple[float, float]]) -> InputError:
+    """Which parameter lies outside its range: (name, values, range) of each direction."""
+    for name, values, (lo, hi) in parameters:
+        array = np.asarray(values)
+        wrong = np.flatnonzero(~((array >= lo) & (array <= hi)))
+        if len(wrong) > 0:
+            found = float(array.flat[wrong[0]])
+            place = "" if array.ndim == 0 else f"[{', '.join(str(i) for i in np.unravel_index(wrong[0], array.shape))}]"
+            return InputError(f"{name}{place} is {found!r}; expected {lo!r} to {hi!r}", "", "parameter", found)
+    return InputError("a parameter is outside its range", "", "parameter")
+
+
+def _direction(direction: Any) -> int:
+    if direction not in ("u", "v"):
+        raise InputError(f"the direction is {direction!r}; expected 'u' or 'v'", "", "name")
+    return int(direction == "v")
+
+
+def _matrix(matrix: npt.ArrayLike) -> Array:
+    rows = numbers(matrix, None, "matrix")
+    if rows.shape != (3, 4):
+        raise InputError(f"the matrix has the shape {rows.shape}; expected (3, 4)", "", "size")
+    return rows
 
 
 class _Geometry:
@@ -112,14 +144,34 @@ class Curve(_Geometry):
             buffer = _three()
             if _curve_eval(self._pointer, t, 0, buffer) == 0:
                 return _frombuffer(buffer)
-        parameters = np.ascontiguousarray(t, dtype=np.float64).reshape(np.shape(t))
-        values = np.empty((parameters.size, max(derivatives, 0) + 1, 3))
+        parameters, derivatives = numbers(t, None, "t"), _order(derivatives, 3)
+        values = np.empty((parameters.size, derivatives + 1, 3))
         if parameters.size > 0 and library.taut_curve_eval_points(self._pointer, parameters.size, parameters.ctypes.data, derivatives, 1,
                                                                   values.ctypes.data) != c.OK:
-            raise _outside(f"expected t in {list(self.t.range)}, derivatives 0 to 3 (found {derivatives})")
+            raise _outside(("t", parameters, self.t.range))
         if derivatives == 0:
             return values.reshape(parameters.shape + (3,))
         return np.ascontiguousarray(values.transpose(1, 0, 2)).reshape((derivatives + 1,) + parameters.shape + (3,))
+
+    def _new(self, function: Any, *arguments: Any) -> Curve:
+        handle = made(function, library.taut_curve_free, self._pointer, *arguments)
+        return Curve._borrowed(handle.pointer, handle)
+
+    def reversed(self) -> Curve:
+        """The curve runs the other way."""
+        return self._new(library.taut_curve_reverse)
+
+    def elevated(self, times: int = 1) -> Curve:
+        """The degree raised, the same curve."""
+        return self._new(library.taut_curve_elevate, whole(times, "times"))
+
+    def inserted(self, knot: float, times: int = 1) -> Curve:
+        """A knot more, the same curve."""
+        return self._new(library.taut_curve_insert, real(knot, "knot"), whole(times, "times"))
+
+    def transformed(self, matrix: npt.ArrayLike) -> Curve:
+        """A x + b for matrix = (A | b), shape (3, 4)."""
+        return self._new(library.taut_curve_transform, _matrix(matrix).ctypes.data)
 
     def plot(self, ax: Any = None, count: int = 200, **options: Any) -> Any:
         """Drawn by matplotlib through `count` points, into `ax` or new axes, which come back; options are those of `Axes3D.plot`."""
@@ -207,13 +259,19 @@ class Surface(_Geometry):
             buffer = _three()
             if _surface_eval(self._pointer, u, v, 0, buffer) == 0:
                 return _frombuffer(buffer)
-        along_u, along_v = np.broadcast_arrays(np.asarray(u, dtype=np.float64), np.asarray(v, dtype=np.float64))
+        derivatives = _order(derivatives, 2)
+        try:
+            along_u, along_v = np.broadcast_arrays(numbers(u, None, "u"), numbers(v, None, "v"))
+        except InputError:
+            raise
+        except ValueError:
+            raise InputError(f"u has the shape {np.shape(u)}, v {np.shape(v)}: they do not go together; grid() takes all pairs", "", "size") from None
         one, other = np.ascontiguousarray(along_u), np.ascontiguousarray(along_v)
         vectors = (derivatives + 1) * (derivatives + 2) // 2
-        values = np.empty((along_u.size, max(vectors, 1), 3))
+        values = np.empty((along_u.size, vectors, 3))
         if along_u.size > 0 and library.taut_surface_eval_points(self._pointer, along_u.size, one.ctypes.data, other.ctypes.data,
                                                                  derivatives, 1, values.ctypes.data) != c.OK:
-            raise _outside(f"expected u in {list(self.u.range)}, v in {list(self.v.range)}, derivatives 0 to 2 (found {derivatives})")
+            raise _outside(("u", along_u, self.u.range), ("v", along_v, self.v.range))
         if derivatives == 0:
             return values.reshape(along_u.shape + (3,))
         return np.ascontiguousarray(values.transpose(1, 0, 2)).reshape((vectors,) + along_u.shape + (3,))
@@ -225,25 +283,26 @@ class Surface(_Geometry):
         out      an array to fill in place of a new one: float64, C order, of that shape; for derivatives 0 also without the 1
         threads  how many; the numbers are the same
         """
-        along_u, along_v = numbers(u), numbers(v)
+        along_u, along_v, derivatives = numbers(u, None, "u"), numbers(v, None, "v"), _order(derivatives, 2)
         if along_u.ndim != 1 or along_v.ndim != 1:
             raise InputError("grid: u and v are not lists of numbers", "", "argument")
         vectors = (derivatives + 1) * (derivatives + 2) // 2
         shape = (vectors, len(along_u), len(along_v), 3)
-        if out is not None and (out.dtype != np.float64 or not out.flags.c_contiguous or not out.flags.writeable
-                                or out.shape not in ((shape, shape[1:]) if derivatives == 0 else (shape,))):
-            raise InputError(f"out is {out.dtype} of shape {out.shape}; expected float64 of shape {shape}, C order, writeable", "",
+        if out is not None and (not isinstance(out, np.ndarray) or out.dtype != np.float64 or not out.flags.c_contiguous
+                                or not out.flags.writeable or out.shape not in ((shape, shape[1:]) if derivatives == 0 else (shape,))):
+            found = f"{out.dtype} of shape {out.shape}" if isinstance(out, np.ndarray) else f"a {type(out).__name__}"
+            raise InputError(f"out is {found}; expected float64 of shape {shape}, C order, writeable", "",
                              "argument")
         is_direct = out is not None and derivatives == 0
         values = out if is_direct else np.empty((len(along_u), len(along_v), vectors, 3))
         assert values is not None
         if 0 not in shape:
             status = library.taut_surface_eval_grid(self._pointer, len(along_u), along_u.ctypes.data, len(along_v),
-                                                    along_v.ctypes.data, derivatives, threads or 1, values.ctypes.data)
+                                                    along_v.ctypes.data, derivatives, thread_count(threads) or 1, values.ctypes.data)
             if status == c.NO_MEMORY:
                 raise MemoryError("taut: memory ran out")
             if status != c.OK:
-                raise _outside(f"grid: expected u in {list(self.u.range)}, v in {list(self.v.range)}, derivatives 0 to 2")
+                raise _outside(("u", along_u, self.u.range), ("v", along_v, self.v.range))
         if is_direct:
             return values
         result = values.transpose(2, 0, 1, 3)
@@ -269,19 +328,24 @@ class Surface(_Geometry):
 
     def reversed(self, direction: str) -> Surface:
         """"u" or "v" runs the other way."""
-        return self._new(library.taut_surface_reverse, "uv".index(direction))
+        return self._new(library.taut_surface_reverse, _direction(direction))
 
     def elevated(self, direction: str, times: int = 1) -> Surface:
         """The degree along "u" or "v" raised, the same surface."""
-        return self._new(library.taut_surface_elevate, "uv".index(direction), times)
+        return self._new(library.taut_surface_elevate, _direction(direction), whole(times, "times"))
 
     def inserted(self, direction: str, knot: float, times: int = 1) -> Surface:
         """A knot more along "u" or "v", the same surface."""
-        return self._new(library.taut_surface_insert, "uv".index(direction), knot, times)
+        return self._new(library.taut_surface_insert, _direction(direction), real(knot, "knot"), whole(times, "times"))
 
     def transformed(self, matrix: npt.ArrayLike) -> Surface:
         """A x + b for matrix = (A | b), shape (3, 4)."""
-        return self._new(library.taut_surface_transform, numbers(matrix, (3, 4)).ctypes.data)
+        return self._new(library.taut_surface_transform, _matrix(matrix).ctypes.data)
+
+    def mesh(self, tolerance: float = 0.0, divide: int = 0, threads: int | None = None, thickness: float = 0.0) -> Mesh:
+        """Vertices, normals and faces: as of `Model.mesh`, tolerance over the surface's size."""
+        from .model import Model
+        return Model([self]).mesh(tolerance, divide, None, threads, thickness)
 
     def plot(self, ax: Any = None, net: bool = False, tolerance: float = 0.0, **options: Any) -> Any:
         """Drawn by matplotlib as a mesh, into `ax` (of projection "3d") or new axes, which come back.

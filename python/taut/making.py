@@ -1,10 +1,12 @@
 """From a problem to a model with its certificate."""
 from __future__ import annotations
 
+import importlib
 import json
 import math
 import os
 import signal
+import sys
 import threading
 from ctypes import byref, c_void_p
 from typing import Any, Callable, Mapping, Sequence, Union
@@ -12,7 +14,7 @@ from typing import Any, Callable, Mapping, Sequence, Union
 import numpy as np
 
 from . import _library as c
-from ._handle import Handle, encoded, expect, library, made
+from ._handle import Handle, encoded, expect, library, made, real, thread_count
 from .bases import Basis
 from .errors import CheckFailed, InputError, raise_for
 from .geometry import Curve, Surface
@@ -80,12 +82,18 @@ def _plain_array(array: Any, where: str) -> Any:
 
 # --- Calls that take long --------------------------------------------------------------------------------------------
 
+# What `signal` makes enumerations around, which cost as much as a small construction.
+_signal: Any = importlib.import_module("_signal" if "_signal" in sys.builtin_module_names else "signal")
+_SIGINT = int(signal.SIGINT)
+
 
 class Watch:
     """Progress and Ctrl-C for a call of C. While it is entered SIGINT is noted (in the main thread) and stops the call; the
     handler that was there is called afterwards."""
 
     def __init__(self, progress: Progress | None = None) -> None:
+        if progress is not None and not callable(progress):
+            raise InputError(f"progress is {progress!r}; expected a function", "", "type")
         self._progress = progress
         self._raised: BaseException | None = None
         self._signals: list[Any] = []
@@ -94,12 +102,15 @@ class Watch:
 
     def __enter__(self) -> Watch:
         if threading.current_thread() is threading.main_thread():
-            self._previous = signal.getsignal(signal.SIGINT)
+            self._previous = _signal.getsignal(_SIGINT)
             if callable(self._previous):
-                signal.signal(signal.SIGINT, lambda number, frame: self._signals.append((number, frame)))
+                _signal.signal(_SIGINT, self._noted)
         if callable(self._previous) or self._progress is not None:
             self.monitor.progress = c.PROGRESS(self._told)
         return self
+
+    def _noted(self, number: int, frame: Any) -> None:
+        self._signals.append((number, frame))
 
     def _told(self, _: Any, done: float, what: bytes) -> int:
         if self._progress is not None and self._raised is None and not self._signals:
@@ -111,7 +122,7 @@ class Watch:
 
     def __exit__(self, *_: Any) -> None:
         if callable(self._previous):
-            signal.signal(signal.SIGINT, self._previous)
+            _signal.signal(_SIGINT, self._previous)
         for number, frame in self._signals[:1]:
             self._previous(number, frame)
         if self._raised is not None:
@@ -131,8 +142,10 @@ def _made(problem: Any, options: c.MakeOptions, proof: c.CertifyOptions, make: A
     return Model._of(handle)
 
 
-def _strict(model: Model, certificate: Certificate | None, strict: bool) -> Model:
-    if strict and certificate is not None and certificate.holds is False:
+def _strict(model: Model, strict: bool, certificate: Certificate | None = None) -> Model:
+    """The model, unless a claim of its certificate, or of the one given, does not hold; which is not looked at before it is asked for."""
+    certificate = (certificate or model.certificate) if strict else None
+    if certificate is not None and certificate.holds is False:
         names = ", ".join(one.claim for one in certificate.claims if one.holds is False)
         failure = CheckFailed(f"{certificate.construct}: a claim does not hold: {names}", "", "claim")
         failure.model = model
@@ -141,10 +154,8 @@ def _strict(model: Model, certificate: Certificate | None, strict: bool) -> Mode
 
 
 def _options(tolerance: float | None, threads: int | None, exact: bool) -> tuple[c.MakeOptions, c.CertifyOptions]:
-    if threads is not None and not 1 <= threads <= 256:
-        raise InputError(f"threads is {threads}; expected 1 to 256", "", "argument", threads)
-    return (c.MakeOptions(tolerance=tolerance or 0.0, threads=threads or 0, exact=int(exact)),
-            c.CertifyOptions(tolerance=tolerance or 0.0, threads=threads or 0, exact=int(exact)))
+    limit, count = 0.0 if tolerance is None else real(tolerance, "tolerance"), thread_count(threads)
+    return (c.MakeOptions(tolerance=limit, threads=count, exact=int(exact)), c.CertifyOptions(tolerance=limit, threads=count, exact=int(exact)))
 
 
 def _is_text(document: str) -> bool:
@@ -195,7 +206,7 @@ def make(document: Document, tolerance: float | None = None, threads: int | None
             models.append(_made(library.taut_problem_list_at(problems.pointer, i), options, proof, library.taut_make,
                                 library.taut_certify))
     for model in models:
-        _strict(model, model.certificate, strict)
+        _strict(model, strict)
     return models if library.taut_problem_list_is_list(problems.pointer) else models[0]
 
 
@@ -216,7 +227,7 @@ def certify(model: Model, problem: Document | None = None, tolerance: float | No
         options.monitor = watch.monitor
         handle = made(library.taut_certify, library.taut_certificate_free, model._pointer, one, byref(options))
     certificate = certificate_of(handle.pointer)
-    _strict(model, certificate, strict)
+    _strict(model, strict, certificate)
     return certificate
 
 
@@ -231,7 +242,7 @@ def dirichlet_direct(points: Any, u: Basis, v: Basis, known: Any, weights: Any, 
     with Watch(progress) as watch:
         options.monitor = proof.monitor = watch.monitor
         model = _made(byref(problem), options, proof, library.taut_dirichlet_make, library.taut_dirichlet_certify)
-    return _strict(model, model.certificate, strict)
+    return _strict(model, strict)
 
 
 __all__ = ["certify", "make", "read"]

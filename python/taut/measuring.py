@@ -6,7 +6,7 @@ from ctypes import byref, c_double, c_void_p, create_string_buffer
 from typing import Any, Union
 
 from . import _library as c
-from ._handle import Handle, encoded, expect, library, made, text_of
+from ._handle import Handle, encoded, expect, library, made, real, text_of, thread_count, whole
 from .errors import InputError, raise_for
 from .geometry import Curve, Surface
 from .making import Progress, Watch
@@ -49,7 +49,7 @@ def measure(what: Union[Model, Surface, Curve], grid: int = 101, threads: int | 
     parameters; integrals are good to 1e-10 relative, or come with their error. progress as of make.
     """
     expect(what, Model, Surface, Curve)
-    options = c.MeasureOptions(grid=grid, threads=threads or 0)
+    options = c.MeasureOptions(grid=whole(grid, "grid"), threads=thread_count(threads))
     with Watch(progress) as watch:
         options.monitor = watch.monitor
         if isinstance(what, Model):
@@ -81,8 +81,8 @@ def split(model: Model, u: float | None = None, v: float | None = None, name: st
     """Every surface, or the one named, cut at u or at v: the same points, without details and certificate."""
     if (u is None) == (v is None):
         raise InputError("split: give u or v, one of them", "", "conflict")
-    at = u if v is None else v
-    return _changed(library.taut_model_split, model, encoded(name), int(u is None), float(at or 0.0))
+    at = real(u, "u") if v is None else real(v, "v")
+    return _changed(library.taut_model_split, model, encoded(name), int(u is None), at)
 
 
 def refine(model: Model, along: str = "uv", name: str | None = None) -> Model:
@@ -106,10 +106,10 @@ def to_nurbs(model: Model, tolerance: float = 1e-6) -> tuple[Model, float]:
     """Every surface and curve as NURBS within tolerance times its size, and the distance that is proved, a length."""
     expect(model, Model)
     bound, error, pointer = c_double(), c.ErrorStruct(), c_void_p()
-    status = library.taut_model_to_nurbs(model._pointer, tolerance, byref(pointer), byref(bound), byref(error))
+    status = library.taut_model_to_nurbs(model._pointer, real(tolerance, "tolerance"), byref(pointer), byref(bound), byref(error))
     if status != c.OK:
         raise_for(status, error)
     return Model._of(Handle(pointer.value or 0, library.taut_model_free)), bound.value
 
 
-__all__ = ["join", "measure", "pieces", "refine", "split", "to_nurbs"]
+__all__ = ["join", "measure", "pieces", "refine", "split", "to_nurbs", "to_unit"]

@@ -4,6 +4,7 @@ from __future__ import annotations
 import ctypes
 import json
 import os
+from copy import deepcopy
 from ctypes import POINTER, byref, c_size_t, c_void_p, cast
 from typing import Any, Iterator, Mapping, NamedTuple, Sequence, Union
 
@@ -11,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _library as c
-from ._handle import Array, Handle, encoded, expect, library, made, text_of, view
+from ._handle import Array, Handle, encoded, expect, library, made, numbers, real, text_of, thread_count, view, whole
 from .errors import InputError, raise_for
 from .geometry import Curve, Surface
 
@@ -40,15 +41,21 @@ class Claim(NamedTuple):
 class Certificate:
     """What was proved of a model: immutable, compares by value."""
 
-    __slots__ = ("construct", "claims", "figures", "holds")
+    __slots__ = ("construct", "claims", "_figures", "holds")
     construct: str
     claims: tuple[Claim, ...]
-    figures: dict[str, Any]
+    _figures: dict[str, Any]
     holds: bool | None
 
     def __init__(self, construct: str, claims: Sequence[Claim], figures: Mapping[str, Any], holds: bool | None) -> None:
-        for name, value in (("construct", construct), ("claims", tuple(claims)), ("figures", dict(figures)), ("holds", holds)):
+        for name, value in (("construct", construct), ("claims", tuple(claims)), ("_figures", deepcopy(dict(figures))),
+                            ("holds", holds)):
             object.__setattr__(self, name, value)
+
+    @property
+    def figures(self) -> dict[str, Any]:
+        """Numbers such as the area, by name: a copy."""
+        return deepcopy(self._figures)
 
     def __setattr__(self, name: str, value: object) -> None:
         raise AttributeError(f"a certificate is immutable: {name}")
@@ -64,7 +71,7 @@ class Certificate:
         return iter(self.claims)
 
     def _key(self) -> tuple[Any, ...]:
-        return (self.construct, repr(self.claims), json.dumps(self.figures, sort_keys=True), self.holds)
+        return (self.construct, repr(self.claims), json.dumps(self._figures, sort_keys=True), self.holds)
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Certificate) and self._key() == other._key()
@@ -135,6 +142,8 @@ class Model:
         for objects, kind, copy, add, free in (
                 (surfaces, Surface, library.taut_surface_copy, library.taut_model_add_surface, library.taut_surface_free),
                 (curves, Curve, library.taut_curve_copy, library.taut_model_add_curve, library.taut_curve_free)):
+            if isinstance(objects, (Surface, Curve)) or not hasattr(objects, "__iter__"):
+                raise InputError(f"found {type(objects).__name__}, expected a list of {kind.__name__.lower()}s", "", "type")
             for one in objects:
                 expect(one, kind)
                 status = copy(one._pointer, byref(pointer))
@@ -184,7 +193,8 @@ class Model:
         found = [one for one in every if one.name == name]
         if len(found) == 1:
             return found[0]
-        raise KeyError(name if not found else f"{name!r} is the name of {len(found)} surfaces and curves")
+        raise KeyError(f"{name!r} is the name of {len(found)} surfaces and curves" if found else
+                       f"{name!r}; there are {', '.join(repr(one.name) for one in every) or 'none'}")
 
     @property
     def unit(self) -> str:
@@ -238,7 +248,11 @@ class Model:
         divide      cells for each knot span, in place of a tolerance
         thickness   of sheets, which are closed then, in the model's unit; 0: none
         """
-        options = c.MeshOptions(tolerance=tolerance, divide=divide, threads=threads or 0, surface=encoded(surface), thickness=thickness)
+        chosen = {"tolerance": real(tolerance, "tolerance"), "divide": whole(divide, "divide"), "thickness": real(thickness, "thickness")}
+        for name, value in chosen.items():
+            if not 0 <= value < float("inf"):
+                raise InputError(f"{name} is {value!r}; expected 0 or more", "", "argument", value)
+        options = c.MeshOptions(threads=thread_count(threads), surface=encoded(surface), **chosen)
         return Mesh(made(library.taut_mesh_new, library.taut_mesh_free, self._pointer, byref(options)))
 
     def plot(self, ax: Any = None, net: bool = False, tolerance: float = 0.0) -> Any:
@@ -300,20 +314,20 @@ _COLOURS = ("plain", "mean", "gaussian", "isothermality", "gap")
 
 def write_options(tolerance: float, threads: int | None, options: Mapping[str, Any]) -> c.WriteOptions:
     """C's struct of what a person says."""
-    chosen = c.WriteOptions(tolerance=tolerance, threads=threads or 0, formats=c.DRAW_FORMATS)
+    chosen = c.WriteOptions(tolerance=real(tolerance, "tolerance"), threads=thread_count(threads), formats=c.DRAW_FORMATS)
     for name, value in options.items():
         if name == "colour":
             if value not in _COLOURS:
                 raise InputError(f"colour is {value!r}; expected one of {', '.join(_COLOURS)}", "", "name")
             chosen.colour = _COLOURS.index(value)
         elif name == "view":
-            chosen.has_view, (chosen.view[0], chosen.view[1]) = 1, (float(x) for x in value)
+            chosen.has_view, (chosen.view[0], chosen.view[1]) = 1, numbers(value, (2,), "view").tolist()
         elif name in ("surface", "title"):
             setattr(chosen, name, encoded(value))
         elif name in ("divide", "isolines", "reflections", "width"):
-            setattr(chosen, name, int(value))
+            setattr(chosen, name, whole(value, name))
         elif name == "thickness":
-            chosen.thickness = float(value)
+            chosen.thickness = real(value, name)
         elif name in ("no_net", "combs", "reactions", "side_by_side", "column", "short_knots", "coefficients"):
             setattr(chosen, name, int(bool(value)))
         else:

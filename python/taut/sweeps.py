@@ -7,8 +7,9 @@ import json
 import os
 import re
 import threading
-from typing import Any, BinaryIO, Iterable, Iterator
+from typing import Any, BinaryIO, Iterable, Iterator, Mapping, Sequence
 
+from ._handle import whole
 from .errors import CheckFailed, Error, FileError, InputError, NoSolution, NotConverged
 from .making import Document, make, plain, with_version
 from .model import Model
@@ -61,7 +62,7 @@ def _locked(path: str) -> BinaryIO:
     try:
         file = open(path, "a+b")
     except OSError as error:
-        raise FileError(f"{path}: {error.strerror}", path, "file") from None
+        raise FileError(f"cannot write {path}: {error.strerror}", path, "file") from None
     try:
         import fcntl
         fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
@@ -149,8 +150,12 @@ def map(problems: Iterable[Document], client: Any = None, threads: int | None = 
                were is in a file of its name with .sums: others are an InputError, reason "other-sweep". A file that holds anything
                else, or that another sweep is writing, is a FileError, and stays as it is
     """
-    if threads is not None and threads < 1:
+    if threads is not None and whole(threads, "threads") < 1:
         raise InputError(f"threads is {threads}; expected 1 or more", "", "argument", threads)
+    if client is not None and not hasattr(client, "submit"):
+        raise InputError(f"client is {client!r}; expected a Dask client or an executor of concurrent.futures", "", "type")
+    if isinstance(problems, Mapping) or not hasattr(problems, "__iter__"):
+        raise InputError(f"found {type(problems).__name__}, expected a list of documents", "", "type")
     return _map(problems, client, threads, None if out is None else os.fspath(out))
 
 
@@ -228,11 +233,11 @@ def _text_or_error(document: Any) -> tuple[str, Error | None]:
 
 def _text(document: Any) -> str:
     """A document as a text that travels."""
-    if document is None:
-        raise InputError("found None, expected a document", "", "type")
     if isinstance(document, (str, os.PathLike)):
         text = os.fspath(document)
         return text if text.lstrip()[:1] in ("{", "[") else os.path.abspath(text)
+    if not isinstance(document, (Mapping, Sequence)):
+        raise InputError(f"found {type(document).__name__}, expected a document", "", "type")
     return json.dumps(with_version(plain(document)))
 
 

@@ -151,3 +151,53 @@ def test_operations_keep_the_points(p, q, seed):
     assert np.abs(surface.reversed("u")(1 - u, v) - here).max() < 1e-13
     moved = surface.transformed(np.hstack([2 * np.eye(3), [[1], [0], [0]]]))
     assert np.abs(moved(u, v) - (2 * here + [1, 0, 0])).max() < 1e-13
+
+
+S, C = taut.Surface(taut.bezier(2), taut.bezier(2), np.ones((3, 3, 3))), taut.Curve(taut.bezier(2), np.ones((3, 3)))
+
+
+@pytest.mark.parametrize("call,said,reason", [
+    (lambda: S(2, 2), "u is 2.0; expected 0.0 to 1.0", "parameter"),
+    (lambda: S(0.5, -3.0), "v is -3.0; expected 0.0 to 1.0", "parameter"),
+    (lambda: S([[0, 0.5], [1, 1.5]], 0), "u[1, 1] is 1.5; expected 0.0 to 1.0", "parameter"),
+    (lambda: S(float("nan"), 0.0), "u is nan", "parameter"),
+    (lambda: S.grid([0, 1], [0, 1, 7]), "v[2] is 7.0", "parameter"),
+    (lambda: C([0, 0.5, -1]), "t[2] is -1.0", "parameter"),
+    (lambda: S("a", 0), "u: found str, expected numbers", "type"),
+    (lambda: S(1j, 0), "u: found complex, expected numbers", "type"),
+    (lambda: S(np.zeros(3), np.zeros(4)), "u has the shape (3,), v (4,)", "size"),
+    (lambda: S(0.5, 0.5, 3), "derivatives is 3; expected 0 to 2", "argument"),
+    (lambda: C(0.5, 1.5), "derivatives is 1.5; expected a whole number", "type"),
+    (lambda: S.grid([0], [0], 0, out=[1]), "out is a list", "argument"),
+    (lambda: S.grid([0], [0], threads="x"), "threads is 'x'", "type"),
+    (lambda: S.elevated("x"), "the direction is 'x'; expected 'u' or 'v'", "name"),
+    (lambda: S.elevated("u", 2**32 + 1), "times is 4294967297", "type"),
+    (lambda: S.inserted("u", "b"), "knot is 'b'", "type"),
+    (lambda: S.transformed(np.ones((3, 3))), "the matrix has the shape (3, 3)", "size"),
+    (lambda: S.mesh(tolerance=-1), "tolerance is -1.0; expected 0 or more", "argument"),
+    (lambda: taut.Surface(taut.bezier(1), taut.bezier(1), "abc"), "points: found str", "type"),
+    (lambda: taut.Surface(taut.bezier(1), taut.bezier(1), np.ones((2, 2, 3)), name=3), "found int, expected a text", "type"),
+    (lambda: taut.Model(S), "found Surface, expected a list of surfaces", "type"),
+    (lambda: taut.dirichlet(np.ones((3, 3, 3)), u=taut.bezier(2), v=taut.bezier(2), threads="x"), "threads is 'x'", "type"),
+    (lambda: list(taut.map(3)), "found int, expected a list of documents", "type"),
+    (lambda: list(taut.map([], client=3)), "client is 3", "type"),
+])
+def test_errors_say_what_is_wrong(call, said, reason):
+    with pytest.raises(taut.InputError) as caught:
+        call()
+    assert str(caught.value).startswith(said) and caught.value.reason == reason
+
+
+def test_curve_operations():
+    curve = taut.Curve(taut.bspline(2, count=5), np.random.default_rng(4).standard_normal((5, 3)))
+    t = np.linspace(0, 1, 33)
+    assert np.allclose(curve.reversed()(1 - t), curve(t), rtol=0, atol=1e-14)
+    assert curve.elevated(2).t.degree == 4 and np.allclose(curve.elevated(2)(t), curve(t), rtol=0, atol=1e-14)
+    assert curve.inserted(0.4).t.count == 6 and np.allclose(curve.inserted(0.4)(t), curve(t), rtol=0, atol=1e-14)
+    turned = curve.transformed([[0, -1, 0, 5], [1, 0, 0, 6], [0, 0, 1, 7]])
+    assert np.allclose(turned(t), curve(t) @ [[0, 1, 0], [-1, 0, 0], [0, 0, 1]] + [5, 6, 7], rtol=0, atol=1e-14)
+
+
+def test_mesh_of_a_surface():
+    mesh, whole = S.mesh(divide=3), taut.Model([S]).mesh(divide=3)
+    assert np.array_equal(mesh.vertices, whole.vertices) and len(mesh.triangles) == len(whole.triangles) > 0

@@ -52,6 +52,13 @@ def test_certificate(net):
     assert "<table>" in certificate._repr_html_()
 
 
+def test_figures_are_a_copy(net):
+    model = taut.dirichlet(net, u=taut.bezier(net.shape[0] - 1), v=taut.bezier(net.shape[1] - 1))
+    area = model.certificate.figures["area"]
+    model.certificate.figures["area"] = 0
+    assert model.certificate.figures["area"] == area
+
+
 def test_changed_model_fails(net):
     u, v = taut.bspline(2, count=5), taut.bspline(3, count=6)
     problem = {"construct": "dirichlet", "points": net, "u": u, "v": v}

@@ -298,14 +298,19 @@ static void grid_fill(int order, int dim, int streaming, const taut_grid_group *
     }
 }
 
+/* A line of a cache that is both streamed and stored is slow: so whole lines alone are streamed, or, where what
+ * is beside them was streamed too, whole vectors. */
 static void grid_copy(size_t count, const double *from, double *to)
 {
+    const size_t unit = (uintptr_t)to % 32 == 0 ? 4 : 8;
     size_t i = 0;
-    for (; i < count && (uintptr_t)(to + i) % 32 != 0; i++) {
+    for (; i < count && (uintptr_t)(to + i) % (8 * unit) != 0; i++) {
         to[i] = from[i];
     }
-    for (; i + 4 <= count; i += 4) {
-        GRID_STREAM(to + i, FOUR_OF(from + i));
+    for (; i + unit <= count; i += unit) {
+        for (size_t k = 0; k < unit; k += 4) {
+            GRID_STREAM(to + i + k, FOUR_OF(from + i + k));
+        }
     }
     for (; i < count; i++) {
         to[i] = from[i];

@@ -16,8 +16,9 @@
 #include <stdint.h>
 #include <string.h>
 
-/* Streamed stores pay once the result is larger than the caches keep for later use. */
-static const size_t streaming_bytes = (size_t)4 << 20;
+/* Streamed stores pay once the result is larger than the caches keep for later use. Rows that do not begin where they
+ * may be streamed to are streamed from a copy, which pays later still. */
+static const size_t streaming_bytes = (size_t)4 << 20, copying_bytes = (size_t)32 << 20;
 
 enum { VECTORS_MAX = 6, ORDERS = 3 };
 
@@ -28,23 +29,23 @@ typedef struct grid {
     const taut_grid_lines *lines; /* of v */
     int nv, order, dim, columns;
     const double *net; /* [nu][columns][dim] */
-    int streaming;
+    int streaming, copying;
     double *values;
     double *scratch; /* one part per thread: polygons, then the points of one block */
     size_t scratch_part, polygons_part;
 } grid;
 
 /* The first points of the groups, from where whole groups were written to where they belong. */
-static void place_block(const grid *g, const taut_grid_block *block, const double *points,
-                        double *values)
+static void place_points(const grid *g, int is_single, int count, const double *points,
+                         double *values)
 {
     const size_t numbers = (size_t)TAUT_SURFACE_VECTORS(g->order) * 3;
-    if (!block->single && g->streaming) {
-        g->ops->copy((size_t)block->points * numbers, points, values);
-    } else if (!block->single) {
-        memcpy(values, points, (size_t)block->points * numbers * sizeof(double));
+    if (!is_single && g->streaming) {
+        g->ops->copy((size_t)count * numbers, points, values);
+    } else if (!is_single) {
+        memcpy(values, points, (size_t)count * numbers * sizeof(double));
     } else {
-        for (int i = 0; i < block->points; i++) {
+        for (int i = 0; i < count; i++) {
             memcpy(values + (size_t)i * numbers, points + (size_t)(i * g->lines->size) * numbers,
                    numbers * sizeof(double));
         }
@@ -58,20 +59,25 @@ static void fill_block(const grid *g, int row, const taut_grid_block *block, dou
     const size_t row_stride = (size_t)g->columns * (size_t)g->dim;
     const double *rows =
         g->net + (size_t)g->u->first[row] * row_stride + (size_t)(block->low * g->dim);
-    double *values = g->values + ((size_t)row * (size_t)g->nv + (size_t)block->start) *
-                                     (size_t)(3 * TAUT_SURFACE_VECTORS(g->order));
-    const int whole = block->count * g->lines->size == block->points;
-    const int direct = whole && (!g->streaming || (uintptr_t)values % 32 == 0);
+    const size_t numbers = (size_t)TAUT_SURFACE_VECTORS(g->order) * 3;
+    double *values = g->values + ((size_t)row * (size_t)g->nv + (size_t)block->start) * numbers;
+    const int is_streamed = g->streaming && (uintptr_t)values % 32 == 0;
+    const int is_direct = !block->single && (is_streamed || !g->copying);
+    const int whole = is_direct ? block->points / g->lines->size : 0; /* groups */
+    const int placed = whole * g->lines->size;
+    const taut_grid_group *groups = g->lines->groups + block->group;
 
     for (int k = 0; k <= g->order; k++) {
         g->ops->contract(g->u->local, taut_table_row(g->u, row, k), rows, row_stride,
                          (size_t)((block->high - block->low) * g->dim),
                          polygons + (size_t)k * row_stride);
     }
-    g->ops->fill(g->order, g->dim, direct && g->streaming, g->lines->groups + block->group,
-                 block->count, polygons, row_stride, direct ? values : points);
-    if (!direct) {
-        place_block(g, block, points, values);
+    g->ops->fill(g->order, g->dim, is_streamed, groups, whole, polygons, row_stride, values);
+    if (whole < block->count) {
+        g->ops->fill(g->order, g->dim, 0, groups + whole, block->count - whole, polygons,
+                     row_stride, points);
+        place_points(g, block->single, block->points - placed, points,
+                     values + (size_t)placed * numbers);
     }
 }
 
@@ -139,6 +145,7 @@ static taut_status fill_grid(const taut_surface *surface, int threads, grid_work
               .columns = columns,
               .net = weights != NULL ? work->net : taut_surface_points(surface),
               .streaming = bytes >= streaming_bytes,
+              .copying = bytes >= copying_bytes,
               .values = values,
               .scratch = work->scratch,
               .scratch_part = part,

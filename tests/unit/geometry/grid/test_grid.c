@@ -163,15 +163,15 @@ static void test_threads(void)
  * each row is what a grid of that row alone gives, which is too small for such stores. */
 static void test_streaming(void)
 {
-    enum { LINES = 600 };
+    enum { LINES = 800 };
     static double u[LINES], v[NV], row[NV * 18];
-    double *values = malloc(((size_t)LINES * NV * 18 + 4) * sizeof(double));
+    double *values = malloc(((size_t)LINES * NV * 18 + 8) * sizeof(double));
     taut_surface *surface = random_surface(1);
     parameters(taut_surface_u(surface), LINES, u);
     parameters(taut_surface_v(surface), NV, v);
     for (int order = 0; order <= 2; order++) {
         const size_t numbers = (size_t)NV * (size_t)(3 * TAUT_SURFACE_VECTORS(order));
-        for (int shift = 0; shift < 4; shift++) {
+        for (int shift = 0; shift < 8; shift++) {
             const int nv = NV - shift;
             const size_t count = numbers / NV * (size_t)nv;
             CHECK(taut_surface_eval_grid(surface, LINES, u, nv, v, order, 2, values + shift) ==
