@@ -55,6 +55,7 @@ check cmd:node                       nodejs                 runs the Khronos val
 check cmd:npm                        npm                    fetches it
 check cmd:tsc                        node-typescript        checks the types of scripts
 check py:matplotlib                  python3-matplotlib     draws by `surface.plot`
+check py:meshio                 python3-meshio         takes meshes by `taut.neighbours`
 check py:nbclient                    python3-nbclient       runs the notebooks as Jupyter does
 check py:ipykernel                   python3-ipykernel      with this
 check py:distributed                 python3-distributed    Dask, which spreads sweeps

@@ -2,6 +2,7 @@
 
     scipy      BSpline and NdBSpline: to_scipy, from_scipy
     geomdl     BSpline and NURBS curves and surfaces: from_geomdl, to_geomdl
+    meshio     the mesh of a model: to_meshio, for the formats that it writes
 """
 from __future__ import annotations
 
@@ -77,4 +78,16 @@ def to_geomdl(what: Union[Curve, Surface], tolerance: float = 1e-9) -> Any:
     return surface
 
 
-__all__ = ["from_geomdl", "from_scipy", "to_geomdl", "to_scipy"]
+def to_meshio(model: Model, tolerance: float = 0.0, divide: int = 0) -> Any:
+    """The mesh of a model as meshio.Mesh: triangles, with the arrays `normals` and `parameters` (u, v) at the points.
+
+    tolerance, divide    as of Model.mesh
+
+    meshio does not read our VTU files, whose cells are the exact Bezier patches; VTK, ParaView and pyvista do."""
+    import meshio
+    mesh = model.mesh(tolerance, divide)
+    return meshio.Mesh(np.array(mesh.vertices), [("triangle", np.array(mesh.triangles, dtype=np.int64))],
+                       point_data={"normals": np.array(mesh.normals), "parameters": np.array(mesh.parameters)})
+
+
+__all__ = ["from_geomdl", "from_scipy", "to_geomdl", "to_meshio", "to_scipy"]

@@ -46,3 +46,15 @@ def test_geomdl():
     assert (surface.points == points).all() and (surface.weights == weights).all() and surface.name == "s"
     if pytest.importorskip("geomdl", reason="needs geomdl"):
         assert neighbours.from_geomdl(neighbours.to_geomdl(curve)) == curve
+
+
+def test_meshio(tmp_path):
+    """A mesh through meshio's own writer and reader."""
+    meshio = pytest.importorskip("meshio", reason="needs python3-meshio")
+    points = np.random.default_rng(5).standard_normal((3, 4, 3))
+    model = taut.Model([taut.Surface(taut.bezier(2), taut.bezier(3), points)])
+    mesh = model.mesh(divide=5)
+    neighbours.to_meshio(model, divide=5).write(tmp_path / "x.vtk")
+    back = meshio.read(tmp_path / "x.vtk")
+    assert np.array_equal(back.points, mesh.vertices) and np.array_equal(back.cells_dict["triangle"], mesh.triangles)
+    assert np.array_equal(back.point_data["parameters"][:, :2], mesh.parameters)  # VTK pads pairs
