@@ -13,10 +13,11 @@
 #     mutants    every mutant that was made by hand
 #     generated  mutants made by rule, for NIGHTLY_GENERATED seconds (7200)
 #     plugins    those of FreeCAD, Blender, ParaView and Grasshopper in their hosts
+#     layouts    a thousand random films of many patches, against what is known of them
 #     forge      forgeries of models against the judge from outside, seed NIGHTLY_SEED (the day)
 set -u
 cd "$(dirname "$0")/.." || exit 1
-all="compilers musl aarch64 sanitize windows wasm fuzz mutants generated plugins forge"
+all="compilers musl aarch64 sanitize windows wasm fuzz mutants generated plugins layouts forge"
 page=docs/nightly.md logs=build/nightly
 for name in "$@"; do
     case " $all " in *" $name "*) ;; *)
@@ -56,11 +57,12 @@ do_fuzz() {
 do_mutants() { tools/mutants.sh; }
 do_generated() { tools/mutants_generated.py --seconds "${NIGHTLY_GENERATED:-7200}"; }
 do_plugins() { tools/deps.sh hosts && tools/plugins.sh test; }
+do_layouts() { cmake --build --preset release --target test-property-layouts && build/release/tests/test-property-layouts 1000; }
 do_forge() { tools/forge_night.sh "${NIGHTLY_SEED:-$(date +%j)}" "${NIGHTLY_SEED:-$(date +%j)}"; }
 
 # What a step says of itself: of tests how many, of examples how many.
 told() { # told LOG
-    grep -hE '^[0-9]+ of [0-9]+ examples|tests passed, |^# (pass|fail) |^[0-9]+ (passed|failed)|mutants tried|^seed [0-9]' "$1" | tail -n 3 |
+    grep -hE '^[0-9]+ of [0-9]+ examples|tests passed, |^# (pass|fail) |^[0-9]+ (passed|failed)|mutants tried|^seed [0-9]|^[0-9]+ films, ' "$1" | tail -n 3 |
         tr '\n|' ' /' | sed 's/  */ /g; s/ $//'
 }
 

@@ -501,6 +501,16 @@ static taut_status check_support(const taut_film_complex *c, taut_error *error)
 
 /* ---- what moves how ---- */
 
+/* Cables of one force are of one kind: where two end in a vertex and nothing else does, it may lie anywhere along them. */
+static int cable_kind(const taut_film_complex *c, const taut_film_edge *edge)
+{
+    int k = 0;
+    while (c->strands[k].edge != edge && c->strands[k].edge->force != edge->force) {
+        k++;
+    }
+    return 1000 + k;
+}
+
 /* What kind of line the edge of a side is, or 0: of one number run on into each other. */
 static int line_kind(const taut_film_complex *c, int p, int e)
 {
@@ -509,9 +519,13 @@ static int line_kind(const taut_film_complex *c, int p, int e)
 
     if (s >= 0) {
         const taut_film_seam *seam = &c->problem->seams[s];
-        return seam->edge.kind == TAUT_FILM_CABLE ? 1000 + s : seam->count > 2 ? 2 : 0;
+        return seam->edge.kind == TAUT_FILM_CABLE ? cable_kind(c, &seam->edge)
+               : seam->count > 2                  ? 2
+                                                  : 0;
     }
-    return edge->kind == TAUT_FILM_CABLE ? 2000 + 4 * p + e : edge->kind == TAUT_FILM_SLIDE ? 3 : 0;
+    return edge->kind == TAUT_FILM_CABLE   ? cable_kind(c, edge)
+           : edge->kind == TAUT_FILM_SLIDE ? 3
+                                           : 0;
 }
 
 static void mark_line(taut_film_complex *c, int p, int e, int *ends, int *kinds)

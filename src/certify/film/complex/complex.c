@@ -44,6 +44,7 @@ typedef struct request {
     taut_film_complex complex;
     const taut_surface **surfaces; /* [patch_count] */
     double tolerance, size;
+    int all; /* nonzero: all coordinates count, found by the method `full`, which folds some nets: these say `normal` */
     double residual;
     int at;     /* the node of it */
     double off; /* of given volumes */
@@ -345,7 +346,7 @@ static void judge(request *r, const taut_sheets *s)
         for (int k = 0; k < hold->count; k++) {
             taut_add_scaled(-taut_dot(g, hold->normals[k]), hold->normals[k], g);
         }
-        if (r->complex.kind[a] != TAUT_FILM_NODE_HELD && r->problem->method == TAUT_FILM_FULL) {
+        if (r->complex.kind[a] != TAUT_FILM_NODE_HELD && r->all) {
             largest = taut_certify_max(taut_largest_coordinate(g) * (r->tolerance / largest_limit),
                                        largest);
         }
@@ -666,6 +667,8 @@ taut_status taut_film_complex_certify(const taut_model *model, const taut_film_p
                  .lowest = NAN,
                  .lowest_user = NAN,
                  .below = -1};
+    const char *method = taut_record_text(taut_record_get(taut_model_details(model), "method"));
+    r.all = problem->method == TAUT_FILM_FULL && !(method != NULL && strcmp(method, "normal") == 0);
     taut_status status = taut_film_complex_new(whole, r.arena, &r.complex, error);
 
     if (status == TAUT_OK) {

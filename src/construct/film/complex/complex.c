@@ -273,8 +273,7 @@ static taut_record *details_of(const taut_film_layout *l, const taut_film_rest *
 
     taut_record_add_number(details, "unknowns", rest->unknowns);
     taut_record_add_number(details, "iterations", rest->iterations);
-    taut_record_add_text(details, "method",
-                         c->problem->method == TAUT_FILM_NORMAL ? "normal" : "full");
+    taut_record_add_text(details, "method", rest->method == TAUT_FILM_NORMAL ? "normal" : "full");
     taut_record_add_text(details, "solver", "fronts");
     taut_record_add_number(details, "residual", rest->residual);
     taut_record *cables = taut_record_add_list(details, "cables");

@@ -10,6 +10,9 @@
 #include <stdio.h>
 #include <string.h>
 
+enum { SWEEPS = 1000 };
+static const double swept = 1e-4; /* of the longest edge */
+
 /* ---- corners ---- */
 
 /* Where corners are held or said to be near. */
@@ -91,18 +94,101 @@ static void take_poles(taut_film_layout *l, unsigned char *is_set)
     }
 }
 
+/* weights[2 p + d]: 1 over the mean square of the lengths of the edges of patch p along v (d = 0) or u, and of all that seams and
+ * opposite edges make as long. */
+static void find_weights(const taut_film_layout *l, int *class, double *weights)
+{
+    const taut_film_problem *problem = l->complex.problem;
+    const int count = 2 * problem->patch_count;
+
+    for (int k = 0; k < count; k++) {
+        class[k] = k;
+    }
+    for (int s = 0; s < problem->seam_count; s++) {
+        const taut_film_side *side = problem->seams[s].sides;
+        for (int j = 1; j < problem->seams[s].count; j++) {
+            const int one = class[2 * side[0].patch + side[0].edge / 2],
+                      other = class[2 * side[j].patch + side[j].edge / 2];
+            for (int k = 0; k < count; k++) {
+                class[k] = class[k] == other ? one : class[k];
+            }
+        }
+    }
+    for (int k = 0; k < count; k++) {
+        double sum = 0;
+        int edges = 0;
+        for (int other = 0; other < count; other++) {
+            for (int e = other % 2 * 2; class[other] == class[k] && e < other % 2 * 2 + 2; e++) {
+                const taut_film_complex *c = &l->complex;
+                const int a = taut_film_complex_corner(c, other / 2, taut_film_edge_corner(e, 0)),
+                          b = taut_film_complex_corner(c, other / 2, taut_film_edge_corner(e, 1));
+                const double length = taut_distance(l->points + 3 * a, l->points + 3 * b);
+                sum += length * length;
+                edges += length > 0;
+            }
+        }
+        weights[k] = sum > 0 && isfinite(sum) ? edges / sum : 1;
+    }
+}
+
+/* One sweep: corners that move, at the weighted mean of those that their edges lead to. The longest way that one went, over the
+ * longest edge. */
+static double even_out(taut_film_layout *l, const unsigned char *is_given, const double *weights,
+                       double *sums)
+{
+    const taut_film_complex *c = &l->complex;
+    double longest = 0, size = 0;
+
+    memset(sums, 0, 4 * (size_t)c->nodes * sizeof(double));
+    for (int p = 0; p < c->problem->patch_count; p++) {
+        for (int k = 0; k < 4; k++) {
+            const int node = taut_film_complex_corner(c, p, k);
+            for (int way = 1; way <= 2; way++) {
+                const int other = taut_film_complex_corner(c, p, k ^ way);
+                const double weight = weights[2 * p + (way == 1)];
+                if (other != node) {
+                    taut_add_scaled(weight, l->points + 3 * other, sums + 4 * node);
+                    sums[4 * node + 3] += weight;
+                }
+                size = fmax(size, taut_distance(l->points + 3 * node, l->points + 3 * other));
+            }
+        }
+    }
+    for (int a = 0; a < c->nodes; a++) {
+        if (sums[4 * a + 3] > 0 && !is_given[a]) {
+            double x[3];
+            for (int k = 0; k < 3; k++) {
+                x[k] = sums[4 * a + k] / sums[4 * a + 3];
+            }
+            taut_film_hold_onto(&c->holds[a], x);
+            longest = fmax(longest, taut_distance(x, l->points + 3 * a));
+            memcpy(l->points + 3 * a, x, sizeof x);
+        }
+    }
+    return size > 0 ? longest / size : 0;
+}
+
+/* Corners that are not given: means, from those that are given on; then all of them evened out, so that no patch is folded where
+ * what holds them is convex (Tutte). */
 static taut_status lay_corners(taut_film_layout *l, taut_arena *arena, taut_error *error)
 {
     const taut_film_complex *c = &l->complex;
-    unsigned char *is_set = taut_arena_take(arena, (size_t)c->nodes, 1);
-    double *sums = taut_arena_take(arena, (size_t)c->nodes, 3 * sizeof(double));
-    int *counts = taut_arena_take(arena, (size_t)c->nodes, sizeof(int));
+    const size_t nodes = (size_t)c->nodes, patches = (size_t)c->problem->patch_count;
+    unsigned char *is_set = taut_arena_take(arena, nodes, 1);
+    double *sums = taut_arena_take(arena, nodes, 4 * sizeof(double));
+    int *counts = taut_arena_take(arena, nodes, sizeof(int));
+    int *class = taut_arena_take(arena, patches, 2 * sizeof(int));
+    double *weights = taut_arena_take(arena, patches, 2 * sizeof(double));
 
     if (taut_arena_status(arena) != TAUT_OK) {
         return taut_fail_memory(error);
     }
     take_given(l, is_set);
     take_poles(l, is_set);
+    const unsigned char *is_given = taut_arena_copy(arena, is_set, nodes, 1);
+    if (is_given == NULL) {
+        return taut_fail_memory(error);
+    }
     while (take_means(l, is_set, sums, counts) > 0) {
     }
     for (int p = 0; p < c->problem->patch_count; p++) {
@@ -110,6 +196,9 @@ static taut_status lay_corners(taut_film_layout *l, taut_arena *arena, taut_erro
             const int node = taut_film_complex_corner(c, p, k);
             taut_film_hold_onto(&c->holds[node], l->points + 3 * node);
         }
+    }
+    find_weights(l, class, weights);
+    for (int k = 0; k < SWEEPS && even_out(l, is_given, weights, sums) > swept; k++) {
     }
     return TAUT_OK;
 }

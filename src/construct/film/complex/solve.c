@@ -63,6 +63,7 @@ typedef struct work {
     int iterations, most;
     int is_narrowed; /* nonzero: it was once */
     int narrow;      /* the moves that are seen alone */
+    taut_film_method method;
 } work;
 
 static int must_stop(const work *w)
@@ -206,14 +207,13 @@ static taut_status refuse_fold(const work *w)
 {
     return taut_fail(w->error, TAUT_NOT_CONVERGED, "folds", "/patches", w->energy->least, fold,
                      "after %d steps the least area element is %.3g of the mean: a patch folds or "
-                     "shrinks to a line on its way to the least energy; give another layout, or "
-                     "the \"method\" \"normal\", which lets the net lie as it came",
+                     "shrinks to a line on its way to the least energy; give another layout",
                      w->iterations, w->energy->least);
 }
 
 static int is_normal(const work *w)
 {
-    return w->layout->complex.problem->method == TAUT_FILM_NORMAL;
+    return w->method == TAUT_FILM_NORMAL;
 }
 
 /* One step, by the least theta that makes one; *taken: 0 where none is better. */
@@ -455,14 +455,32 @@ static taut_status check_saddle(work *w, taut_film_rest *rest)
     return status;
 }
 
+static taut_status find_by(work *w, taut_film_rest *rest)
+{
+    const taut_status status = settle(w);
+    return status == TAUT_OK ? check_saddle(w, rest) : status;
+}
+
+/* In all coordinates; where these fold the net, or do not come to rest, by the method `normal` from the start again. */
+static taut_status find_either(work *w, taut_film_rest *rest)
+{
+    const taut_status status = find_by(w, rest);
+
+    if (status != TAUT_NOT_CONVERGED || is_normal(w)) {
+        return status;
+    }
+    w->method = TAUT_FILM_NORMAL;
+    w->is_narrowed = 0;
+    memcpy(w->x, w->layout->start, 3 * w->nodes * sizeof(double));
+    w->most += w->iterations;
+    return find_by(w, rest);
+}
+
 /* The film, led to its pressure where the way from the start misses it. */
 static taut_status find_film(work *w, taut_film_rest *rest)
 {
-    taut_status status = settle(w);
+    taut_status status = find_either(w, rest);
 
-    if (status == TAUT_OK) {
-        status = check_saddle(w, rest);
-    }
     if ((status == TAUT_NO_SOLUTION || status == TAUT_NOT_CONVERGED) && has_pressure(w->layout)) {
         taut_error first = {.status = TAUT_OK};
         if (w->error != NULL) {
@@ -475,10 +493,7 @@ static taut_status find_film(work *w, taut_film_rest *rest)
         if (led != TAUT_OK) {
             return led == TAUT_NOT_CONVERGED ? status : led;
         }
-        status = settle(w);
-        if (status == TAUT_OK) {
-            status = check_saddle(w, rest);
-        }
+        status = find_by(w, rest);
     }
     return status;
 }
@@ -501,6 +516,7 @@ taut_status taut_film_rest_find(const taut_film_layout *layout, const taut_monit
               .right = taut_arena_take(arena, nodes, bytes),
               .led_from = taut_arena_take(arena, nodes, bytes),
               .led = 1,
+              .method = problem->method,
               .aim = fmin(aim_share * tolerance, 1e-7),
               .most = problem->max_iterations > 0 ? problem->max_iterations : ITERATIONS};
 
@@ -517,6 +533,7 @@ taut_status taut_film_rest_find(const taut_film_layout *layout, const taut_monit
     if (status == TAUT_OK) {
         rest->unknowns = taut_sparse_rows(w.energy->sparse);
         rest->iterations = w.iterations;
+        rest->method = w.method;
         rest->residual = w.residual;
         rest->pressures = w.energy != NULL
                               ? taut_arena_copy(arena, w.energy->pressures,

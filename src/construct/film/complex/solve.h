@@ -8,9 +8,10 @@
 typedef struct taut_film_rest {
     double *points; /* [nodes][3], in the user's unit */
     int unknowns, iterations;
-    double *pressures; /* [cell_count], in the user's unit */
-    double residual;   /* largest free derivative over the largest */
-    int negative;      /* eigenvalues of the second variation below 0 */
+    double *pressures;       /* [cell_count], in the user's unit */
+    double residual;         /* largest free derivative over the largest */
+    int negative;            /* eigenvalues of the second variation below 0 */
+    taut_film_method method; /* that it was found by */
 } taut_film_rest;
 
 /* TAUT_NO_SOLUTION: unstable, overflow; TAUT_NOT_CONVERGED: folds, not-converged; TAUT_INTERRUPTED, TAUT_NO_MEMORY. */
