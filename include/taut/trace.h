@@ -65,7 +65,9 @@ typedef struct taut_trace_seed {
     int ends; /* edge, line, lath: nonzero: the ends too */
     taut_trace_by by;
     const char *lath;
-    double cell; /* in the document's unit (conformal: in that of the measure) */
+    const char
+        *surface; /* of a net that is carried on: the one that it lies on; NULL: the problem's */
+    double cell;  /* in the document's unit (conformal: in that of the measure) */
 } taut_trace_seed;
 
 /* How a lath sits on its curve. */
@@ -110,6 +112,8 @@ typedef struct taut_trace_problem {
     const taut_model *model; /* the surface is in it */
     const taut_problem *of;  /* or in what this makes */
     const char *surface;     /* its name; NULL: the only one */
+    int carry; /* nonzero: curves go on to the model's other surfaces, across edges that join with one normal;
+                 * without `surface` seeds lie on the first one */
     taut_trace_net net;
     int families;   /* 1 or 2: the first or the second alone; 0: both */
     int seed_count; /* 0: { cells: 8 } */

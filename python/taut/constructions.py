@@ -337,7 +337,7 @@ def plateau(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None, 
 
 
 def trace(*, trace: Literal["asymptotic", "principal", "geodesic", "isoparametric"], of: Union[str, Mapping[str, Any]],
-        unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, surface: str | None = None,
+        unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, surface: str | None = None, carry: bool | None = None,
         families: Sequence[Any] | None = None, seeds: Sequence[Any] | None = None, max_length: float | None = None,
         panels: bool | None = None, untrim: bool | None = None, laths: Mapping[str, Any] | None = None,
         sheet: Mapping[str, Any] | None = None, tolerance: float | None = None, threads: int | None = None,
@@ -348,6 +348,8 @@ def trace(*, trace: Literal["asymptotic", "principal", "geodesic", "isoparametri
     of                     the surface: a model, a problem that is made first, or the name of a file that holds one
     unit                   of lengths; nothing is converted; one of "mm", "m", "cm", "in", "ft"; "mm" if not given
     surface                its name, where the model has several
+    carry                  curves go on to the model's other surfaces, across edges that join smoothly; false if not
+                           given
     families               only these
     seeds                  where the curves begin; { "cells": 8 } if not given
     max_length             of a curve each way; 20 sizes if not given; above 0
@@ -357,8 +359,9 @@ def trace(*, trace: Literal["asymptotic", "principal", "geodesic", "isoparametri
     laths                  laths on the curves: how they are cut, and what bending and twisting does to them
     sheet                  what laths with a width are cut from
     """
-    said: dict[str, Any] = {"trace": trace, "of": of, "unit": unit, "surface": surface, "families": families,
-        "seeds": seeds, "max_length": max_length, "panels": panels, "untrim": untrim, "laths": laths, "sheet": sheet}
+    said: dict[str, Any] = {"trace": trace, "of": of, "unit": unit, "surface": surface, "carry": carry,
+        "families": families, "seeds": seeds, "max_length": max_length, "panels": panels, "untrim": untrim, "laths": laths,
+        "sheet": sheet}
     return made_of("trace", said, None, tolerance=tolerance, threads=threads, progress=progress, strict=strict)
 
 

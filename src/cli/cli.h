@@ -47,6 +47,7 @@ typedef struct cli_options {
     const char *cut;
     const char *play;
     int judge_panels;      /* trace --panels */
+    int carry;             /* trace --carry */
     int solid;             /* trace, make: --solid */
     const char *cut_sheet; /* trace --sheet */
     const char *across;    /* pattern */

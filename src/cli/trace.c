@@ -184,6 +184,7 @@ static int write_document(const cli_options *options, cli_words *t)
         cli_put(t, ", \"surface\": ");
         cli_put_word(t, options->surface);
     }
+    cli_put(t, options->carry ? ", \"carry\": true" : "");
     for (int k = 0; k < options->family_count; k++) {
         cli_put(t, k == 0 ? ", \"families\": [" : ", ");
         cli_put_word(t, options->families[k]);
@@ -273,6 +274,8 @@ static const cli_option options_of_trace[] = {
      "of the slots (default 0.2 mm, at most the thickness)"},
     {"--panels", CLI_FLAG, offsetof(cli_options, judge_panels), 0, 0, 0, NULL,
      "principal nets: how plane the quads between nodes are"},
+    {"--carry", CLI_FLAG, offsetof(cli_options, carry), 0, 0, 0, NULL,
+     "curves go on to the other surfaces of the model, across edges that join smoothly"},
     CLI_SOLID,
     CLI_UNTRIM,
     {"--sheet", CLI_TEXT, offsetof(cli_options, cut_sheet), 0, 0, 0, "WxH",

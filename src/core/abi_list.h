@@ -531,6 +531,7 @@
     X(taut_trace_problem, model, "const taut_model *") \
     X(taut_trace_problem, of, "const taut_problem *") \
     X(taut_trace_problem, surface, "const char *") \
+    X(taut_trace_problem, carry, "int") \
     X(taut_trace_problem, net, "taut_trace_net") \
     X(taut_trace_problem, families, "int") \
     X(taut_trace_problem, seed_count, "int") \
@@ -554,6 +555,7 @@
     X(taut_trace_seed, ends, "int") \
     X(taut_trace_seed, by, "taut_trace_by") \
     X(taut_trace_seed, lath, "const char *") \
+    X(taut_trace_seed, surface, "const char *") \
     X(taut_trace_seed, cell, "double")
 
 #define TAUT_ABI_MEMBERS_taut_trace_sheet(X) \

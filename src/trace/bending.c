@@ -5,9 +5,10 @@
 
 enum { SAMPLES = TAUT_BENDING_NODES + 2, ROUNDS = 40 };
 
-taut_lath_bending taut_lath_bending_at(const taut_carrier *carrier, taut_linefield_kind kind,
-                                       const taut_segment *segment, double t)
+taut_lath_bending taut_lath_bending_at(taut_linefield_kind kind, const taut_segment *segment,
+                                       double t)
 {
+    const taut_carrier *carrier = segment->start.on;
     double window[TAUT_QUINTIC][2], x[TAUT_CARRIER_VECTORS][3], at[2], way[2], ab[2], bend[2];
     double out[3], tangent[3], sideways[3];
     taut_form_pair forms;
@@ -45,13 +46,13 @@ taut_lath_bending taut_lath_bending_at(const taut_carrier *carrier, taut_linefie
     return b;
 }
 
-void taut_lath_bending_sample(const taut_carrier *carrier, taut_linefield_kind kind,
-                              const taut_segment *segment, taut_lath_samples *samples)
+void taut_lath_bending_sample(taut_linefield_kind kind, const taut_segment *segment,
+                              taut_lath_samples *samples)
 {
     const taut_station *from = &segment->from, *to = &segment->to;
     double nodes[TAUT_BENDING_NODES], weights[TAUT_BENDING_NODES];
 
-    *samples = (taut_lath_samples){.carrier = carrier, .kind = kind, .segment = segment};
+    *samples = (taut_lath_samples){.kind = kind, .segment = segment};
     taut_gauss_rule(TAUT_BENDING_NODES, nodes, weights);
     samples->at[0] = (taut_lath_bending){{from->k_n, from->k_g, from->tau_g}};
     samples->at[SAMPLES - 1] = (taut_lath_bending){{to->k_n, to->k_g, to->tau_g}};
@@ -59,15 +60,14 @@ void taut_lath_bending_sample(const taut_carrier *carrier, taut_linefield_kind k
     for (int i = 0; i < TAUT_BENDING_NODES; i++) {
         samples->t[i + 1] = (1 + nodes[i]) / 2;
         samples->weight[i + 1] = weights[i] / 2;
-        samples->at[i + 1] = taut_lath_bending_at(carrier, kind, segment, samples->t[i + 1]);
+        samples->at[i + 1] = taut_lath_bending_at(kind, segment, samples->t[i + 1]);
     }
 }
 
 static double measure_at(const taut_lath_samples *samples, taut_lath_measure *measure,
                          const void *context, double t)
 {
-    const taut_lath_bending here =
-        taut_lath_bending_at(samples->carrier, samples->kind, samples->segment, t);
+    const taut_lath_bending here = taut_lath_bending_at(samples->kind, samples->segment, t);
     return measure(&here, context);
 }
 

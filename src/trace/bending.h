@@ -12,20 +12,19 @@ typedef struct taut_lath_bending {
 
 /* At t in [0, 1] of a segment, by the formulas of the field at the window's quintic; zeros where the
  * field has no direction. */
-taut_lath_bending taut_lath_bending_at(const taut_carrier *carrier, taut_linefield_kind kind,
-                                       const taut_segment *segment, double t);
+taut_lath_bending taut_lath_bending_at(taut_linefield_kind kind, const taut_segment *segment,
+                                       double t);
 
 /* A segment's ends and the nodes of Gauss's rule between them. */
 typedef struct taut_lath_samples {
-    const taut_carrier *carrier;
     taut_linefield_kind kind;
     const taut_segment *segment;
     double t[TAUT_BENDING_NODES + 2], weight[TAUT_BENDING_NODES + 2]; /* of [0, 1]; 0 at the ends */
     taut_lath_bending at[TAUT_BENDING_NODES + 2];
 } taut_lath_samples;
 
-void taut_lath_bending_sample(const taut_carrier *carrier, taut_linefield_kind kind,
-                              const taut_segment *segment, taut_lath_samples *samples);
+void taut_lath_bending_sample(taut_linefield_kind kind, const taut_segment *segment,
+                              taut_lath_samples *samples);
 
 /* What is to be the most: not negative. */
 typedef double taut_lath_measure(const taut_lath_bending *bending, const void *context);

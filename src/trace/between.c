@@ -85,8 +85,9 @@ static void guess(const taut_carrier *carrier, const double from[2], const doubl
 }
 
 /* K between two stations of a step. */
-static double gauss_at(const taut_carrier *carrier, const taut_piece *piece, double t)
+static double gauss_at(const taut_piece *piece, double t)
 {
+    const taut_carrier *carrier = piece->start.on;
     const double h = piece->h, r = 1 - t;
     double at[2], x[TAUT_CARRIER_VECTORS][3];
     taut_form_pair forms;
@@ -100,7 +101,7 @@ static double gauss_at(const taut_carrier *carrier, const taut_piece *piece, dou
 }
 
 /* j at the end of the walk; *positive: it did not vanish on the way. */
-static double jacobi(const taut_carrier *carrier, const taut_walk *walk, int *positive)
+static double jacobi(const taut_walk *walk, int *positive)
 {
     double j = 0, slope = 1;
     *positive = 1;
@@ -108,9 +109,9 @@ static double jacobi(const taut_carrier *carrier, const taut_walk *walk, int *po
         const taut_piece *piece = &walk->pieces[k];
         const double h = piece->h / PARTS;
         for (int part = 0; part < PARTS; part++) {
-            const double k0 = gauss_at(carrier, piece, (double)part / PARTS);
-            const double k1 = gauss_at(carrier, piece, (part + 0.5) / PARTS);
-            const double k2 = gauss_at(carrier, piece, (part + 1.0) / PARTS);
+            const double k0 = gauss_at(piece, (double)part / PARTS);
+            const double k1 = gauss_at(piece, (part + 0.5) / PARTS);
+            const double k2 = gauss_at(piece, (part + 1.0) / PARTS);
             const double a1 = -k0 * j, s2 = slope + h / 2 * a1, a2 = -k1 * (j + h / 2 * slope);
             const double s3 = slope + h / 2 * a2, a3 = -k1 * (j + h / 2 * s2);
             const double s4 = slope + h * a3, a4 = -k2 * (j + h * s3);
@@ -150,7 +151,7 @@ static taut_status shoot(const taut_carrier *carrier, const double from[2], cons
     if (taut_walk_start(carrier, kind, from, span, now->along, &state) != TAUT_LINEFIELD_FINE) {
         return TAUT_OK;
     }
-    const taut_status status = taut_follow(carrier, kind, &state, &own, arena, walk);
+    const taut_status status = taut_follow(kind, &state, &own, arena, walk);
     if (status != TAUT_OK || walk->count == 0) {
         return status;
     }
@@ -158,7 +159,7 @@ static taut_status shoot(const taut_carrier *carrier, const double from[2], cons
     taut_difference(goal, end->x, rest);
     taut_add_scaled(end->s - now->length, end->tangent, rest);
     taut_cross(end->normal, end->tangent, sideways);
-    const double j = jacobi(carrier, walk, positive);
+    const double j = jacobi(walk, positive);
     *away = taut_length(rest);
     step[0] = taut_dot(rest, end->tangent);
     step[1] = taut_dot(rest, sideways) / (j != 0 ? j : now->length);

@@ -227,12 +227,25 @@ void taut_carrier_forms_at(const taut_carrier *carrier, const double at[2],
     taut_carrier_forms((const double(*)[3])x, forms);
 }
 
-static int make_net(taut_arena *arena, taut_carrier *carrier)
+/* Half of the largest coordinate of a point from the first one of the first surface. */
+static double half_size(int count, const taut_surface *const *surfaces)
+{
+    const double *origin = taut_surface_points(surfaces[0]);
+    double half = taut_half_size(taut_point_count(surfaces[0]), origin);
+    for (int i = 1; i < count; i++) {
+        const double *points = taut_surface_points(surfaces[i]);
+        for (size_t k = 0; k < 3 * taut_point_count(surfaces[i]); k++) {
+            half = fmax(half, fabs(points[k] / 2 - origin[k % 3] / 2));
+        }
+    }
+    return half;
+}
+
+static int make_net(taut_arena *arena, const double origin[3], double half, taut_carrier *carrier)
 {
     const taut_surface *surface = carrier->surface;
     const double *points = taut_surface_points(surface), *weights = taut_surface_weights(surface);
     const size_t count = taut_point_count(surface);
-    const double half = taut_half_size(count, points);
     const double first = weights != NULL ? weights[0] : 1;
     double *net = taut_arena_take_raw(arena, count, 4 * sizeof(double));
 
@@ -241,7 +254,7 @@ static int make_net(taut_arena *arena, taut_carrier *carrier)
     }
     carrier->scale = taut_exponent(half) + 1;
     carrier->size = ldexp(half, 1 - carrier->scale);
-    memcpy(carrier->origin, points, sizeof carrier->origin);
+    memcpy(carrier->origin, origin, sizeof carrier->origin);
     for (size_t k = 0; k < count; k++) {
         const double w = weights != NULL ? weights[k] / first : 1;
         for (int c = 0; c < 3; c++) {
@@ -295,7 +308,8 @@ static int is_seam(const taut_carrier *carrier, int d)
     return 1;
 }
 
-taut_status taut_carrier_new(taut_arena *arena, const taut_surface *surface, taut_carrier **made)
+static taut_status carrier_in(taut_arena *arena, const taut_surface *surface,
+                              const double origin[3], double half, taut_carrier **made)
 {
     taut_carrier *carrier = taut_arena_take(arena, 1, sizeof *carrier);
     if (carrier == NULL) {
@@ -309,7 +323,7 @@ taut_status taut_carrier_new(taut_arena *arena, const taut_surface *surface, tau
         carrier->lo[d] = taut_basis_lo(carrier->basis[d]);
         carrier->hi[d] = taut_basis_hi(carrier->basis[d]);
     }
-    if (!make_net(arena, carrier) ||
+    if (!make_net(arena, origin, half, carrier) ||
         taut_carrier_cells_new(arena, carrier->basis, carrier->net, &carrier->cells) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
@@ -319,4 +333,36 @@ taut_status taut_carrier_new(taut_arena *arena, const taut_surface *surface, tau
     }
     *made = carrier;
     return TAUT_OK;
+}
+
+taut_status taut_carrier_new(taut_arena *arena, const taut_surface *surface, taut_carrier **made)
+{
+    taut_carrier **one = NULL;
+    const taut_status status = taut_carriers_new(arena, 1, &surface, &one);
+    if (status == TAUT_OK) {
+        *made = one[0];
+    }
+    return status;
+}
+
+taut_status taut_carriers_new(taut_arena *arena, int count, const taut_surface *const *surfaces,
+                              taut_carrier ***made)
+{
+    const double *origin = taut_surface_points(surfaces[0]);
+    const double half = half_size(count, surfaces);
+    taut_carrier **carriers = taut_arena_take(arena, (size_t)count, sizeof *carriers);
+    taut_status status = carriers != NULL ? TAUT_OK : TAUT_NO_MEMORY;
+    double roundest = 0;
+
+    for (int i = 0; status == TAUT_OK && i < count; i++) {
+        status = carrier_in(arena, surfaces[i], origin, half, &carriers[i]);
+        if (status == TAUT_OK) {
+            roundest = fmax(roundest, carriers[i]->roundest);
+        }
+    }
+    for (int i = 0; status == TAUT_OK && i < count; i++) {
+        carriers[i]->roundest = roundest;
+    }
+    *made = carriers;
+    return status;
 }

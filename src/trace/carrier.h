@@ -29,7 +29,8 @@ typedef struct taut_carrier {
     double roundest;       /* the largest R of it */
     int is_straight[2][2]; /* asymptotic, principal; first and second family (trace/straight.h) */
     double way[2][2][2];
-    int wraps[2]; /* u0 and u1 (v0 and v1) are one line in space, with one normal */
+    int wraps[2];               /* u0 and u1 (v0 and v1) are one line in space, with one normal */
+    struct taut_seam *seams[4]; /* of u0, u1, v0, v1: where curves go on (trace/seam.h), or NULL */
 } taut_carrier;
 
 /* First and second fundamental form and the unit normal. */
@@ -42,6 +43,9 @@ typedef struct taut_form_pair {
 /* In the arena; the surface must outlive it. TAUT_NO_MEMORY. */
 taut_status taut_carrier_new(taut_arena *arena, const taut_surface *surface,
                              taut_carrier **carrier);
+/* One a surface, all in one frame: origin, scale, size and roundest are those of all of them. */
+taut_status taut_carriers_new(taut_arena *arena, int count, const taut_surface *const *surfaces,
+                              taut_carrier ***carriers);
 
 /* The derivatives up to `order` (0..3) at `at` from the polynomial of the cell (span[0], span[1]),
  * inside it or not. */

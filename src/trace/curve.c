@@ -28,14 +28,15 @@ static double jump(int dim, const double *a, const double *b)
     return largest;
 }
 
-static int passes_seam(const taut_carrier *carrier, const taut_station *a, const taut_station *b)
+static int passes_seam(const taut_station *a, const taut_station *b)
 {
-    for (int d = 0; d < 2; d++) {
+    const taut_carrier *carrier = a->on;
+    for (int d = 0; a->on == b->on && d < 2; d++) {
         if (fabs(a->at[d] - b->at[d]) > seam * (carrier->hi[d] - carrier->lo[d])) {
             return 1;
         }
     }
-    return 0;
+    return a->on != b->on;
 }
 
 /* How often the knot between two stretches has to stand there. */
@@ -95,6 +96,7 @@ static taut_status make_part(const taut_carrier *carrier, const stretch *stretch
             knots[count++] = before != NULL ? before->to.s : after->from.s;
         }
     }
+    part->on = stretches[first].from.on;
     part->count = count - DEGREE - 1;
     part->space = taut_arena_take(arena, (size_t)part->count, 3 * sizeof(double));
     part->window =
@@ -134,18 +136,26 @@ static taut_status make_part(const taut_carrier *carrier, const stretch *stretch
 /* The segments without those too short to count, as their quintics. */
 static int collect(const taut_carrier *carrier, const taut_lath *lath, stretch *stretches)
 {
+    const double room = shortest * carrier->size;
     int count = 0;
     const taut_station *from = NULL;
     for (int k = 0; k < lath->count; k++) {
         const taut_segment *segment = &lath->segments[k];
-        const double room = shortest * carrier->size;
         from = from != NULL ? from : &segment->from;
         const int is_last = k == lath->count - 1;
+        const int parts = !is_last && passes_seam(&segment->to, &lath->segments[k + 1].from);
+        if (segment->to.s - from->s < room && parts) { /* what goes on is on another one */
+            if (count > 0 && !passes_seam(&stretches[count - 1].to, &segment->from)) {
+                stretches[count - 1].to = segment->to;
+            }
+            from = NULL;
+            continue;
+        }
         if (segment->to.s - from->s < room && !is_last) {
             continue;
         }
         if (segment->to.s - from->s < room && count > 0 &&
-            !passes_seam(carrier, &stretches[count - 1].to, &segment->from)) {
+            !passes_seam(&stretches[count - 1].to, &segment->from)) {
             stretches[count - 1].to = segment->to;
             from = NULL;
             continue;
@@ -175,7 +185,7 @@ taut_status taut_lath_parts(const taut_carrier *carrier, const taut_lath *lath, 
     }
     const int pieces = collect(carrier, lath, stretches);
     for (int k = 1; k < pieces; k++) {
-        seams += passes_seam(carrier, &stretches[k - 1].to, &stretches[k].from);
+        seams += passes_seam(&stretches[k - 1].to, &stretches[k].from);
     }
     *parts = taut_arena_take(arena, (size_t)seams + 2, sizeof **parts);
     if (*parts == NULL) {
@@ -184,7 +194,7 @@ taut_status taut_lath_parts(const taut_carrier *carrier, const taut_lath *lath, 
     taut_status status =
         make_part(carrier, stretches, 0, pieces, seams == 0, arena, &(*parts)[made++], error);
     for (int k = 1, first = 0; status == TAUT_OK && seams > 0 && k <= pieces; k++) {
-        if (k == pieces || passes_seam(carrier, &stretches[k - 1].to, &stretches[k].from)) {
+        if (k == pieces || passes_seam(&stretches[k - 1].to, &stretches[k].from)) {
             status = make_part(carrier, stretches, first, k, 1, arena, &(*parts)[made++], error);
             first = k;
         }

@@ -11,7 +11,8 @@
 
 /* A stretch of a lath that does not pass a seam of the window. */
 typedef struct taut_lath_part {
-    taut_basis *basis; /* the arena's */
+    const taut_carrier *on; /* of its window */
+    taut_basis *basis;      /* the arena's */
     int count;
     double *space;  /* [count][3], in the surface's own unit */
     double *window; /* [count][2] */

@@ -150,14 +150,15 @@ static double of_station(const taut_station *at, taut_trace_by by)
     return by == TAUT_TRACE_CONFORMAL ? at->measure : at->s;
 }
 
-int taut_lath_at(const taut_carrier *carrier, taut_linefield_kind kind, const taut_lath *lath,
-                 taut_trace_by by, double target, taut_station *station)
+int taut_lath_at(taut_linefield_kind kind, const taut_lath *lath, taut_trace_by by, double target,
+                 taut_station *station)
 {
     int k = 0;
     while (k < lath->count - 1 && !(of_station(&lath->segments[k].to, by) >= target)) {
         k++;
     }
     const taut_segment *segment = &lath->segments[k];
+    const taut_carrier *carrier = segment->start.on;
     const double begin = of_station(&segment->from, by), end = of_station(&segment->to, by);
     const double low = segment->from.s, high = segment->to.s;
     double s = low + (high - low) * fmin(fmax((target - begin) / (end - begin), 0), 1);
@@ -165,7 +166,7 @@ int taut_lath_at(const taut_carrier *carrier, taut_linefield_kind kind, const ta
     for (int round = 0; round < ROUNDS; round++) {
         double x[TAUT_CARRIER_VECTORS][3];
         taut_form_pair forms;
-        if (!taut_segment_state(carrier, kind, segment, s, station)) {
+        if (!taut_segment_state(kind, segment, s, station)) {
             return 0;
         }
         taut_carrier_at(carrier, segment->start.span, station->at, 2, x);

@@ -24,7 +24,7 @@ void taut_ruler_at(const taut_ruler *ruler, double target, double at[2]);
 
 /* The place of a lath where its measure (or with `by` length, its length) is `target`; 0 where it
  * cannot be stepped to. */
-int taut_lath_at(const taut_carrier *carrier, taut_linefield_kind kind, const taut_lath *lath,
-                 taut_trace_by by, double target, taut_station *station);
+int taut_lath_at(taut_linefield_kind kind, const taut_lath *lath, taut_trace_by by, double target,
+                 taut_station *station);
 
 #endif /* TAUT_TRACE_DIVIDE_H */

@@ -3,9 +3,13 @@
 #include "core/vec3.h"
 #include "numeric/runge.h"
 #include "trace/parabolic.h"
+#include "trace/seam.h"
 #include "trace/straight.h"
 
 #include <string.h>
+
+/* How many surfaces may meet at a corner that a curve passes. */
+enum { CORNER = 8 };
 
 static const struct {
     double first, largest, least; /* steps over the size */
@@ -134,9 +138,10 @@ static int try_step(cell_field *field, const taut_walk_state *from, double h, ta
     return renew_tangent(field, to) && isfinite(*error);
 }
 
-int taut_walk_step(const taut_carrier *carrier, taut_linefield_kind kind,
-                   const taut_walk_state *from, double h, taut_walk_state *to)
+int taut_walk_step(taut_linefield_kind kind, const taut_walk_state *from, double h,
+                   taut_walk_state *to)
 {
+    const taut_carrier *carrier = from->on;
     cell_field field = {.carrier = carrier, .kind = kind};
     double error = 0;
     if (taut_straight_way(carrier, kind) != NULL) {
@@ -146,6 +151,15 @@ int taut_walk_step(const taut_carrier *carrier, taut_linefield_kind kind,
     return try_step(&field, from, h, to, &error);
 }
 
+/* A tangent of the surface in x_u and x_v. */
+static void in_window(const double x[TAUT_CARRIER_VECTORS][3], const taut_form_pair *forms,
+                      const double tangent[3], double ab[2])
+{
+    const double p = taut_dot(tangent, x[1]), r = taut_dot(tangent, x[2]);
+    ab[0] = (forms->g * p - forms->f * r) / (forms->w * forms->w);
+    ab[1] = (forms->e * r - forms->f * p) / (forms->w * forms->w);
+}
+
 taut_linefield_fault taut_walk_start(const taut_carrier *carrier, taut_linefield_kind kind,
                                      const double at[2], const int span[2], const double along[3],
                                      taut_walk_state *state)
@@ -153,7 +167,7 @@ taut_linefield_fault taut_walk_start(const taut_carrier *carrier, taut_linefield
     double x[TAUT_CARRIER_VECTORS][3], ab[2], tangent[3] = {0, 0, 0};
     taut_form_pair forms;
 
-    *state = (taut_walk_state){.y = {at[0], at[1]}, .span = {span[0], span[1]}};
+    *state = (taut_walk_state){.on = carrier, .y = {at[0], at[1]}, .span = {span[0], span[1]}};
     taut_carrier_at(carrier, span, at, 2, x);
     taut_carrier_forms((const double(*)[3])x, &forms);
     if (kind.net == TAUT_TRACE_GEODESIC) {
@@ -163,9 +177,7 @@ taut_linefield_fault taut_walk_start(const taut_carrier *carrier, taut_linefield
         memcpy(tangent, along, sizeof tangent);
         const double rest = taut_dot(tangent, forms.normal);
         taut_add_scaled(-rest, forms.normal, tangent);
-        const double p = taut_dot(tangent, x[1]), r = taut_dot(tangent, x[2]);
-        ab[0] = (forms.g * p - forms.f * r) / (forms.w * forms.w);
-        ab[1] = (forms.e * r - forms.f * p) / (forms.w * forms.w);
+        in_window((const double(*)[3])x, &forms, tangent, ab);
     } else {
         const taut_linefield_fault fault = taut_linefield_direction(carrier, kind, &forms, ab);
         if (fault != TAUT_LINEFIELD_FINE) {
@@ -182,13 +194,14 @@ taut_linefield_fault taut_walk_start(const taut_carrier *carrier, taut_linefield
     return TAUT_LINEFIELD_FINE;
 }
 
-int taut_walk_station(const taut_carrier *carrier, taut_linefield_kind kind,
-                      const taut_walk_state *state, taut_station *at)
+int taut_walk_station(taut_linefield_kind kind, const taut_walk_state *state, taut_station *at)
 {
+    const taut_carrier *carrier = state->on;
     double x[TAUT_CARRIER_VECTORS][3], sideways[3];
     taut_form_pair forms;
 
-    *at = (taut_station){.s = state->s,
+    *at = (taut_station){.on = carrier,
+                         .s = state->s,
                          .at = {state->y[TAUT_WALK_U], state->y[TAUT_WALK_V]},
                          .twist = state->y[TAUT_WALK_TWIST],
                          .measure = state->y[TAUT_WALK_MEASURE]};
@@ -200,9 +213,7 @@ int taut_walk_station(const taut_carrier *carrier, taut_linefield_kind kind,
     if (!(forms.w > 0)) {
         return 0;
     }
-    const double p = taut_dot(at->tangent, x[1]), r = taut_dot(at->tangent, x[2]);
-    at->ab[0] = (forms.g * p - forms.f * r) / (forms.w * forms.w);
-    at->ab[1] = (forms.e * r - forms.f * p) / (forms.w * forms.w);
+    in_window((const double(*)[3])x, &forms, at->tangent, at->ab);
     at->k_n = taut_linefield_normal_curvature(&forms, at->ab);
     at->tau_g = taut_linefield_torsion(&forms, at->ab);
     const double *way = taut_straight_way(carrier, kind);
@@ -249,8 +260,8 @@ static taut_status add_piece(follower *f, const taut_walk_state *to, int near_pa
     taut_piece *piece = &walk->pieces[walk->count++];
     *piece =
         (taut_piece){.start = f->state, .h = to->s - f->state.s, .near_parabolic = near_parabolic};
-    taut_walk_station(f->carrier, f->kind, &f->state, &piece->from);
-    taut_walk_station(f->carrier, f->kind, to, &piece->to);
+    taut_walk_station(f->kind, &f->state, &piece->from);
+    taut_walk_station(f->kind, to, &piece->to);
     return TAUT_OK;
 }
 
@@ -375,25 +386,35 @@ static void end_at(follower *f, taut_walk_end end, const taut_walk_state *state)
     f->walk->end = end;
     f->walk->end_at[0] = state->y[TAUT_WALK_U];
     f->walk->end_at[1] = state->y[TAUT_WALK_V];
+    f->walk->end_on = state->on;
+}
+
+/* Is the other coordinate at a border of the window too? Then it is set to it. */
+static int meets_corner(const taut_carrier *carrier, int d, taut_walk_state *state, int *edge)
+{
+    double x[TAUT_CARRIER_VECTORS][3];
+    const int other = 1 - d;
+    int found = 0;
+
+    taut_carrier_at(carrier, state->span, state->y, 1, x);
+    const double speed = taut_length(x[1 + other]);
+    for (int k = 0; k < 2; k++) {
+        const double border = k == 0 ? carrier->lo[other] : carrier->hi[other];
+        if (fabs(state->y[other] - border) * speed <= limits.corner * carrier->size) {
+            state->y[other] = border;
+            *edge = 2 * other + k;
+            found = 1;
+        }
+    }
+    return found;
 }
 
 /* Ends on the window's border d at its low (0) or high (1) side; a corner where the other one is met
  * too. */
 static void end_on_border(follower *f, int d, int side, taut_walk_state *state)
 {
-    double x[TAUT_CARRIER_VECTORS][3];
-    const int other = 1 - d;
-
-    taut_carrier_at(f->carrier, state->span, state->y, 1, x);
-    const double speed = taut_length(x[1 + other]);
     f->walk->edges[0] = 2 * d + side;
-    for (int k = 0; k < 2; k++) {
-        const double border = k == 0 ? f->carrier->lo[other] : f->carrier->hi[other];
-        if (fabs(state->y[other] - border) * speed <= limits.corner * f->carrier->size) {
-            state->y[other] = border;
-            f->walk->edges[1] = 2 * other + k;
-        }
-    }
+    meets_corner(f->carrier, d, state, &f->walk->edges[1]);
     end_at(f, f->walk->edges[1] >= 0 ? TAUT_END_CORNER : TAUT_END_EDGE, state);
 }
 
@@ -401,8 +422,67 @@ static void add_kink(follower *f, const taut_walk_state *state, double angle)
 {
     if (f->walk->kink_count < TAUT_KINKS_MAX) {
         f->walk->kinks[f->walk->kink_count++] =
-            (taut_kink){{state->y[TAUT_WALK_U], state->y[TAUT_WALK_V]}, angle};
+            (taut_kink){state->on, {state->y[TAUT_WALK_U], state->y[TAUT_WALK_V]}, angle};
     }
+}
+
+int taut_walk_carry(taut_linefield_kind kind, taut_walk_state *state)
+{
+    const double before[3] = {state->tangent[0], state->tangent[1], state->tangent[2]};
+    double x[TAUT_CARRIER_VECTORS][3];
+    taut_form_pair forms;
+    taut_walk_state now = *state;
+
+    taut_carrier_at(now.on, now.span, now.y, 2, x);
+    taut_carrier_forms((const double(*)[3])x, &forms);
+    in_window((const double(*)[3])x, &forms, before, now.y + TAUT_WALK_A);
+    for (int turns = 0; turns < 2 * CORNER; turns++) {
+        const int edge = taut_seam_out(now.on, now.y, now.y + TAUT_WALK_A);
+        taut_walk_state next;
+        double at[2];
+        int span[2];
+        if (edge < 0) {
+            memcpy(now.y + TAUT_WALK_TWIST, state->y + TAUT_WALK_TWIST, 2 * sizeof(double));
+            now.s = state->s;
+            *state = now;
+            return turns > 0;
+        }
+        const taut_carrier *to = taut_seam_cross(now.on, edge, now.y, at);
+        if (to == NULL) {
+            return 0;
+        }
+        taut_carrier_cell(to, at, NULL, span);
+        if (taut_walk_start(to, kind, at, span, before, &next) != TAUT_LINEFIELD_FINE) {
+            return 0;
+        }
+        taut_carrier_cell(to, at, next.y + TAUT_WALK_A, span);
+        if (taut_walk_start(to, kind, at, span, before, &now) != TAUT_LINEFIELD_FINE) {
+            return 0;
+        }
+    }
+    return 0;
+}
+
+/* Onto the surface that joins at side `up` of direction d; 0 where the curve ends there. */
+static int cross_seam(follower *f, int d, int up, taut_walk_state *state)
+{
+    const taut_walk_state before = *state;
+    int corner = -1;
+
+    if (f->carrier->seams[2 * d + up] != NULL && f->kind.net != TAUT_TRACE_ISOPARAMETRIC) {
+        meets_corner(f->carrier, d, state, &corner);
+        if (taut_walk_carry(f->kind, state)) {
+            const double angle = taut_length_between(state->tangent, before.tangent);
+            if (angle > limits.kink) {
+                add_kink(f, &before, angle);
+            }
+            f->carrier = f->field.carrier = state->on;
+            return 1;
+        }
+        *state = before;
+    }
+    end_on_border(f, d, up, state);
+    return 0;
 }
 
 /* Into the neighbour across the border of direction d; 0 where the curve ends there. */
@@ -418,8 +498,7 @@ static int cross_border(follower *f, int d, taut_walk_state *state)
     next.span[d] += up ? 1 : -1;
     if (next.span[d] < 0 || next.span[d] >= spans) {
         if (!f->carrier->wraps[d]) {
-            end_on_border(f, d, up, state);
-            return 0;
+            return cross_seam(f, d, up, state);
         }
         next.span[d] = up ? 0 : spans - 1;
         next.y[d] = up ? f->carrier->lo[d] : f->carrier->hi[d];
@@ -691,10 +770,10 @@ static int is_stopped(const taut_follow_options *options)
            monitor->progress(monitor->context, options->done, "tracing") != TAUT_GO_ON;
 }
 
-taut_status taut_follow(const taut_carrier *carrier, taut_linefield_kind kind,
-                        const taut_walk_state *start, const taut_follow_options *options,
-                        taut_arena *arena, taut_walk *walk)
+taut_status taut_follow(taut_linefield_kind kind, const taut_walk_state *start,
+                        const taut_follow_options *options, taut_arena *arena, taut_walk *walk)
 {
+    const taut_carrier *carrier = start->on;
     follower f = {.carrier = carrier,
                   .kind = kind,
                   .options = options,
@@ -702,7 +781,6 @@ taut_status taut_follow(const taut_carrier *carrier, taut_linefield_kind kind,
                   .field = {.carrier = carrier, .kind = kind},
                   .state = *start,
                   .h = limits.first * carrier->size};
-    const double *way = taut_straight_way(carrier, kind);
     double x[TAUT_CARRIER_VECTORS][3];
     taut_status status = TAUT_OK;
 
@@ -711,6 +789,7 @@ taut_status taut_follow(const taut_carrier *carrier, taut_linefield_kind kind,
     memcpy(f.seed_x, x[0], sizeof f.seed_x);
     memcpy(f.seed_tangent, start->tangent, sizeof f.seed_tangent);
     while (status == TAUT_OK && walk->end == TAUT_END_NONE) {
+        const double *way = taut_straight_way(f.carrier, kind);
         status = is_stopped(options) ? TAUT_INTERRUPTED
                  : way != NULL       ? advance_straight(&f, way)
                                      : advance(&f);

@@ -41,6 +41,7 @@ typedef enum taut_walk_end {
 
 /* Where a curve is: a place of a cell, and which way it goes in space. */
 typedef struct taut_walk_state {
+    const taut_carrier *on; /* whose place it is */
     double y[TAUT_WALK_COUNT];
     double s;          /* from the seed */
     int span[2];       /* the cell whose polynomial counts */
@@ -49,6 +50,7 @@ typedef struct taut_walk_state {
 
 /* All that is told of a point of the curve; of unit speed. */
 typedef struct taut_station {
+    const taut_carrier *on;
     double s, at[2], ab[2], bend[2];
     double x[3], tangent[3], acceleration[3], normal[3];
     double k_n, k_g, tau_g, twist, measure;
@@ -63,6 +65,7 @@ typedef struct taut_piece {
 } taut_piece;
 
 typedef struct taut_kink {
+    const taut_carrier *on;
     double at[2], angle; /* radians */
 } taut_kink;
 
@@ -75,6 +78,7 @@ typedef struct taut_walk {
     taut_walk_end end;
     int edges[2]; /* which edges it ends on: d and side as 2 d + side, -1 for none */
     double end_at[2];
+    const taut_carrier *end_on;
     taut_kink kinks[TAUT_KINKS_MAX];
     int kink_count;
     double drift; /* sum of the estimated errors */
@@ -93,16 +97,19 @@ taut_linefield_fault taut_walk_start(const taut_carrier *carrier, taut_linefield
                                      const double at[2], const int span[2], const double along[3],
                                      taut_walk_state *state);
 
+/* A state on a border of its window that goes out of it, moved to where the curve goes on across a seam
+ * (trace/seam.h), at a corner across several; 0 where it ends, and then `state` is as it was. */
+int taut_walk_carry(taut_linefield_kind kind, taut_walk_state *state);
+
 /* Follows from a state; walk is filled anew. TAUT_NO_MEMORY, TAUT_INTERRUPTED. */
-taut_status taut_follow(const taut_carrier *carrier, taut_linefield_kind kind,
-                        const taut_walk_state *start, const taut_follow_options *options,
-                        taut_arena *arena, taut_walk *walk);
+taut_status taut_follow(taut_linefield_kind kind, const taut_walk_state *start,
+                        const taut_follow_options *options, taut_arena *arena, taut_walk *walk);
 
 /* The state h on from another one, by one full step in its cell; 0 where there is none. */
-int taut_walk_step(const taut_carrier *carrier, taut_linefield_kind kind,
-                   const taut_walk_state *from, double h, taut_walk_state *to);
+int taut_walk_step(taut_linefield_kind kind, const taut_walk_state *from, double h,
+                   taut_walk_state *to);
 /* What is to be told of a state; 0 where its bend is infinite (then it is 0). */
-int taut_walk_station(const taut_carrier *carrier, taut_linefield_kind kind,
-                      const taut_walk_state *state, taut_station *station);
+int taut_walk_station(taut_linefield_kind kind, const taut_walk_state *state,
+                      taut_station *station);
 
 #endif /* TAUT_TRACE_FOLLOW_H */

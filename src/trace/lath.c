@@ -75,9 +75,10 @@ void taut_quintic_at(int dim, const double *points, double t, double *value, dou
 /* ---- pieces that are good enough ---- */
 
 /* How far the quintic at t is from the surface, what its own tangent says of the net, and its speed. */
-static void judge(const taut_carrier *carrier, taut_linefield_kind kind, const taut_piece *piece,
-                  double t, double *distance, double *residual, double *speed)
+static void judge(taut_linefield_kind kind, const taut_piece *piece, double t, double *distance,
+                  double *residual, double *speed)
 {
+    const taut_carrier *carrier = piece->start.on;
     double space[TAUT_QUINTIC][3], window[TAUT_QUINTIC][2], at[2], ab[2], x[3], tangent[3];
     double second[3], sideways[3];
     double on[TAUT_CARRIER_VECTORS][3];
@@ -112,15 +113,16 @@ static void judge(const taut_carrier *carrier, taut_linefield_kind kind, const t
     }
 }
 
-static int is_good(const taut_carrier *carrier, taut_linefield_kind kind, const taut_piece *piece,
+static int is_good(taut_linefield_kind kind, const taut_piece *piece,
                    const taut_lath_options *options)
 {
+    const taut_carrier *carrier = piece->start.on;
     if (piece->h < short_enough * carrier->size) {
         return 1;
     }
     for (int k = 1; k <= PLACES; k++) {
         double distance = 0, residual = 0, speed = 1;
-        judge(carrier, kind, piece, (double)k / (PLACES + 1), &distance, &residual, &speed);
+        judge(kind, piece, (double)k / (PLACES + 1), &distance, &residual, &speed);
         if (!(fabs(speed - 1) <= uneven) || !(distance <= options->tolerance / 4 * carrier->size) ||
             !(residual <= options->residual)) {
             return 0;
@@ -154,23 +156,22 @@ static taut_status push(pieces *p, const taut_piece *piece)
 }
 
 /* The piece, or its halves, each by a full step from where it begins. */
-static taut_status refine(const taut_carrier *carrier, taut_linefield_kind kind,
-                          const taut_piece *piece, const taut_lath_options *options, int depth,
-                          pieces *out)
+static taut_status refine(taut_linefield_kind kind, const taut_piece *piece,
+                          const taut_lath_options *options, int depth, pieces *out)
 {
     taut_piece low = *piece, high = *piece;
     taut_walk_state middle = {.s = 0};
 
-    if (depth == 0 || piece->near_parabolic || is_good(carrier, kind, piece, options) ||
-        !taut_walk_step(carrier, kind, &piece->start, piece->h / 2, &middle)) {
+    if (depth == 0 || piece->near_parabolic || is_good(kind, piece, options) ||
+        !taut_walk_step(kind, &piece->start, piece->h / 2, &middle)) {
         return push(out, piece);
     }
     low.h = high.h = piece->h / 2;
     high.start = middle;
-    taut_walk_station(carrier, kind, &middle, &low.to);
+    taut_walk_station(kind, &middle, &low.to);
     high.from = low.to;
-    const taut_status status = refine(carrier, kind, &low, options, depth - 1, out);
-    return status == TAUT_OK ? refine(carrier, kind, &high, options, depth - 1, out) : status;
+    const taut_status status = refine(kind, &low, options, depth - 1, out);
+    return status == TAUT_OK ? refine(kind, &high, options, depth - 1, out) : status;
 }
 
 /* ---- both ways ---- */
@@ -250,7 +251,7 @@ static int leaves(const taut_carrier *carrier, const double at[2], const double 
     double x[TAUT_CARRIER_VECTORS][3];
     int span[2];
 
-    *walk = (taut_walk){.edges = {-1, -1}, .end_at = {at[0], at[1]}};
+    *walk = (taut_walk){.edges = {-1, -1}, .end_at = {at[0], at[1]}, .end_on = carrier};
     taut_carrier_cell(carrier, at, NULL, span);
     taut_carrier_at(carrier, span, at, 1, x);
     for (int d = 0; d < 2; d++) {
@@ -277,18 +278,24 @@ static taut_status go(const taut_carrier *carrier, taut_linefield_kind kind, con
 
     taut_carrier_cell(carrier, at, NULL, span);
     *fault = taut_walk_start(carrier, kind, at, span, along, &state);
-    if (*fault != TAUT_LINEFIELD_FINE || leaves(carrier, at, state.y + TAUT_WALK_A, walk)) {
-        return TAUT_OK;
-    }
-    const double ab[2] = {state.y[TAUT_WALK_A], state.y[TAUT_WALK_B]};
-    taut_carrier_cell(carrier, at, ab, span);
-    *fault = taut_walk_start(carrier, kind, at, span, along, &state);
     if (*fault != TAUT_LINEFIELD_FINE) {
         return TAUT_OK;
     }
-    taut_status status = taut_follow(carrier, kind, &state, &options->follow, out->arena, walk);
+    if (leaves(carrier, at, state.y + TAUT_WALK_A, walk)) {
+        if (kind.net == TAUT_TRACE_ISOPARAMETRIC || !taut_walk_carry(kind, &state)) {
+            return TAUT_OK;
+        }
+    } else {
+        const double ab[2] = {state.y[TAUT_WALK_A], state.y[TAUT_WALK_B]};
+        taut_carrier_cell(carrier, at, ab, span);
+        *fault = taut_walk_start(carrier, kind, at, span, along, &state);
+    }
+    if (*fault != TAUT_LINEFIELD_FINE) {
+        return TAUT_OK;
+    }
+    taut_status status = taut_follow(kind, &state, &options->follow, out->arena, walk);
     for (int k = 0; status == TAUT_OK && k < walk->count; k++) {
-        status = refine(carrier, kind, &walk->pieces[k], options, DEPTH, out);
+        status = refine(kind, &walk->pieces[k], options, DEPTH, out);
     }
     return status;
 }
@@ -298,6 +305,7 @@ static void take_end(taut_lath *lath, int end, const taut_walk *walk)
     lath->ended[end] = walk->end;
     memcpy(lath->edges[end], walk->edges, sizeof walk->edges);
     memcpy(lath->ends[end], walk->end_at, sizeof walk->end_at);
+    lath->end_on[end] = walk->end_on;
     lath->steps += walk->count;
     lath->drift += walk->drift;
 }
@@ -344,7 +352,8 @@ taut_status taut_lath_trace(const taut_carrier *carrier, taut_linefield_kind kin
         walks[0] =
             (taut_walk){.end = walks[1].end == TAUT_END_CLOSED ? TAUT_END_CLOSED : TAUT_END_SEED,
                         .edges = {-1, -1},
-                        .end_at = {at[0], at[1]}};
+                        .end_at = {at[0], at[1]},
+                        .end_on = carrier};
     }
     if (status == TAUT_OK && *fault == TAUT_LINEFIELD_FINE) {
         status = join(&behind, &ahead, arena, lath);
@@ -357,22 +366,22 @@ taut_status taut_lath_trace(const taut_carrier *carrier, taut_linefield_kind kin
     taut_carrier_cell(carrier, at, NULL, span);
     taut_walk_start(carrier, kind, at, span, along, &state);
     memcpy(lath->seed_tangent, state.tangent, sizeof lath->seed_tangent);
-    taut_walk_station(carrier, kind, &state, &lath->at_seed);
+    taut_walk_station(kind, &state, &lath->at_seed);
     lath->at_seed.s = lath->seed_s;
     return take_kinks(lath, &walks[0], &walks[1], arena);
 }
 
-int taut_segment_state(const taut_carrier *carrier, taut_linefield_kind kind,
-                       const taut_segment *segment, double s, taut_station *station)
+int taut_segment_state(taut_linefield_kind kind, const taut_segment *segment, double s,
+                       taut_station *station)
 {
     const double h = segment->way * (s - segment->first) - segment->start.s;
     taut_walk_state state;
     taut_station own;
 
-    if (!taut_walk_step(carrier, kind, &segment->start, h, &state)) {
+    if (!taut_walk_step(kind, &segment->start, h, &state)) {
         return 0;
     }
-    taut_walk_station(carrier, kind, &state, &own);
+    taut_walk_station(kind, &state, &own);
     if (segment->way > 0) {
         *station = own;
     } else {

@@ -30,6 +30,7 @@ typedef struct taut_lath {
     taut_walk_end ended[2]; /* at the beginning, at the end */
     int edges[2][2];
     double ends[2][2];
+    const taut_carrier *end_on[2];
     double length, twist, measure, drift;
     taut_kink *kinks;
     int kink_count;
@@ -58,7 +59,7 @@ void taut_quintic_at(int dim, const double *points, double t, double *value, dou
                      double *bend);
 
 /* The state at s of the lath on a segment, by one full step, and the station. 0 where there is none. */
-int taut_segment_state(const taut_carrier *carrier, taut_linefield_kind kind,
-                       const taut_segment *segment, double s, taut_station *station);
+int taut_segment_state(taut_linefield_kind kind, const taut_segment *segment, double s,
+                       taut_station *station);
 
 #endif /* TAUT_TRACE_LATH_H */

@@ -90,7 +90,8 @@ static void leave_out(taut_net *net, int family, const double at[2], taut_linefi
                       int is_along)
 {
     if (net->left_count < TAUT_TRACE_LATHS_MAX) {
-        net->left_out[net->left_count++] = (taut_left_out){family, {at[0], at[1]}, fault, is_along};
+        net->left_out[net->left_count++] =
+            (taut_left_out){net->carrier, family, {at[0], at[1]}, fault, is_along};
     }
 }
 
@@ -171,6 +172,17 @@ static taut_status add_or_leave(taut_net *net, int family, const double at[2], t
     if (status == TAUT_OK && fault != TAUT_LINEFIELD_FINE) {
         leave_out(net, family, at, fault, 0);
     }
+    return status;
+}
+
+/* The same of a place of a lath, which may lie on another surface. */
+static taut_status add_there(taut_net *net, int family, taut_station *at, taut_error *error)
+{
+    const taut_carrier *here = net->carrier;
+    net->carrier = at->on;
+    hold_in_window(at->on, at->at);
+    const taut_status status = add_or_leave(net, family, at->at, error);
+    net->carrier = here;
     return status;
 }
 
@@ -269,9 +281,8 @@ static taut_status seed_lath(taut_net *net, const taut_trace_seed *seed, int ind
     for (int k = first; status == TAUT_OK && k <= last; k++) {
         taut_station at;
         const taut_lath lath = net->laths[found];
-        if (taut_lath_at(net->carrier, kind, &lath, seed->by, whole * k / (seed->count + 1), &at)) {
-            hold_in_window(net->carrier, at.at);
-            status = add_or_leave(net, other, at.at, error);
+        if (taut_lath_at(kind, &lath, seed->by, whole * k / (seed->count + 1), &at)) {
+            status = add_there(net, other, &at, error);
         }
     }
     return status;
@@ -347,21 +358,46 @@ static double border_measure(border_walk *w, double from, double to)
     return sum * (to - from) / 2;
 }
 
-/* The last end of a lath of the family in (from, to], as t; -1 where there is none. */
+/* t, or t + 4, if it lies in (from, to] and behind the last one. */
+static void take_last(double t, double from, double to, double *last)
+{
+    for (int turn = 0; turn < 2; turn++) {
+        if (t + 4 * turn > from && t + 4 * turn <= to) {
+            *last = fmax(*last, t + 4 * turn);
+        }
+    }
+}
+
+/* The same of where a lath passes the border of a carrier, from there or to there. */
+static void take_passing(const taut_carrier *carrier, const taut_station *a, const taut_station *b,
+                         double from, double to, double *last)
+{
+    const taut_station *here = a->on == carrier ? a : b;
+    for (int edge = 0; a->on != b->on && here->on == carrier && edge < 4; edge++) {
+        const double border = edge % 2 == 0 ? carrier->lo[edge / 2] : carrier->hi[edge / 2];
+        if (here->at[edge / 2] == border) {
+            take_last(border_of(carrier, here->at, edge), from, to, last);
+        }
+    }
+}
+
+/* The last end of a lath of the family in (from, to], or place where it goes on to another surface, as t; -1 where there
+ * is none. */
 static double last_end(const taut_net *net, int family, double from, double to)
 {
     double last = -1;
     for (int k = 0; k < net->count; k++) {
         const taut_lath *lath = &net->laths[k];
         for (int end = 0; lath->family == family && end < 2; end++) {
-            for (int e = 0; e < 2 && lath->edges[end][e] >= 0; e++) {
-                const double t = border_of(net->carrier, lath->ends[end], lath->edges[end][e]);
-                for (int turn = 0; turn < 2; turn++) {
-                    if (t + 4 * turn > from && t + 4 * turn <= to) {
-                        last = fmax(last, t + 4 * turn);
-                    }
-                }
+            const int is_here = lath->end_on[end] == net->carrier;
+            for (int e = 0; is_here && e < 2 && lath->edges[end][e] >= 0; e++) {
+                take_last(border_of(net->carrier, lath->ends[end], lath->edges[end][e]), from, to,
+                          &last);
             }
+        }
+        for (int i = 1; lath->family == family && i < lath->count; i++) {
+            take_passing(net->carrier, &lath->segments[i - 1].to, &lath->segments[i].from, from, to,
+                         &last);
         }
     }
     return last;
@@ -381,8 +417,8 @@ static int ends_near(const taut_net *net, int family, double t)
             if (lath->edges[end][0] < 0) {
                 continue;
             }
-            taut_carrier_cell(net->carrier, lath->ends[end], NULL, span);
-            taut_carrier_at(net->carrier, span, lath->ends[end], 0, x[1]);
+            taut_carrier_cell(lath->end_on[end], lath->ends[end], NULL, span);
+            taut_carrier_at(lath->end_on[end], span, lath->ends[end], 0, x[1]);
             if (taut_length_between(x[0][0], x[1][0]) <= same_end * net->carrier->size) {
                 return 1;
             }
@@ -408,14 +444,23 @@ static double reach(border_walk *w, double low, double high, double rest)
     return high;
 }
 
-/* The first end of a lath of the family, t, or -1: where the walk begins. */
+/* The first end of a lath of the family, or place where it goes on to another surface, t, or -1: where the walk
+ * begins. */
 static double first_end(const taut_net *net, int family)
 {
     for (int k = 0; k < net->count; k++) {
         const taut_lath *lath = &net->laths[k];
         for (int end = 0; lath->family == family && end < 2; end++) {
-            if (lath->edges[end][0] >= 0) {
+            if (lath->edges[end][0] >= 0 && lath->end_on[end] == net->carrier) {
                 return border_of(net->carrier, lath->ends[end], lath->edges[end][0]);
+            }
+        }
+        for (int i = 1; lath->family == family && i < lath->count; i++) {
+            double found = -1;
+            take_passing(net->carrier, &lath->segments[i - 1].to, &lath->segments[i].from, -1, 4,
+                         &found);
+            if (found >= 0) {
+                return found;
             }
         }
     }
@@ -483,7 +528,7 @@ static taut_status seed_lattice(taut_net *net, int family, const taut_lath *othe
     taut_station at;
     taut_status status = TAUT_OK;
 
-    if (!taut_lath_at(net->carrier, kind, other, TAUT_TRACE_LENGTH, other->seed_s, &at)) {
+    if (!taut_lath_at(kind, other, TAUT_TRACE_LENGTH, other->seed_s, &at)) {
         return TAUT_OK;
     }
     const double middle = by == TAUT_TRACE_CONFORMAL ? at.measure : at.s;
@@ -497,9 +542,8 @@ static taut_status seed_lattice(taut_net *net, int family, const taut_lath *othe
         const double target = fmin(fmax(middle + k * part, 0), whole);
         if (k == 0) {
             status = add_or_leave(net, family, other->seed, error);
-        } else if (taut_lath_at(net->carrier, kind, other, by, target, &at)) {
-            hold_in_window(net->carrier, at.at);
-            status = add_or_leave(net, family, at.at, error);
+        } else if (taut_lath_at(kind, other, by, target, &at)) {
+            status = add_there(net, family, &at, error);
         }
     }
     return status;
@@ -760,6 +804,26 @@ static taut_status seed_family(taut_net *net, const taut_trace_seed *seed, int f
     }
 }
 
+/* The surface that a seed lies on: the one that it names, or the one of the problem. */
+static taut_status choose_carrier(taut_net *net, const taut_trace_seed *seed, int index,
+                                  const taut_carrier *usual, taut_error *error)
+{
+    char where[48];
+    net->carrier = usual;
+    for (int k = 0; seed->surface != NULL && k < net->carrier_count; k++) {
+        if (strcmp(taut_surface_name(net->carriers[k]->surface), seed->surface) == 0) {
+            net->carrier = net->carriers[k];
+            return TAUT_OK;
+        }
+    }
+    if (seed->surface == NULL) {
+        return TAUT_OK;
+    }
+    snprintf(where, sizeof where, "/seeds/%d/surface", index);
+    return taut_fail(error, TAUT_BAD_INPUT, "no-such-object", where, taut_none, taut_none,
+                     "no surface that curves are traced on has the name \"%.60s\"", seed->surface);
+}
+
 static taut_status trace_seed(taut_net *net, const taut_trace_seed *seed, int index,
                               taut_error *error)
 {
@@ -792,8 +856,7 @@ static taut_status trace_seed(taut_net *net, const taut_trace_seed *seed, int in
 static taut_status find_nodes(taut_net *net, taut_error *error)
 {
     net->nodes.arena = net->arena;
-    return taut_nodes_find(net->carrier, net->problem->net, net->laths, net->count, &net->nodes) ==
-                   TAUT_OK
+    return taut_nodes_find(net->problem->net, net->laths, net->count, &net->nodes) == TAUT_OK
                ? TAUT_OK
                : taut_fail_memory(error);
 }
@@ -802,6 +865,7 @@ taut_status taut_net_trace(taut_net *net, const taut_monitor *monitor, taut_erro
 {
     static const taut_trace_seed usual = {.kind = TAUT_TRACE_CELLS, .count = 8};
     const int count = net->problem->seed_count > 0 ? net->problem->seed_count : 1;
+    const taut_carrier *home = net->carrier;
     taut_status status = TAUT_OK;
 
     net->left_out = taut_arena_take(net->arena, TAUT_TRACE_LATHS_MAX, sizeof *net->left_out);
@@ -810,10 +874,15 @@ taut_status taut_net_trace(taut_net *net, const taut_monitor *monitor, taut_erro
     }
     net->options.follow.monitor = monitor;
     for (int k = 0; status == TAUT_OK && k < count; k++) {
+        const taut_trace_seed *seed =
+            net->problem->seed_count > 0 ? &net->problem->seeds[k] : &usual;
         net->options.follow.done = (double)k / count;
-        status = trace_seed(net, net->problem->seed_count > 0 ? &net->problem->seeds[k] : &usual, k,
-                            error);
+        status = choose_carrier(net, seed, k, home, error);
+        if (status == TAUT_OK) {
+            status = trace_seed(net, seed, k, error);
+        }
     }
+    net->carrier = home;
     if (status == TAUT_OK && net->count == 0) {
         const taut_linefield_fault fault =
             net->left_count > 0 ? net->left_out[0].fault : TAUT_LINEFIELD_SINGULAR;

@@ -12,6 +12,7 @@
 
 /* A seed that has no curve. */
 typedef struct taut_left_out {
+    const taut_carrier *on;
     int family;
     double at[2];
     taut_linefield_fault fault;
@@ -19,7 +20,9 @@ typedef struct taut_left_out {
 } taut_left_out;
 
 typedef struct taut_net {
-    const taut_carrier *carrier;
+    int carrier_count;
+    taut_carrier *const *carriers; /* of all surfaces that curves may lie on */
+    const taut_carrier *carrier;   /* the one that seeds are looked at on */
     const taut_trace_problem *problem;
     taut_lath_options options;
     taut_arena *arena;
@@ -30,7 +33,7 @@ typedef struct taut_net {
     int left_count;
 } taut_net;
 
-/* Fills a net whose carrier, problem, options and arena are set. Errors as of taut_trace_make. */
+/* Fills a net whose carriers, carrier (the first one's), problem, options and arena are set. Errors as of taut_trace_make. */
 taut_status taut_net_trace(taut_net *net, const taut_monitor *monitor, taut_error *error);
 
 #endif /* TAUT_TRACE_NET_H */

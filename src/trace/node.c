@@ -18,17 +18,18 @@ typedef struct box {
     double low[2], high[2];
 } box;
 
-static box box_of(const double points[TAUT_QUINTIC][2], const double room[2])
+static box box_of(const taut_carrier *carrier, const double points[TAUT_QUINTIC][2])
 {
     box b;
     for (int d = 0; d < 2; d++) {
+        const double room = margin * (carrier->hi[d] - carrier->lo[d]);
         double low = points[0][d], high = low;
         for (int k = 1; k < TAUT_QUINTIC; k++) {
             low = points[k][d] < low ? points[k][d] : low;
             high = points[k][d] > high ? points[k][d] : high;
         }
-        b.low[d] = low - room[d];
-        b.high[d] = high + room[d];
+        b.low[d] = low - room;
+        b.high[d] = high + room;
     }
     return b;
 }
@@ -48,14 +49,13 @@ typedef struct outline {
 
 /* What is searched: two segments, and what was found. */
 typedef struct search {
-    const taut_carrier *carrier;
+    const taut_carrier *carrier; /* of both segments */
     taut_trace_net net;
     const taut_lath *laths;
     const outline *outlines;
     int index[2];
     const taut_segment *segments[2];
     const double *quintics[2];
-    double room[2];
     taut_nodes *nodes;
     taut_status status;
 } search;
@@ -82,8 +82,9 @@ static int is_border(const taut_carrier *carrier, const double at[2])
 {
     for (int d = 0; d < 2; d++) {
         const double room = beyond * (carrier->hi[d] - carrier->lo[d]);
-        if (!carrier->wraps[d] &&
-            (at[d] <= carrier->lo[d] + room || at[d] >= carrier->hi[d] - room)) {
+        const int low = at[d] <= carrier->lo[d] + room, high = at[d] >= carrier->hi[d] - room;
+        if (!carrier->wraps[d] && ((low && carrier->seams[2 * d] == NULL) ||
+                                   (high && carrier->seams[2 * d + 1] == NULL))) {
             return 1;
         }
     }
@@ -97,6 +98,7 @@ static void describe(const search *w, const taut_station at[2], taut_node *node)
 
     *node = (taut_node){.laths = {w->index[0], w->index[1]},
                         .occurrence = 1,
+                        .on = w->carrier,
                         .s = {fmax(at[0].s, 0), fmax(at[1].s, 0)}, /* Newton's may be -1e-16 */
                         .at = {at[0].at[0], at[0].at[1]}};
     for (int d = 0; d < 2; d++) {
@@ -209,7 +211,7 @@ static void polish(search *w, double s0, double s1)
         double places[2][2], ways[2][2], step[2];
         for (int k = 0; k < 2; k++) {
             const taut_linefield_kind kind = {w->net, k};
-            if (!taut_segment_state(w->carrier, kind, w->segments[k], s[k], &at[k])) {
+            if (!taut_segment_state(kind, w->segments[k], s[k], &at[k])) {
                 return;
             }
             memcpy(places[k], at[k].at, sizeof places[k]);
@@ -270,7 +272,7 @@ static int is_flat(const double points[TAUT_QUINTIC][2])
 static void bisect(search *w, const double p[TAUT_QUINTIC][2], const double q[TAUT_QUINTIC][2],
                    const double from[2], const double to[2], int depth)
 {
-    const box a = box_of(p, w->room), b = box_of(q, w->room);
+    const box a = box_of(w->carrier, p), b = box_of(w->carrier, q);
     double halves[2][2][TAUT_QUINTIC][2];
 
     if (w->status != TAUT_OK || !overlap(&a, &b)) {
@@ -322,10 +324,11 @@ static void cross_laths(search *w, int first, int second)
             continue;
         }
         w->segments[0] = &w->laths[first].segments[i];
+        w->carrier = w->segments[0]->start.on;
         w->quintics[0] = a->quintics[i][0];
         for (int j = 0; w->status == TAUT_OK && j < w->laths[second].count; j++) {
-            if (overlap(&a->boxes[i], &b->boxes[j])) {
-                w->segments[1] = &w->laths[second].segments[j];
+            w->segments[1] = &w->laths[second].segments[j];
+            if (w->segments[1]->start.on == w->carrier && overlap(&a->boxes[i], &b->boxes[j])) {
                 w->quintics[1] = b->quintics[j][0];
                 const double from[2] = {w->segments[0]->from.s, w->segments[1]->from.s};
                 const double to[2] = {w->segments[0]->to.s, w->segments[1]->to.s};
@@ -348,7 +351,7 @@ static taut_status outline_of(const search *w, const taut_lath *lath, outline *m
     }
     for (int k = 0; k < lath->count; k++) {
         taut_segment_window(&lath->segments[k], made->quintics[k]);
-        made->boxes[k] = box_of((const double(*)[2])made->quintics[k], w->room);
+        made->boxes[k] = box_of(lath->segments[k].start.on, (const double(*)[2])made->quintics[k]);
         for (int d = 0; d < 2; d++) {
             made->whole.low[d] = fmin(made->whole.low[d], made->boxes[k].low[d]);
             made->whole.high[d] = fmax(made->whole.high[d], made->boxes[k].high[d]);
@@ -357,16 +360,13 @@ static taut_status outline_of(const search *w, const taut_lath *lath, outline *m
     return TAUT_OK;
 }
 
-taut_status taut_nodes_find(const taut_carrier *carrier, taut_trace_net net, const taut_lath *laths,
-                            int count, taut_nodes *nodes)
+taut_status taut_nodes_find(taut_trace_net net, const taut_lath *laths, int count,
+                            taut_nodes *nodes)
 {
     outline *outlines = taut_arena_take(nodes->arena, (size_t)count + 1, sizeof *outlines);
-    search w = {.carrier = carrier,
-                .net = net,
+    search w = {.net = net,
                 .laths = laths,
                 .outlines = outlines,
-                .room = {margin * (carrier->hi[0] - carrier->lo[0]),
-                         margin * (carrier->hi[1] - carrier->lo[1])},
                 .nodes = nodes,
                 .status = outlines != NULL ? TAUT_OK : TAUT_NO_MEMORY};
 

@@ -73,7 +73,7 @@ typedef struct ruled {
 
 static double skew_at(const cut *c, const taut_lath_samples *at, double t)
 {
-    const taut_lath_bending b = taut_lath_bending_at(at->carrier, at->kind, at->segment, t);
+    const taut_lath_bending b = taut_lath_bending_at(at->kind, at->segment, t);
     const double ratio = b.value[TAUT_TAU_G] / b.value[c->weak];
     return c->weak == TAUT_K_N ? -ratio : ratio;
 }
@@ -83,7 +83,7 @@ static ruled ruled_at(const cut *c, const taut_lath_samples *at, double t)
 {
     static const double d = 0.02;
     const double length = at->segment->to.s - at->segment->from.s;
-    const taut_lath_bending b = taut_lath_bending_at(at->carrier, at->kind, at->segment, t);
+    const taut_lath_bending b = taut_lath_bending_at(at->kind, at->segment, t);
     const double skew = skew_at(c, at, t);
     const double slope = (8 * (skew_at(c, at, t + d) - skew_at(c, at, t - d)) -
                           (skew_at(c, at, t + 2 * d) - skew_at(c, at, t - 2 * d))) /
@@ -171,7 +171,7 @@ static taut_status make_ruled(const cut *c, const taut_lath *lath, taut_strip *s
     strip->edge_length = 0;
     for (int k = 0; k < lath->count; k++) {
         const taut_segment *on = &lath->segments[k];
-        taut_lath_bending_sample(c->net->carrier, kind, on, &at);
+        taut_lath_bending_sample(kind, on, &at);
         if (is_inflected(c, &at)) {
             return refuse_developable(c, lath, on->from.s, 0, error);
         }
@@ -185,7 +185,7 @@ static taut_status make_ruled(const cut *c, const taut_lath *lath, taut_strip *s
         return refuse_developable(c, lath, rate.at, 2 / rate.value, error);
     }
     for (int k = 0; k < lath->count; k++) {
-        taut_lath_bending_sample(c->net->carrier, kind, &lath->segments[k], &at);
+        taut_lath_bending_sample(kind, &lath->segments[k], &at);
         take_ruled(c, &at, 1, &bend);
     }
     strip->least_radius = bend.value > 0 ? 1 / bend.value : INFINITY;
@@ -228,7 +228,7 @@ taut_status taut_strip_axis(const taut_net *net, const taut_strip *strip, const 
     int stop = 0;
 
     for (int k = 0; k < lath->count; k++) {
-        taut_lath_bending_sample(net->carrier, kind, &lath->segments[k], &at);
+        taut_lath_bending_sample(kind, &lath->segments[k], &at);
         most += c.is_straight ? 0 : (size_t)parts_of(&c, &at, sagitta);
     }
     taut_axis_point *list = taut_arena_take(net->arena, most, sizeof *list);
@@ -238,13 +238,13 @@ taut_status taut_strip_axis(const taut_net *net, const taut_strip *strip, const 
     *points = list;
     *count = 1; /* the origin */
     if (c.only_bends && lath->count > 0) {
-        taut_lath_bending_sample(net->carrier, kind, &lath->segments[0], &at);
+        taut_lath_bending_sample(kind, &lath->segments[0], &at);
         list[0].skew = skew_at(&c, &at, 0);
     }
     for (int k = 0; k < lath->count; k++) {
         const taut_segment *on = &lath->segments[k];
         const double from = on->from.s, length = on->to.s - from;
-        taut_lath_bending_sample(net->carrier, kind, on, &at);
+        taut_lath_bending_sample(kind, on, &at);
         const int parts = c.is_straight ? 1 : parts_of(&c, &at, sagitta);
         for (int part = 1; part <= parts;) {
             const double t = (double)part / parts, s = part == parts ? on->to.s : from + t * length;
@@ -324,7 +324,7 @@ static taut_lath_bending bending_at(const taut_net *net, const taut_lath *lath, 
     if (segment != NULL) {
         *segment = k;
     }
-    return taut_lath_bending_at(net->carrier, kind, on, t);
+    return taut_lath_bending_at(kind, on, t);
 }
 
 /* ---- one lath ---- */
@@ -359,13 +359,12 @@ static taut_status make_strip(const cut *c, const taut_lath *lath, taut_strip *s
                                    .is_stretched = c->laths->cut != TAUT_TRACE_CUT_AXIS};
     extremes most = {0};
 
-    if (taut_unroll(c->net->arena, c->net->carrier, kind, lath, &rule, &strip->unrolled) !=
-        TAUT_OK) {
+    if (taut_unroll(c->net->arena, kind, lath, &rule, &strip->unrolled) != TAUT_OK) {
         return taut_fail_memory(error);
     }
     for (int k = 0; k < lath->count; k++) {
         taut_lath_samples at;
-        taut_lath_bending_sample(c->net->carrier, kind, &lath->segments[k], &at);
+        taut_lath_bending_sample(kind, &lath->segments[k], &at);
         taut_lath_take_most(&at, weak_size, c, 1, &most.weak);
         taut_lath_take_most(&at, flat_size, c, 1, &most.flat);
         taut_lath_take_most(&at, twist_size, c, 1, &most.twist);
@@ -421,7 +420,7 @@ static double directed_angle(const taut_net *net, const taut_node *node, taut_la
         taut_station at = {0};
         int segment = 0;
         b[i] = bending_at(net, lath, node->s[i], &segment);
-        if (!taut_segment_state(net->carrier, kind, &lath->segments[segment], node->s[i], &at)) {
+        if (!taut_segment_state(kind, &lath->segments[segment], node->s[i], &at)) {
             at = lath->segments[segment].from;
         }
         memcpy(tangent[i], at.tangent, sizeof at.tangent);

@@ -89,14 +89,13 @@ static double mean_stretch(double y)
     return sum;
 }
 
-static void fit_segment(const taut_unroll_rule *rule, const rules *r, const taut_carrier *carrier,
-                        taut_linefield_kind kind, const taut_segment *on,
-                        taut_unrolled_segment *made)
+static void fit_segment(const taut_unroll_rule *rule, const rules *r, taut_linefield_kind kind,
+                        const taut_segment *on, taut_unrolled_segment *made)
 {
     double turn[NODES] = {0}, stretch[NODES] = {0}, edge[NODES] = {0};
     made->length = on->to.s - on->from.s;
     for (int k = 0; k < NODES && (rule->flat >= 0 || rule->width > 0); k++) {
-        const taut_lath_bending b = taut_lath_bending_at(carrier, kind, on, (1 + r->nodes[k]) / 2);
+        const taut_lath_bending b = taut_lath_bending_at(kind, on, (1 + r->nodes[k]) / 2);
         const double y = rule->width * fabs(b.value[TAUT_TAU_G]) / 2;
         turn[k] = rule->flat >= 0 ? b.value[rule->flat] : 0;
         stretch[k] = mean_stretch(y);
@@ -140,9 +139,8 @@ static taut_unrolled_point point_at(const taut_unrolled *all, const taut_unrolle
     return at;
 }
 
-taut_status taut_unroll(taut_arena *arena, const taut_carrier *carrier, taut_linefield_kind kind,
-                        const taut_lath *lath, const taut_unroll_rule *rule,
-                        taut_unrolled *unrolled)
+taut_status taut_unroll(taut_arena *arena, taut_linefield_kind kind, const taut_lath *lath,
+                        const taut_unroll_rule *rule, taut_unrolled *unrolled)
 {
     double *nodes = taut_arena_take(arena, 2 * PLANE_NODES, sizeof *nodes);
     taut_unrolled_segment *segments =
@@ -157,7 +155,7 @@ taut_status taut_unroll(taut_arena *arena, const taut_carrier *carrier, taut_lin
     taut_gauss_rule(PLANE_NODES, nodes, nodes + PLANE_NODES);
     for (int k = 0; k < lath->count; k++) {
         taut_unrolled_segment *on = &segments[k];
-        fit_segment(rule, &r, carrier, kind, &lath->segments[k], on);
+        fit_segment(rule, &r, kind, &lath->segments[k], on);
         on->from = k > 0 ? on[-1].to : (taut_unrolled_point){0};
         on->to = point_at(unrolled, on, 1);
     }

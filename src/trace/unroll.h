@@ -31,9 +31,8 @@ typedef struct taut_unrolled_point {
 } taut_unrolled_point;
 
 /* In the arena. TAUT_NO_MEMORY. */
-taut_status taut_unroll(taut_arena *arena, const taut_carrier *carrier, taut_linefield_kind kind,
-                        const taut_lath *lath, const taut_unroll_rule *rule,
-                        taut_unrolled *unrolled);
+taut_status taut_unroll(taut_arena *arena, taut_linefield_kind kind, const taut_lath *lath,
+                        const taut_unroll_rule *rule, taut_unrolled *unrolled);
 
 /* At t in [0, 1] of a segment; of the end of the lath at t = 1 of the last one. */
 taut_unrolled_point taut_unrolled_at(const taut_unrolled *unrolled, int segment, double t);

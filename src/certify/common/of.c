@@ -5,6 +5,7 @@
 #include "geometry/keep.h"
 #include "problem/problem.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 /* How many numbers of two surfaces differ; 1 where their bases do. */
@@ -39,9 +40,22 @@ const taut_surface *taut_certify_named(const taut_model *model, const char *name
     return NULL;
 }
 
+/* The same of all surfaces of two models. */
+static double all_differences(const taut_model *a, const taut_model *b)
+{
+    const int count = taut_model_surface_count(a);
+    double wrong = abs(count - taut_model_surface_count(b));
+    for (int k = 0; k < count && k < taut_model_surface_count(b); k++) {
+        const taut_surface *one = taut_model_surface(a, k), *other = taut_model_surface(b, k);
+        wrong += strcmp(taut_surface_name(one), taut_surface_name(other)) != 0;
+        wrong += differences(one, other);
+    }
+    return wrong;
+}
+
 /* What was made first, proved by its own problem: the surface alone, under the details it was made
  * with. */
-static taut_status prove_first(const taut_model *whole, const taut_surface *carrier,
+static taut_status prove_first(const taut_model *whole, const taut_surface *carrier, int all,
                                const taut_problem *problem, taut_arena *arena,
                                const taut_audit *audit, taut_claim *claim, taut_error *error)
 {
@@ -52,16 +66,18 @@ static taut_status prove_first(const taut_model *whole, const taut_surface *carr
                                           .exact = audit->exact,
                                           .monitor = *audit->crew.pulse->monitor};
     taut_certificate *inner = NULL;
-    taut_surface *surface = NULL;
     taut_model *model = NULL;
 
     if (taut_model_new(&model) != TAUT_OK || !taut_keep_model(arena, model)) {
         return taut_fail_memory(error);
     }
-    if (taut_surface_copy(carrier, &surface) != TAUT_OK ||
-        taut_model_add_surface(model, surface) != TAUT_OK) {
-        taut_surface_free(surface);
-        return taut_fail_memory(error);
+    for (int k = 0; k < (all ? taut_model_surface_count(whole) : 1); k++) {
+        taut_surface *surface = NULL;
+        if (taut_surface_copy(all ? taut_model_surface(whole, k) : carrier, &surface) != TAUT_OK ||
+            taut_model_add_surface(model, surface) != TAUT_OK) {
+            taut_surface_free(surface);
+            return taut_fail_memory(error);
+        }
     }
     if (details != NULL) {
         taut_record *copy = taut_record_copy(details);
@@ -101,10 +117,12 @@ taut_status taut_certify_of(const taut_model *model, const taut_surface *surface
     taut_status status = TAUT_OK;
 
     if (given->of != NULL) {
-        status = prove_first(model, surface, given->of, arena, audit, &claim, error);
+        status = prove_first(model, surface, given->all, given->of, arena, audit, &claim, error);
     } else {
         const taut_surface *one = taut_certify_named(given->model, given->surface);
-        claim.residual = one != NULL ? differences(one, surface) : 1;
+        claim.residual = given->all    ? all_differences(given->model, model)
+                         : one != NULL ? differences(one, surface)
+                                       : 1;
         claim.holds = taut_certify_below(claim.residual, 0);
     }
     if (status != TAUT_OK) {

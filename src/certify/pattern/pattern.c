@@ -308,7 +308,7 @@ static taut_status add_surface(const taut_cloth *cloth, taut_arena *arena, const
 {
     const taut_pattern_problem *p = cloth->problem;
     const taut_certify_given given = {p != NULL ? p->model : NULL, p != NULL ? p->of : NULL,
-                                      p != NULL ? p->surface : NULL};
+                                      p != NULL ? p->surface : NULL, 0};
     return p != NULL ? taut_certify_of(cloth->model, cloth->given, &given, arena, audit,
                                        certificate, error)
                      : TAUT_OK;

@@ -113,15 +113,18 @@ taut_status taut_net_complete_add(const taut_net_lines *lines, int is_proved, ta
     if (ends == NULL) {
         return TAUT_NO_MEMORY;
     }
-    if (lines->net == TAUT_TRACE_GEODESIC || (!is_proved && !exists_everywhere(lines))) {
+    if (lines->net == TAUT_TRACE_GEODESIC || lines->surface_count > 1 ||
+        (!is_proved && !exists_everywhere(lines))) {
         return TAUT_OK;
     }
     for (int k = 0; k < lines->count; k++) {
         const taut_basis *t = taut_curve_t(lines->lines[k].space);
         double at[2];
+        int on = 0;
         for (int end = 0; end < 2; end++) {
             const double place = end == 0 ? taut_basis_lo(t) : taut_basis_hi(t);
-            if (lines->lines[k].count != 1 || !taut_net_line_window(&lines->lines[k], place, at)) {
+            if (lines->lines[k].count != 1 ||
+                !taut_net_line_window(&lines->lines[k], place, at, &on)) {
                 return TAUT_OK;
             }
             ends[k][end] = border_of(lines->surface, at);

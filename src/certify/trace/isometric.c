@@ -62,15 +62,21 @@ static void correct(taut_trace_net net, const taut_forms *f, double ab[2])
     }
 }
 
-static int spot_at(const taut_net_lines *lines, const taut_surface *surface,
+/* Within the stretch that holds t. */
+static int spot_at(const taut_net_lines *lines, const taut_surface *const *surfaces,
                    const taut_net_line *line, double t, spot *s)
 {
+    int k = 0;
     double window[2][3], at[2], x[3][3], cross[3];
     taut_forms f;
 
-    if (line->count != 1 || taut_curve_eval(line->window[0], t, 1, window[0]) != TAUT_OK) {
+    while (k < line->count - 1 && t > taut_basis_hi(taut_curve_t(line->window[k]))) {
+        k++;
+    }
+    if (line->count == 0 || taut_curve_eval(line->window[k], t, 1, window[0]) != TAUT_OK) {
         return 0;
     }
+    const taut_surface *surface = surfaces[line->on[k]];
     for (int d = 0; d < 2; d++) {
         const taut_basis *basis = d == 0 ? taut_surface_u(surface) : taut_surface_v(surface);
         at[d] = fmin(fmax(window[0][d], taut_basis_lo(basis)), taut_basis_hi(basis));
@@ -98,7 +104,7 @@ static int spot_at(const taut_net_lines *lines, const taut_surface *surface,
 }
 
 /* What the edge at height h is long on a span; NAN where it is not known. */
-static double edge_of(const taut_net_lines *lines, const taut_surface *surface,
+static double edge_of(const taut_net_lines *lines, const taut_surface *const *surfaces,
                       const taut_net_line *line, const double ends[2], double scale, double h,
                       int is_envelope)
 {
@@ -110,7 +116,7 @@ static double edge_of(const taut_net_lines *lines, const taut_surface *surface,
     derive(nodes, d);
     for (int k = 0; k < NODES; k++) {
         const double t = (ends[0] + ends[1]) / 2 + (ends[1] - ends[0]) / 2 * nodes[k];
-        if (!spot_at(lines, surface, line, t, &spots[k])) {
+        if (!spot_at(lines, surfaces, line, t, &spots[k])) {
             return NAN;
         }
     }
@@ -149,8 +155,8 @@ static double told_edge(const taut_net_lines *lines, const char *name)
     return NAN;
 }
 
-double taut_net_isometric(const taut_net_lines *lines, const taut_surface *surface, int unit,
-                          const taut_trace_problem *problem, const char **where)
+double taut_net_isometric(const taut_net_lines *lines, const taut_surface *const *surfaces,
+                          int unit, const taut_trace_problem *problem, const char **where)
 {
     const taut_trace_laths *laths = problem != NULL ? problem->laths : NULL;
     double worst = -1;
@@ -165,7 +171,7 @@ double taut_net_isometric(const taut_net_lines *lines, const taut_surface *surfa
         const double *breaks = taut_basis_breaks(basis);
         double length = 0;
         for (int k = 0; k < taut_basis_span_count(basis); k++) {
-            length += edge_of(lines, surface, line, breaks + k, ldexp(1, -unit),
+            length += edge_of(lines, surfaces, line, breaks + k, ldexp(1, -unit),
                               ldexp(laths->width / 2, -unit), laths->strip == TAUT_TRACE_ENVELOPE);
         }
         const double told = ldexp(told_edge(lines, taut_curve_name(line->space)), -unit);

@@ -4,19 +4,56 @@
 #include "core/fail.h"
 #include "geometry/exponent.h"
 
+#include <math.h>
 #include <string.h>
 
 static const char *const nets[] = {"asymptotic", "principal", "geodesic", "isoparametric"};
 
+/* Do curves go on from one surface to the next: as the problem says, or else as the stretches do? */
+static int is_carried(const taut_trace_problem *problem, const taut_record *domain)
+{
+    return problem != NULL ? problem->carry
+                           : taut_record_get(taut_record_at(domain, 0), "surface") != NULL;
+}
+
+/* The surface that a stretch names; -1 where there is none. */
+static int surface_of(const taut_net_lines *lines, const taut_record *stretch)
+{
+    const char *name = taut_record_text(taut_record_get(stretch, "surface"));
+    for (int k = 0; lines->surface_count > 1 && k < lines->surface_count; k++) {
+        if (strcmp(taut_surface_name(taut_model_surface(lines->model, k)), name) == 0) {
+            return k;
+        }
+    }
+    return lines->surface_count > 1 ? -1 : 0;
+}
+
+/* Of all surfaces, from the first one's first point. */
+static double size_of(const taut_net_lines *lines)
+{
+    const double *origin = taut_surface_points(lines->surface);
+    double half = taut_half_size(taut_point_count(lines->surface), origin);
+    for (int i = 1; i < lines->surface_count; i++) {
+        const taut_surface *surface = taut_model_surface(lines->model, i);
+        const double *points = taut_surface_points(surface);
+        for (size_t k = 0; k < 3 * taut_point_count(surface); k++) {
+            half = fmax(half, fabs(points[k] / 2 - origin[k % 3] / 2));
+        }
+    }
+    return 2 * half;
+}
+
 /* The stretches of a name, end to end over the range of the curve; none where they are not. */
-static taut_status read_window(const taut_record *domain, taut_arena *arena, taut_net_line *line)
+static taut_status read_window(const taut_net_lines *lines, const taut_record *domain,
+                               taut_arena *arena, taut_net_line *line)
 {
     const size_t items = taut_record_count(domain);
     const char *name = taut_curve_name(line->space);
     double at = taut_basis_lo(taut_curve_t(line->space));
 
     line->window = taut_arena_take(arena, items + 1, sizeof *line->window);
-    if (line->window == NULL) {
+    line->on = taut_arena_take(arena, items + 1, sizeof *line->on);
+    if (line->window == NULL || line->on == NULL) {
         return TAUT_NO_MEMORY;
     }
     for (size_t k = 0; k < items; k++) {
@@ -29,11 +66,13 @@ static taut_status read_window(const taut_record *domain, taut_arena *arena, tau
         if (status != TAUT_OK) {
             return status;
         }
-        if (stretch == NULL || taut_basis_lo(taut_curve_t(stretch)) != at) {
+        const int on = surface_of(lines, item);
+        if (stretch == NULL || on < 0 || taut_basis_lo(taut_curve_t(stretch)) != at) {
             line->count = 0;
             return TAUT_OK;
         }
         at = taut_basis_hi(taut_curve_t(stretch));
+        line->on[line->count] = on;
         line->window[line->count++] = stretch;
     }
     if (at != taut_basis_hi(taut_curve_t(line->space))) {
@@ -79,8 +118,8 @@ taut_status taut_net_lines_new(taut_arena *arena, const taut_model *model,
     if (status != TAUT_OK) {
         return status;
     }
-    lines->size =
-        2 * taut_half_size(taut_point_count(lines->surface), taut_surface_points(lines->surface));
+    lines->surface_count = is_carried(problem, domain) ? taut_model_surface_count(model) : 1;
+    lines->size = size_of(lines);
     lines->lines = taut_arena_take(arena, (size_t)count, sizeof *lines->lines);
     for (int i = 0; lines->lines != NULL && i < count; i++) {
         taut_net_line *line = &lines->lines[lines->count++];
@@ -89,7 +128,7 @@ taut_status taut_net_lines_new(taut_arena *arena, const taut_model *model,
         line->family = taut_curve_name(line->space)[0] == 'B';
         line->length =
             taut_basis_hi(taut_curve_t(line->space)) - taut_basis_lo(taut_curve_t(line->space));
-        status = read_window(domain, arena, line);
+        status = read_window(lines, domain, arena, line);
         if (status != TAUT_OK) {
             return taut_fail_memory(error);
         }
@@ -97,7 +136,7 @@ taut_status taut_net_lines_new(taut_arena *arena, const taut_model *model,
     return lines->lines != NULL ? TAUT_OK : taut_fail_memory(error);
 }
 
-int taut_net_line_window(const taut_net_line *line, double t, double at[2])
+int taut_net_line_window(const taut_net_line *line, double t, double at[2], int *on)
 {
     for (int k = 0; k < line->count; k++) {
         const taut_basis *basis = taut_curve_t(line->window[k]);
@@ -106,6 +145,7 @@ int taut_net_line_window(const taut_net_line *line, double t, double at[2])
             taut_curve_eval(line->window[k], t, 0, point);
             at[0] = point[0];
             at[1] = point[1];
+            *on = line->on[k];
             return 1;
         }
     }

@@ -14,14 +14,17 @@ typedef struct taut_net_line {
     int family;                /* by its name: 0 for A and G, 1 for B */
     int count;                 /* of stretches, 0 where none fits */
     const taut_curve **window; /* [count], points (u, v, 0), in order; the arena's */
+    int *on;                   /* [count]: in the window of which surface */
     double length;             /* of the range */
 } taut_net_line;
 
 typedef struct taut_net_lines {
     const taut_model *model;
-    const taut_surface *surface;
+    const taut_surface *surface; /* the first one */
+    int surface_count;           /* 1, or of a net that goes on across seams all of the model's */
     taut_trace_net net;
-    double size; /* largest distance of a control point from the first, by coordinates */
+    double
+        size; /* largest distance of a control point from the first one's first, by coordinates */
     int count;
     taut_net_line *lines;
 } taut_net_lines;
@@ -32,7 +35,7 @@ taut_status taut_net_lines_new(taut_arena *arena, const taut_model *model,
                                const taut_trace_problem *problem, taut_net_lines *lines,
                                taut_error *error);
 
-/* The window's place at t of a line, its range's; 0 where no stretch holds it. */
-int taut_net_line_window(const taut_net_line *line, double t, double at[2]);
+/* The window's place at t of a line, its range's, and the surface it is of; 0 where no stretch holds it. */
+int taut_net_line_window(const taut_net_line *line, double t, double at[2], int *on);
 
 #endif /* TAUT_CERTIFY_TRACE_LINES_H */

@@ -175,9 +175,10 @@ static int add_crossings(const line *l, const taut_net_line *curve, double *cros
     const taut_basis *basis = taut_curve_t(curve->space);
     const double *breaks = taut_basis_breaks(basis);
     double at[2], t = 0, before = 0;
+    int on = 0;
 
     for (int k = 0; k <= taut_basis_span_count(basis); k++) {
-        if (!taut_net_line_window(curve, breaks[k], at)) {
+        if (!taut_net_line_window(curve, breaks[k], at, &on)) {
             return 0;
         }
         const double here = beside(l, at, &t);
@@ -186,7 +187,7 @@ static int add_crossings(const line *l, const taut_net_line *curve, double *cros
             double low = breaks[k - 1], high = breaks[k];
             for (int round = 0; round < HALVINGS; round++) {
                 const double middle = (low + high) / 2;
-                taut_net_line_window(curve, middle, at);
+                taut_net_line_window(curve, middle, at, &on);
                 *((beside(l, at, &t) > 0) == (before > 0) ? &low : &high) = middle;
             }
             crosses = 1;
@@ -281,7 +282,8 @@ typedef struct parted {
 static int forms_on(const parted *p, double t, taut_forms *f)
 {
     double at[2];
-    if (!taut_net_line_window(p->curve, t, at)) {
+    int on = 0;
+    if (!taut_net_line_window(p->curve, t, at, &on)) {
         return 0;
     }
     for (int d = 0; d < 2; d++) {
@@ -499,7 +501,7 @@ taut_status taut_net_spacing(const taut_net_lines *lines, const taut_surface *su
 {
     *residual = -1;
     for (int i = 0; i < lines->count; i++) {
-        if (lines->lines[i].count != 1) {
+        if (lines->lines[i].count != 1 || lines->surface_count > 1) {
             return TAUT_OK; /* across a seam, where two edges are one line */
         }
     }

@@ -14,6 +14,8 @@
  *   length        |int |C'| ds - range| / range, Gauss 16 a span
  *   ends          distance of the ends from the nearest place where a curve of this net may end,
  *                 over the size: border, the other end, K = 0, R = 0, or the length asked for
+ *   seams         where curves go on to another surface: how far its place and normal are from those of the
+ *                 first one (certify/trace/seams.h)
  *   nodes         largest distance of the two curves of a node of details at their lengths
  *   right-angled  |H| / R at the nodes of details, where the surface is minimal
  *   spacing       with the problem: how unequal the parts are that curves cut edges and lines in
@@ -35,6 +37,7 @@
 #include "certify/trace/isometric.h"
 #include "certify/trace/lines.h"
 #include "certify/trace/pieces.h"
+#include "certify/trace/seams.h"
 #include "certify/trace/spacing.h"
 #include "certify/trace/straight.h"
 #include "core/fail.h"
@@ -61,7 +64,9 @@ static const double minimal = 1e-9;
 typedef struct request {
     const taut_trace_problem *problem; /* or NULL */
     taut_net_lines lines;
-    taut_surface *surface; /* scaled; the arena's */
+    const taut_surface **surfaces; /* [lines.surface_count], scaled; the arena's */
+    const taut_surface *surface;   /* the first one */
+    taut_net_seams seams;          /* where they join */
     int unit;
     double size;                /* of it */
     double roundest;            /* the largest R of a grid */
@@ -75,8 +80,9 @@ typedef struct request {
 typedef struct place {
     double x[3], tangent[3], second[3]; /* of the curve, over its length */
     double speed;                       /* |C'| */
+    int on;                             /* which surface */
     double at[2];
-    double on[3][3]; /* S, S_u, S_v */
+    double s[3][3]; /* S, S_u, S_v */
     taut_forms forms;
     double ab[2]; /* the tangent in S_u, S_v */
 } place;
@@ -99,13 +105,14 @@ static void take(worst *w, double residual, const char *name, double t)
 /* 0 where the curve's stretches in the window do not reach t, or leave the window. */
 static int place_at(const request *r, const taut_net_line *line, double t, place *p)
 {
-    const taut_basis *basis[2] = {taut_surface_u(r->surface), taut_surface_v(r->surface)};
     double c[3][3];
 
     taut_curve_eval(line->space, t, 2, c[0]);
-    if (!taut_net_line_window(line, t, p->at)) {
+    if (!taut_net_line_window(line, t, p->at, &p->on)) {
         return 0;
     }
+    const taut_surface *surface = r->surfaces[p->on];
+    const taut_basis *basis[2] = {taut_surface_u(surface), taut_surface_v(surface)};
     for (int d = 0; d < 2; d++) {
         const double lo = taut_basis_lo(basis[d]), hi = taut_basis_hi(basis[d]);
         const double room = 1e-9 * (hi - lo);
@@ -114,8 +121,8 @@ static int place_at(const request *r, const taut_net_line *line, double t, place
         }
         p->at[d] = fmin(fmax(p->at[d], lo), hi);
     }
-    if (taut_surface_eval(r->surface, p->at[0], p->at[1], 1, p->on[0]) != TAUT_OK ||
-        taut_surface_forms_points(r->surface, 1, &p->at[0], &p->at[1], 1, &p->forms) != TAUT_OK) {
+    if (taut_surface_eval(surface, p->at[0], p->at[1], 1, p->s[0]) != TAUT_OK ||
+        taut_surface_forms_points(surface, 1, &p->at[0], &p->at[1], 1, &p->forms) != TAUT_OK) {
         return 0;
     }
     p->speed = taut_norm(c[1]);
@@ -125,7 +132,7 @@ static int place_at(const request *r, const taut_net_line *line, double t, place
         p->tangent[k] = c[1][k] / p->speed;
         p->second[k] = ldexp((c[2][k] - along * c[1][k]) / (p->speed * p->speed), r->unit);
     }
-    const double a = taut_dot(p->tangent, p->on[1]), b = taut_dot(p->tangent, p->on[2]);
+    const double a = taut_dot(p->tangent, p->s[1]), b = taut_dot(p->tangent, p->s[2]);
     const double area = p->forms.w * p->forms.w;
     p->ab[0] = (p->forms.g * a - p->forms.f * b) / area;
     p->ab[1] = (p->forms.e * b - p->forms.f * a) / area;
@@ -195,7 +202,7 @@ static void look_at_span(const request *r, const taut_net_line *line, double a, 
             take(&f->distance, INFINITY, name, t);
             continue;
         }
-        taut_difference(p.x, p.on[0], away);
+        taut_difference(p.x, p.s[0], away);
         take(&f->distance, taut_norm(away) / r->size, name, t);
         if (r->lines.net != TAUT_TRACE_GEODESIC && t > clear[0] && t < clear[1]) {
             take(&f->net, residual_of(r, line, &p), name, t);
@@ -289,7 +296,8 @@ static taut_status add(taut_certificate *certificate, const char *name, taut_cla
 /* How far a function that vanishes somewhere near is from there: its value over its slope. */
 static double distance_to_zero(const request *r, const place *p, int of_radius)
 {
-    const taut_basis *basis[2] = {taut_surface_u(r->surface), taut_surface_v(r->surface)};
+    const taut_surface *surface = r->surfaces[p->on];
+    const taut_basis *basis[2] = {taut_surface_u(surface), taut_surface_v(surface)};
     const double value = of_radius ? radius_of(&p->forms) : fabs(p->forms.gaussian);
     double slope = 0;
 
@@ -299,9 +307,9 @@ static double distance_to_zero(const request *r, const place *p, int of_radius)
             double at[2] = {p->at[0], p->at[1]};
             taut_forms forms;
             at[d] = fmin(fmax(at[d] + side * 1e-4 * (hi - lo), lo), hi);
-            const double way = fabs(at[d] - p->at[d]) * taut_norm(p->on[1 + d]);
+            const double way = fabs(at[d] - p->at[d]) * taut_norm(p->s[1 + d]);
             if (way > 0 &&
-                taut_surface_forms_points(r->surface, 1, &at[0], &at[1], 1, &forms) == TAUT_OK) {
+                taut_surface_forms_points(surface, 1, &at[0], &at[1], 1, &forms) == TAUT_OK) {
                 const double there = of_radius ? radius_of(&forms) : forms.gaussian;
                 slope = fmax(slope, fabs(there - (of_radius ? value : p->forms.gaussian)) / way);
             }
@@ -347,9 +355,9 @@ static int is_crease(const taut_surface *surface, int d, const double at[2])
 }
 
 /* Two places of the window that differ by rounding alone. */
-static int are_one(const request *r, const double a[2], const double b[2])
+static int are_one(const taut_surface *surface, const double a[2], const double b[2])
 {
-    const taut_basis *basis[2] = {taut_surface_u(r->surface), taut_surface_v(r->surface)};
+    const taut_basis *basis[2] = {taut_surface_u(surface), taut_surface_v(surface)};
     int near = 1;
     for (int d = 0; d < 2; d++) {
         const double room = 1e-12 * (taut_basis_hi(basis[d]) - taut_basis_lo(basis[d]));
@@ -359,13 +367,15 @@ static int are_one(const request *r, const double a[2], const double b[2])
 }
 
 /* Does the document, or without it the lath of details, say that a geodesic begins there, or ends? */
-static int is_told(const request *r, const taut_net_line *line, const double at[2], int end)
+static int is_told(const request *r, const taut_net_line *line, const place *p, int end)
 {
+    const taut_surface *surface = r->surfaces[p->on];
+    const double *at = p->at;
     const taut_record *laths = taut_record_get(taut_model_details(r->lines.model), "laths");
     for (int k = 0; r->problem != NULL && k < r->problem->seed_count; k++) {
         const taut_trace_seed *seed = &r->problem->seeds[k];
-        if (end == 0 ? !seed->both && are_one(r, seed->at, at)
-                     : seed->has_to && are_one(r, seed->to, at)) {
+        if (end == 0 ? !seed->both && are_one(surface, seed->at, at)
+                     : seed->has_to && are_one(surface, seed->to, at)) {
             return 1;
         }
     }
@@ -377,7 +387,7 @@ static int is_told(const request *r, const taut_net_line *line, const double at[
             const taut_record *ended = taut_record_at(taut_record_get(lath, "ended"), (size_t)end);
             const double told[2] = {taut_record_number(taut_record_at(known, 0)),
                                     taut_record_number(taut_record_at(known, 1))};
-            return strcmp(taut_record_text(ended), "seed") == 0 && are_one(r, told, at);
+            return strcmp(taut_record_text(ended), "seed") == 0 && are_one(surface, told, at);
         }
     }
     return 0;
@@ -389,20 +399,32 @@ static double longest(const request *r)
                                                             : 20 * r->lines.size;
 }
 
+/* Do curves go on to another surface across this edge? Then it is no end. */
+static int goes_on(const request *r, int surface, int edge)
+{
+    return r->lines.net != TAUT_TRACE_ISOPARAMETRIC &&
+           taut_net_seams_join(&r->seams, surface, edge);
+}
+
 /* How far this end is from where a curve of this net may end, over the size. */
 static double judge_end(const request *r, const taut_net_line *line, const double ends[2], int end)
 {
-    const taut_basis *basis[2] = {taut_surface_u(r->surface), taut_surface_v(r->surface)};
     place p, other;
     double nearest = INFINITY;
 
     if (!place_at(r, line, ends[end], &p) || !place_at(r, line, ends[1 - end], &other)) {
         return INFINITY;
     }
+    const taut_surface *surface = r->surfaces[p.on];
+    const taut_basis *basis[2] = {taut_surface_u(surface), taut_surface_v(surface)};
     for (int d = 0; d < 2; d++) {
         const double lo = taut_basis_lo(basis[d]), hi = taut_basis_hi(basis[d]);
-        const double away = fmin(p.at[d] - lo, hi - p.at[d]) * taut_norm(p.on[1 + d]);
-        nearest = is_crease(r->surface, d, p.at) ? 0 : fmin(nearest, away);
+        const double speed = taut_norm(p.s[1 + d]);
+        for (int side = 0; side < 2; side++) {
+            const double away = (side == 0 ? p.at[d] - lo : hi - p.at[d]) * speed;
+            nearest = goes_on(r, p.on, 2 * d + side) ? nearest : fmin(nearest, away);
+        }
+        nearest = is_crease(surface, d, p.at) ? 0 : nearest;
     }
     if (!p.forms.regular) {
         nearest = 0;
@@ -418,7 +440,7 @@ static double judge_end(const request *r, const taut_net_line *line, const doubl
         nearest = fmin(nearest, distance_to_zero(r, &p, 1));
     }
     if (line->length >= longest(r) * (1 - 1e-9) ||
-        (r->lines.net == TAUT_TRACE_GEODESIC && is_told(r, line, p.at, end))) {
+        (r->lines.net == TAUT_TRACE_GEODESIC && is_told(r, line, &p, end))) {
         nearest = 0;
     }
     return nearest / r->size;
@@ -504,6 +526,17 @@ static int makes_right_angles(const request *r)
            r->is_minimal;
 }
 
+/* The surface of this name, where there are several. */
+static int surface_named(const request *r, const taut_record *name)
+{
+    for (int k = 1; k < r->lines.surface_count; k++) {
+        if (strcmp(taut_surface_name(r->surfaces[k]), taut_record_text(name)) == 0) {
+            return k;
+        }
+    }
+    return 0;
+}
+
 /* |H| / R at the nodes of an asymptotic net of a minimal surface: the cosine of the angle there. */
 static taut_status add_right_angled(const request *r, taut_certificate *certificate)
 {
@@ -517,9 +550,11 @@ static taut_status add_right_angled(const request *r, taut_certificate *certific
         const taut_record *node = taut_record_at(nodes, k), *at = taut_record_get(node, "at");
         const double u = taut_record_number(taut_record_at(at, 0));
         const double v = taut_record_number(taut_record_at(at, 1));
+        const int on = surface_named(r, taut_record_get(node, "surface"));
         taut_forms forms;
         const int is_told =
-            taut_surface_forms_points(r->surface, 1, &u, &v, 1, &forms) == TAUT_OK && forms.regular;
+            taut_surface_forms_points(r->surfaces[on], 1, &u, &v, 1, &forms) == TAUT_OK &&
+            forms.regular;
         take(&w, is_told ? fabs(forms.mean) / radius_of(&forms) : INFINITY,
              taut_record_text(taut_record_get(node, "node")),
              taut_record_number(taut_record_at(taut_record_get(node, "s"), 0)));
@@ -548,7 +583,7 @@ static taut_status add_isometric(const request *r, taut_certificate *certificate
 {
     const char *name = NULL;
     worst w = {0, ""};
-    w.residual = taut_net_isometric(&r->lines, r->surface, r->unit, r->problem, &name);
+    w.residual = taut_net_isometric(&r->lines, r->surfaces, r->unit, r->problem, &name);
     if (w.residual < 0) {
         return TAUT_OK;
     }
@@ -563,17 +598,16 @@ static taut_status add_surface(const request *r, taut_arena *arena, const taut_a
 {
     const taut_trace_problem *p = r->problem;
     const taut_certify_given given = {p != NULL ? p->model : NULL, p != NULL ? p->of : NULL,
-                                      p != NULL ? p->surface : NULL};
+                                      p != NULL ? p->surface : NULL, r->lines.surface_count > 1};
     return p != NULL ? taut_certify_of(r->lines.model, r->lines.surface, &given, arena, audit,
                                        certificate, error)
                      : TAUT_OK;
 }
 
-static void look_around(request *r)
+static void look_at_surface(request *r, const taut_surface *surface)
 {
     enum { GRID = 17 };
-    const taut_basis *bu = taut_surface_u(r->surface), *bv = taut_surface_v(r->surface);
-    r->is_minimal = 1;
+    const taut_basis *bu = taut_surface_u(surface), *bv = taut_surface_v(surface);
     for (int i = 0; i < GRID; i++) {
         for (int j = 0; j < GRID; j++) {
             const double u =
@@ -581,7 +615,7 @@ static void look_around(request *r)
             const double v =
                 taut_basis_lo(bv) + (taut_basis_hi(bv) - taut_basis_lo(bv)) * (j + 0.5) / GRID;
             taut_forms forms;
-            if (taut_surface_forms_points(r->surface, 1, &u, &v, 1, &forms) == TAUT_OK &&
+            if (taut_surface_forms_points(surface, 1, &u, &v, 1, &forms) == TAUT_OK &&
                 forms.regular) {
                 r->roundest = fmax(r->roundest, radius_of(&forms));
                 r->is_minimal &= fabs(forms.mean) <= minimal * radius_of(&forms);
@@ -631,6 +665,9 @@ static taut_status prove(const request *r, taut_arena *arena, taut_certificate *
     if (status == TAUT_OK) {
         status = add_ends(r, certificate);
     }
+    if (status == TAUT_OK && r->lines.surface_count > 1) {
+        status = taut_net_seams_add(&r->seams, &r->lines, certificate);
+    }
     if (status == TAUT_OK) {
         status = add_nodes(r, certificate);
     }
@@ -652,6 +689,31 @@ static taut_status prove(const request *r, taut_arena *arena, taut_certificate *
     return status == TAUT_OK ? add_figures(r, certificate) : status;
 }
 
+/* All by one power of two. */
+static taut_status scale_surfaces(request *r, taut_arena *arena)
+{
+    const int count = r->lines.surface_count;
+    r->surfaces = taut_arena_take(arena, (size_t)count, sizeof *r->surfaces);
+    if (r->surfaces == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    for (int k = 0; k < count; k++) {
+        const int unit = taut_certify_unit_of(taut_model_surface(r->lines.model, k));
+        r->unit = k == 0 || unit > r->unit ? unit : r->unit;
+    }
+    for (int k = 0; k < count; k++) {
+        taut_surface *scaled = NULL;
+        if (taut_certify_scaled(taut_model_surface(r->lines.model, k), r->unit, &scaled) !=
+                TAUT_OK ||
+            !taut_keep_surface(arena, scaled)) {
+            return TAUT_NO_MEMORY;
+        }
+        r->surfaces[k] = scaled;
+    }
+    r->surface = r->surfaces[0];
+    return TAUT_OK;
+}
+
 static taut_status certify_in(taut_arena *arena, const taut_model *model,
                               const taut_trace_problem *problem, const taut_audit *audit,
                               taut_certificate *certificate, taut_error *error)
@@ -664,14 +726,18 @@ static taut_status certify_in(taut_arena *arena, const taut_model *model,
     if (status != TAUT_OK) {
         return status;
     }
-    r.unit = taut_certify_unit_of(r.lines.surface);
-    if (taut_certify_scaled(r.lines.surface, r.unit, &r.surface) != TAUT_OK ||
-        !taut_keep_surface(arena, r.surface)) {
+    if (scale_surfaces(&r, arena) != TAUT_OK ||
+        taut_net_seams_new(arena, r.lines.surface_count, r.surfaces, &r.seams) != TAUT_OK) {
         return taut_fail_memory(error);
     }
     r.size = ldexp(r.lines.size, -r.unit);
-    look_around(&r);
-    taut_net_straight_look(r.surface, &r.straight);
+    r.is_minimal = 1;
+    for (int k = 0; k < r.lines.surface_count; k++) {
+        look_at_surface(&r, r.surfaces[k]);
+    }
+    if (r.lines.surface_count == 1) {
+        taut_net_straight_look(r.surface, &r.straight);
+    }
     status = add_surface(&r, arena, audit, certificate, error);
     if (status != TAUT_OK) {
         return status;
@@ -690,7 +756,7 @@ static taut_status certify(const taut_model *model, const void *data, const taut
     return status;
 }
 
-/* The first surface, and the curves A1, A2, ..., B1, ... in any order: those of details.domain. */
+/* The first surface, or all where curves go on from one to the next, and the curves A1, A2, ..., B1, ... in any order: those of details.domain. */
 static void identify(const taut_model *model, const void *data, taut_identity *identity)
 {
     const taut_trace_problem *problem = data;
@@ -701,7 +767,14 @@ static void identify(const taut_model *model, const void *data, taut_identity *i
     const char *name = given != NULL ? taut_surface_name(given) : NULL;
     const char *before = "";
 
-    taut_identity_surface(identity, 0, name, NULL, NULL);
+    const int is_carried = problem != NULL
+                               ? problem->carry
+                               : taut_record_get(taut_record_at(domain, 0), "surface") != NULL;
+    const int several = is_carried ? taut_model_surface_count(model) : 1;
+
+    for (int k = 0; k < (several > 1 ? several : 1); k++) {
+        taut_identity_surface(identity, k, several > 1 ? NULL : name, NULL, NULL);
+    }
     for (size_t k = 0; k < taut_record_count(domain); k++) {
         const char *curve = taut_record_text(taut_record_get(taut_record_at(domain, k), "name"));
         if (strcmp(curve, before) != 0) {

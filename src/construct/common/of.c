@@ -54,14 +54,17 @@ void taut_construct_describe_of(const taut_problem *of, const taut_model *made,
     }
 }
 
-void taut_construct_add_stretch(taut_record *domain, const char *name, const taut_basis *basis,
-                                const double *points)
+void taut_construct_add_stretch(taut_record *domain, const char *name, const char *surface,
+                                const taut_basis *basis, const double *points)
 {
     taut_record *at = taut_record_add_object(domain, NULL);
     taut_basis_spec spec;
 
     taut_basis_spec_of(basis, &spec);
     taut_record_add_text(at, "name", name);
+    if (surface != NULL) {
+        taut_record_add_text(at, "surface", surface);
+    }
     taut_record *t = taut_record_add_object(at, "t");
     taut_record_add_text(t, "type", "bspline");
     taut_record_add_number(t, "degree", spec.degree);

@@ -16,8 +16,9 @@ taut_status taut_construct_choose(const taut_model *model, const char *name,
 /* Adds "of": what was made first, and the details it was made with. */
 void taut_construct_describe_of(const taut_problem *of, const taut_model *made,
                                 taut_record *details);
-/* Adds an item to "domain": a curve of the window, double[count][2], on its basis. */
-void taut_construct_add_stretch(taut_record *domain, const char *name, const taut_basis *basis,
-                                const double *points);
+/* Adds an item to "domain": a curve of the window, double[count][2], on its basis; of a surface of that name, or NULL:
+ * the only one. */
+void taut_construct_add_stretch(taut_record *domain, const char *name, const char *surface,
+                                const taut_basis *basis, const double *points);
 
 #endif /* TAUT_CONSTRUCT_COMMON_OF_H */

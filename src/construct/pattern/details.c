@@ -232,7 +232,7 @@ void taut_pattern_describe(const taut_pattern_layout *layout, const taut_pattern
     describe_roll(layout, roll, gap, details);
     taut_record *domain = taut_record_add_list(details, "domain");
     for (int k = 0; k < layout->side_count; k++) {
-        taut_construct_add_stretch(domain, layout->sides[k].name, layout->sides[k].part.basis,
+        taut_construct_add_stretch(domain, layout->sides[k].name, NULL, layout->sides[k].part.basis,
                                    layout->sides[k].part.window);
     }
     taut_record_add_list(details, "warnings");

@@ -35,7 +35,7 @@ static void sum_segment(const taut_net *net, const taut_lath *lath, const taut_s
     const double length = segment->to.s - segment->from.s;
     taut_lath_samples samples;
 
-    taut_lath_bending_sample(net->carrier, kind, segment, &samples);
+    taut_lath_bending_sample(kind, segment, &samples);
     for (int i = 1; i <= TAUT_BENDING_NODES; i++) {
         s->turn += samples.weight[i] * length * fabs(samples.at[i].value[TAUT_K_G]);
     }
@@ -160,6 +160,31 @@ static void describe_strip(const taut_net *net, const taut_strip *strip, taut_re
     }
 }
 
+/* The name of a surface, where there are several. */
+static void add_surface(const taut_net *net, const char *member, const taut_carrier *on,
+                        taut_record *at)
+{
+    if (net->carrier_count > 1) {
+        taut_record_add_text(at, member, taut_surface_name(on->surface));
+    }
+}
+
+/* Those that a lath lies on, in its order: from the first to the last. */
+static void add_passed(const taut_net *net, const taut_lath *lath, taut_record *at)
+{
+    const taut_carrier *last = lath->end_on[0];
+    taut_record *list = net->carrier_count > 1 ? taut_record_add_list(at, "surfaces") : NULL;
+
+    add_surface(net, NULL, last, list);
+    for (int k = 0; k <= lath->count; k++) {
+        const taut_carrier *on = k < lath->count ? lath->segments[k].start.on : lath->end_on[1];
+        if (on != last) {
+            add_surface(net, NULL, on, list);
+        }
+        last = on;
+    }
+}
+
 static void describe_lath(const taut_net *net, int index, const taut_strip *strip,
                           taut_record *list)
 {
@@ -176,8 +201,10 @@ static void describe_lath(const taut_net *net, int index, const taut_strip *stri
     taut_record_add_text(at, "name", lath->name);
     taut_record_add_text(at, "family", families[net->problem->net][lath->family]);
     taut_record_add_numbers(at, "seed", 2, lath->seed);
+    add_surface(net, "surface", lath->at_seed.on, at);
     taut_record_add_numbers(at, "from", 2, lath->ends[0]);
     taut_record_add_numbers(at, "to", 2, lath->ends[1]);
+    add_passed(net, lath, at);
     taut_record *ended = taut_record_add_list(at, "ended");
     add_ended(lath, 0, ended);
     add_ended(lath, 1, ended);
@@ -222,6 +249,7 @@ static void describe_node(const taut_net *net, const taut_node *node, taut_recor
     taut_trace_node_name(net, node, name, sizeof name);
     taut_carrier_point(net->carrier, node->x, point);
     taut_record_add_text(at, "node", name);
+    add_surface(net, "surface", node->on, at);
     taut_record_add_numbers(at, "at", 2, node->at);
     taut_record_add_numbers(at, "point", 3, point);
     taut_record_add_numbers(at, "normal", 3, node->normal);
@@ -255,6 +283,16 @@ static double hyperbolic_share(const taut_carrier *carrier)
     return (double)count / (GRID * GRID);
 }
 
+/* The mean of those of all surfaces. */
+static double mean_share(const taut_net *net)
+{
+    double sum = 0;
+    for (int k = 0; k < net->carrier_count; k++) {
+        sum += hyperbolic_share(net->carriers[k]);
+    }
+    return sum / net->carrier_count;
+}
+
 /* The largest sum of a curve's estimated errors: how far it may be from the one through its seed. */
 static double drift_of(const taut_net *net)
 {
@@ -271,13 +309,16 @@ static void describe_singular(const taut_net *net, taut_record *details)
     const int has_some = kind == TAUT_TRACE_ASYMPTOTIC || kind == TAUT_TRACE_PRINCIPAL;
     taut_record *list = taut_record_add_list(details, "singular_points");
     taut_singular found[TAUT_SINGULAR_MAX];
-    const int count =
-        has_some ? taut_singular_find(net->carrier, kind == TAUT_TRACE_ASYMPTOTIC, found) : 0;
 
-    for (int k = 0; k < count; k++) {
-        taut_record *at = taut_record_add_object(list, NULL);
-        taut_record_add_numbers(at, "at", 2, found[k].at);
-        taut_record_add_number(at, "index", found[k].index);
+    for (int i = 0; has_some && i < net->carrier_count; i++) {
+        const int count =
+            taut_singular_find(net->carriers[i], kind == TAUT_TRACE_ASYMPTOTIC, found);
+        for (int k = 0; k < count; k++) {
+            taut_record *at = taut_record_add_object(list, NULL);
+            add_surface(net, "surface", net->carriers[i], at);
+            taut_record_add_numbers(at, "at", 2, found[k].at);
+            taut_record_add_number(at, "index", found[k].index);
+        }
     }
 }
 
@@ -324,6 +365,7 @@ static void describe_left_out(const taut_net *net, taut_record *details)
         const taut_left_out *left = &net->left_out[k];
         taut_record *at = taut_record_add_object(list, NULL);
         taut_record_add_text(at, "family", families[net->problem->net][left->family]);
+        add_surface(net, "surface", left->on, at);
         taut_record_add_numbers(at, "at", 2, left->at);
         taut_record_add_text(at, "reason", faults[left->fault]);
     }
@@ -337,6 +379,7 @@ static void describe_kinks(const taut_net *net, taut_record *details)
         for (int i = 0; i < lath->kink_count; i++) {
             taut_record *at = taut_record_add_object(list, NULL);
             taut_record_add_text(at, "lath", lath->name);
+            add_surface(net, "surface", lath->kinks[i].on, at);
             taut_record_add_numbers(at, "at", 2, lath->kinks[i].at);
             taut_record_add_number(at, "angle", lath->kinks[i].angle);
         }
@@ -406,7 +449,7 @@ taut_status taut_trace_describe(const taut_net *net, const taut_strip *strips, t
     for (int k = 0; k < net->nodes.count; k++) {
         describe_node(net, &net->nodes.list[k], nodes);
     }
-    taut_record_add_number(details, "hyperbolic_share", hyperbolic_share(net->carrier));
+    taut_record_add_number(details, "hyperbolic_share", mean_share(net));
     taut_record_add_number(details, "drift", drift_of(net));
     describe_singular(net, details);
     const taut_status status = describe_panels(net, details);

@@ -29,6 +29,7 @@ typedef struct request {
 
 /* A curve and what the details say of it. */
 typedef struct lath {
+    const taut_model *model;
     const taut_curve *curve;
     const taut_record *domain; /* of all curves */
     taut_trace_strip strip;
@@ -54,7 +55,7 @@ static int read_lath(const taut_model *model, const taut_curve *curve, lath *l)
     const taut_record *one = find_named(taut_record_get(details, "laths"), taut_curve_name(curve));
     const char *word = taut_record_text(taut_record_get(one, "strip"));
 
-    *l = (lath){.curve = curve, .domain = taut_record_get(details, "domain")};
+    *l = (lath){.model = model, .curve = curve, .domain = taut_record_get(details, "domain")};
     l->width = one != NULL ? taut_record_number(taut_record_get(one, "width")) : 0;
     l->thickness = one != NULL ? taut_record_number(taut_record_get(one, "thickness")) : 0;
     for (int k = 0; k < 4; k++) {
@@ -66,8 +67,20 @@ static int read_lath(const taut_model *model, const taut_curve *curve, lath *l)
     return 0;
 }
 
-/* The place of the window at t: of the stretch of details that holds it. */
-static int window_at(const lath *l, double t, double at[2])
+/* The surface that a stretch is in the window of: the one that it names, or the first one. */
+static const taut_surface *surface_of(const taut_model *model, const taut_record *stretch)
+{
+    const char *name = taut_record_text(taut_record_get(stretch, "surface"));
+    for (int k = 0; k < taut_model_surface_count(model); k++) {
+        if (strcmp(taut_surface_name(taut_model_surface(model, k)), name) == 0) {
+            return taut_model_surface(model, k);
+        }
+    }
+    return taut_model_surface(model, 0);
+}
+
+/* The place of the window at t, and the surface it is of: of the stretch of details that holds it. */
+static int window_at(const lath *l, double t, double at[2], const taut_surface **surface)
 {
     for (size_t k = 0; k < taut_record_count(l->domain); k++) {
         const taut_record *one = taut_record_at(l->domain, k);
@@ -103,6 +116,7 @@ static int window_at(const lath *l, double t, double at[2])
             }
         }
         memcpy(at, work[0], 2 * sizeof(double));
+        *surface = surface_of(l->model, one);
         return 1;
     }
     return 0;
@@ -111,13 +125,13 @@ static int window_at(const lath *l, double t, double at[2])
 /* ---- directions ---- */
 
 /* d and e of the strip at t. */
-static int directions_at(const taut_surface *surface, const lath *l, double t, double d[3],
-                         double e[3])
+static int directions_at(const lath *l, double t, double d[3], double e[3])
 {
+    const taut_surface *surface = NULL;
     double c[3][3], x[3][3], at[2], tangent[3], sideways[3], normal[3];
     taut_forms f;
 
-    if (!window_at(l, t, at) || taut_curve_eval(l->curve, t, 2, c[0]) != TAUT_OK) {
+    if (!window_at(l, t, at, &surface) || taut_curve_eval(l->curve, t, 2, c[0]) != TAUT_OK) {
         return 0;
     }
     for (int i = 0; i < 2; i++) {
@@ -181,8 +195,7 @@ static void solve(int n, double (*a)[BAND], double (*x)[6])
 }
 
 /* rows[i] = (d, e): their splines' coefficients. */
-static taut_status fit(const taut_surface *surface, const lath *l, taut_arena *arena,
-                       double (**rows)[6], taut_error *error)
+static taut_status fit(const lath *l, taut_arena *arena, double (**rows)[6], taut_error *error)
 {
     const taut_basis *basis = taut_curve_t(l->curve);
     const int n = taut_basis_count(basis);
@@ -209,7 +222,7 @@ static taut_status fit(const taut_surface *surface, const lath *l, taut_arena *a
                 a[i][place] = values[k];
             }
         }
-        if (!directions_at(surface, l, means[i], (*rows)[i], (*rows)[i] + 3)) {
+        if (!directions_at(l, means[i], (*rows)[i], (*rows)[i] + 3)) {
             return taut_fail(error, TAUT_NO_SOLUTION, "developable", NULL, taut_none, taut_none,
                              "the strip of %s has no direction %.6g along it",
                              taut_curve_name(l->curve), means[i]);
@@ -274,7 +287,7 @@ static taut_status add_lath(const request *r, const lath *l, const taut_basis *l
     const double corners[5][2] = {{-h, -z}, {-h, z}, {h, z}, {h, -z}, {-h, -z}};
     const double ends[2][2] = {{-h, 0}, {h, 0}};
     double(*rows)[6] = NULL;
-    taut_status status = fit(taut_model_surface(r->model, 0), l, arena, &rows, error);
+    taut_status status = fit(l, arena, &rows, error);
 
     if (status == TAUT_OK && !r->solid) {
         return add_face(l, rows, ends[0], ends[1], linear, "strip", arena, model, error);

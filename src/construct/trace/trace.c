@@ -9,6 +9,7 @@
 #include "construct/common/build.h"
 #include "construct/common/of.h"
 #include "construct/construct_ops.h"
+#include "construct/trace/atlas.h"
 #include "construct/trace/details.h"
 #include "construct/trace/flat.h"
 #include "core/fail.h"
@@ -126,7 +127,8 @@ static taut_status add_lath(const taut_net *net, const taut_lath *lath, taut_are
         return status;
     }
     for (int k = count > 1; k < count; k++) {
-        taut_construct_add_stretch(domain, lath->name, parts[k].basis, parts[k].window);
+        const char *on = net->carrier_count > 1 ? taut_surface_name(parts[k].on->surface) : NULL;
+        taut_construct_add_stretch(domain, lath->name, on, parts[k].basis, parts[k].window);
     }
     return taut_construct_add_curve(model, curve, error);
 }
@@ -167,26 +169,36 @@ static taut_status add_pieces(const request *r, const taut_net *net, const taut_
     return status;
 }
 
+static taut_status add_surfaces(const taut_net *net, taut_model *model, taut_error *error)
+{
+    taut_status status = TAUT_OK;
+    for (int k = 0; status == TAUT_OK && k < net->carrier_count; k++) {
+        taut_surface *surface = NULL;
+        status = taut_surface_copy(net->carriers[k]->surface, &surface) == TAUT_OK
+                     ? taut_construct_add_surface(model, surface, error)
+                     : taut_fail_memory(error);
+    }
+    return status;
+}
+
 static taut_status fill(const request *r, const taut_model *of, const taut_net *net,
-                        taut_arena *arena, taut_model *model, taut_error *error)
+                        const taut_atlas *atlas, taut_arena *arena, taut_model *model,
+                        taut_error *error)
 {
     taut_record *details = taut_record_new();
-    taut_surface *surface = NULL;
     taut_strip *strips = NULL;
-    taut_status status = taut_surface_copy(net->carrier->surface, &surface);
 
-    if (status != TAUT_OK || details == NULL) {
-        taut_record_free(details);
-        taut_surface_free(surface);
+    if (details == NULL) {
         return taut_fail_memory(error);
     }
-    status = taut_construct_add_surface(model, surface, error);
+    taut_status status = add_surfaces(net, model, error);
     if (status == TAUT_OK && r->problem->laths != NULL) {
         status = taut_strips_new(net, play_of(r), &strips, error);
     }
     if (taut_trace_describe(net, strips, details) != TAUT_OK && status == TAUT_OK) {
         status = taut_fail_memory(error);
     }
+    taut_atlas_describe(atlas, details);
     if (status == TAUT_OK) {
         status = add_pieces(r, net, strips, details, error);
     }
@@ -208,21 +220,18 @@ static taut_status build(void *context, taut_arena *arena, taut_model *model, ta
 {
     const request *r = context;
     const taut_model *of = NULL;
-    const taut_surface *surface = NULL;
-    taut_carrier *carrier = NULL;
+    taut_atlas atlas;
     taut_net net = {.problem = r->problem, .arena = arena};
     taut_status status =
         taut_construct_of(r->problem->model, r->problem->of, r->options, arena, &of, error);
 
     if (status == TAUT_OK) {
-        status = taut_construct_choose(of, r->problem->surface, &surface, error);
+        status = taut_atlas_new(arena, r->problem, of, &atlas, error);
     }
     if (status != TAUT_OK) {
         return status;
     }
-    if (taut_carrier_new(arena, surface, &carrier) != TAUT_OK) {
-        return taut_fail_memory(error);
-    }
+    const taut_carrier *carrier = atlas.carriers[atlas.home];
     if (!(carrier->scale > -EXPONENT_MOST) || !(carrier->scale < EXPONENT_MOST)) {
         return taut_fail(error, TAUT_NO_SOLUTION, "extreme-size", "/of", ldexp(0.5, carrier->scale),
                          ldexp(1, EXPONENT_MOST),
@@ -233,16 +242,20 @@ static taut_status build(void *context, taut_arena *arena, taut_model *model, ta
         return taut_fail(error, TAUT_NO_SOLUTION, "singular", "/of", taut_none, taut_none,
                          "the surface has no normal anywhere");
     }
-    taut_straight_find(carrier);
+    for (int k = 0; k < atlas.count; k++) {
+        taut_straight_find(atlas.carriers[k]);
+    }
     const double most = r->problem->max_length > 0 ? ldexp(r->problem->max_length, -carrier->scale)
                                                    : lengths * carrier->size;
+    net.carrier_count = atlas.count;
+    net.carriers = atlas.carriers;
     net.carrier = carrier;
     net.options = (taut_lath_options){.follow = {.tolerance = step_tolerance, .max_length = most},
                                       .tolerance = r->options->tolerance > 0 ? r->options->tolerance
                                                                              : tolerance_default,
                                       .residual = residual};
     status = taut_net_trace(&net, &r->options->monitor, error);
-    return status == TAUT_OK ? fill(r, of, &net, arena, model, error) : status;
+    return status == TAUT_OK ? fill(r, of, &net, &atlas, arena, model, error) : status;
 }
 
 taut_status taut_trace_make(const taut_trace_problem *problem, const taut_make_options *options,

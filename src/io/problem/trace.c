@@ -15,16 +15,16 @@
 
 static const char *const members[] = {"trace", "of",         "surface", "families",
                                       "seeds", "max_length", "panels",  "laths",
-                                      "sheet", "untrim",     NULL};
+                                      "sheet", "untrim",     "carry",   NULL};
 static const char *const sheet_members[] = {"size", "gap", NULL};
 static const char *const nets[] = {"asymptotic", "principal", "geodesic", "isoparametric", NULL};
 static const char *const families[4][3] = {
     {"+", "-", NULL}, {"max", "min", NULL}, {"G", NULL, NULL}, {"u", "v", NULL}};
 static const char *const measures[] = {"conformal", "length", "parameter", NULL};
 static const char *const edges[] = {"u0", "u1", "v0", "v1", NULL};
-static const char *const seed_members[] = {"at",        "edge", "count", "by",    "ends",
-                                           "line",      "lath", "cell",  "cells", "family",
-                                           "direction", "both", "to",    NULL};
+static const char *const seed_members[] = {"at",        "edge", "count", "by",      "ends",
+                                           "line",      "lath", "cell",  "cells",   "family",
+                                           "direction", "both", "to",    "surface", NULL};
 
 static const char *const lath_members[] = {"strip", "width", "thickness", "material",
                                            "cut",   "play",  NULL};
@@ -260,6 +260,11 @@ static taut_status read_seed(const taut_json *at, void *into, taut_error *error)
         in.status = read_family_word(&family, s->data->net, &seed->family, error);
     }
     read_kind(&in, s, seed);
+    if (taut_reader_has(&in, "surface")) {
+        const char *name = "";
+        taut_reader_text(&in, "surface", &name);
+        seed->surface = taut_arena_text(s->arena, name);
+    }
     taut_reader_optional_word(&in, "by", measures, &word);
     seed->by = (taut_trace_by)word;
     return in.status == TAUT_OK ? check_net(&in, seed, s->data->net) : in.status;
@@ -439,6 +444,7 @@ static void trace_read(taut_reader *document, taut_problem *problem, void *into)
     read_seeds(document, problem->arena, data);
     taut_reader_optional(document, "max_length", read_cell, &data->max_length);
     taut_reader_flag(document, "panels", &data->panels);
+    taut_reader_flag(document, "carry", &data->carry);
     take_laths(document, problem->arena, data);
     take_sheet(document, problem->arena, data);
 }

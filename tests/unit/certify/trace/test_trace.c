@@ -3,6 +3,7 @@
 #include "check.h"
 #include "nets.h"
 
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -263,10 +264,97 @@ static void test_isometric(void)
     }
 }
 
+/* z = 1.1 x y in two halves; the second one may rise otherwise. */
+#define HALVES(height)                                                                             \
+    "{ \"taut\": 1, \"surfaces\": [{ \"name\": \"a\", \"u\": { \"type\": \"bezier\", \"degree\": " \
+    "1 }, \"v\": { \"type\": \"bezier\", \"degree\": 1 }, \"points\": [[[-1, -1, 1.1], [-1, 1, "   \
+    "-1.1]], [[0, -1, 0], [0, 1, 0]]] }, { \"name\": \"b\", \"u\": { \"type\": \"bezier\", "       \
+    "\"degree\": 1 }, \"v\": { \"type\": \"bezier\", \"degree\": 1 }, \"points\": [[[0, -1, 0], "  \
+    "[0, 1, 0]], [[1, -1, -" height "], [1, 1, " height "]]] }] }"
+
+/* The details with another surface for a stretch: `which` of them, or all. */
+static taut_record *on_surface(const taut_record *old, size_t which, const char *name)
+{
+    taut_record *details = taut_record_new();
+    for (size_t k = 0; k < taut_record_count(old); k++) {
+        const char *key = taut_record_key(old, k);
+        const taut_record *list = taut_record_at(old, k);
+        if (strcmp(key, "domain") != 0) {
+            taut_record_add_record(details, key, list);
+            continue;
+        }
+        taut_record *domain = taut_record_add_list(details, key);
+        for (size_t i = 0; i < taut_record_count(list); i++) {
+            const taut_record *item = taut_record_at(list, i);
+            taut_record *at = taut_record_add_object(domain, NULL);
+            taut_record_add_text(at, "surface",
+                                 i == which || which > taut_record_count(list)
+                                     ? name
+                                     : taut_record_text(taut_record_get(item, "surface")));
+            for (size_t m = 0; m < taut_record_count(item); m++) {
+                if (strcmp(taut_record_key(item, m), "surface") != 0) {
+                    taut_record_add_record(at, taut_record_key(item, m), taut_record_at(item, m));
+                }
+            }
+        }
+    }
+    return details;
+}
+
+/* A curve that is told to be on another surface, and one that ends where the next surface begins. */
+static void test_seams(void)
+{
+    made_net made = net_make("principal", HALVES("1.1"),
+                             "\"carry\": true, \"seeds\": [{ \"at\": [0.3, 0.6], \"family\": "
+                             "\"max\" }]");
+    made_net alone = net_make("principal", HALVES("1.1"),
+                              "\"surface\": \"a\", \"seeds\": [{ \"at\": [0.3, 0.6], \"family\": "
+                              "\"max\" }]");
+    const taut_claim *seams = claim_of(made.proof, "seams");
+
+    CHECK(taut_certificate_holds(made.proof) == TAUT_TRUE, "%s", made.error.message);
+    CHECK(seams->kind == TAUT_BOUND && seams->residual < 1e-14, "%g", seams->residual);
+    CHECK(taut_certificate_holds(alone.proof) == TAUT_TRUE, "%s", alone.error.message);
+    taut_record *other = on_surface(taut_model_details(made.model), 1, "a");
+    CHECK(judge(&made, changed(made.model, -1, 0, 0, other), "on-surface") == TAUT_FALSE, "on a");
+    taut_record_free(other);
+    other = on_surface(taut_model_details(made.model), 1, "c");
+    CHECK(judge(&made, changed(made.model, -1, 0, 0, other), "on-surface") == TAUT_FALSE, "on c");
+    taut_record_free(other);
+    /* the curve of the half alone, in a model of both */
+    taut_record *both = on_surface(taut_model_details(alone.model), SIZE_MAX, "a");
+    taut_model *model = changed(alone.model, -1, 0, 0, both);
+    taut_surface *second = NULL;
+    taut_surface_copy(taut_model_surface(made.model, 1), &second);
+    taut_model_add_surface(model, second);
+    CHECK(judge(&made, model, "ends") == TAUT_FALSE, "at the seam");
+    taut_record_free(both);
+    /* the second half in another slope than the first one: its normal jumps where the curve passes */
+    made_net bent = net_make("asymptotic", HALVES("1.3"),
+                             "\"carry\": true, \"seeds\": [{ \"at\": [0.3, 0.6] }]");
+    CHECK(taut_certificate_holds(bent.proof) == TAUT_TRUE, "%s", bent.error.message);
+    CHECK(net_count(&bent, "joins") == 0, "%d joins", net_count(&bent, "joins"));
+    taut_model_new(&model);
+    for (int k = 0; k < 2; k++) {
+        taut_surface *half = NULL;
+        taut_surface_copy(taut_model_surface(k == 0 ? made.model : bent.model, k), &half);
+        taut_model_add_surface(model, half);
+    }
+    taut_curve *curve = NULL;
+    taut_curve_copy(taut_model_curve(made.model, 0), &curve);
+    taut_model_add_curve(model, curve);
+    taut_model_set_details(model, taut_record_copy(taut_model_details(made.model)));
+    CHECK(judge(&made, model, "seams") == TAUT_FALSE, "a crease");
+    net_free(&bent);
+    net_free(&alone);
+    net_free(&made);
+}
+
 int main(void)
 {
     test_straight();
     test_isometric();
+    test_seams();
     test_moved();
     test_told();
     test_pieces();
