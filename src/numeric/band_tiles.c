@@ -86,26 +86,48 @@ static void factor_panel(const block *b)
     }
 }
 
-/* u and L = u / D as tiles; L to the band as well. */
+/* -u of column k of the block as tiles, the last of which may stick out. */
+static void pack_left(const block *b, size_t k)
+{
+    const size_t rows = (size_t)b->kernel->tile_rows, depth = (size_t)(b->end - b->first);
+    const double *u = b->u + k * b->stride;
+
+    for (size_t r = 0; r < (size_t)b->rest + rows; r += rows) {
+        double *tile = b->left + r * depth + k * rows;
+        for (size_t c = 0; c < rows; c++) {
+            tile[c] = -u[r + c];
+        }
+    }
+}
+
+/* The same of L = u / D, columns the other way round; L to the band as well. */
+static void pack_right(const block *b, size_t k)
+{
+    const size_t columns = (size_t)b->kernel->tile_columns, depth = (size_t)(b->end - b->first);
+    const size_t width = (size_t)b->band->width, column = (size_t)b->first + k;
+    const size_t reach = width - ((size_t)b->end - column) + 1; /* rows within the band */
+    const size_t rest = (size_t)b->rest < reach ? (size_t)b->rest : reach;
+    const double *u = b->u + k * b->stride;
+    const double pivot = taut_band_row(b->band, (int)column)[0];
+    double *below = taut_band_row(b->band, b->end) + ((size_t)b->end - column);
+
+    for (size_t q = 0; q < (size_t)b->rest + columns; q += columns) {
+        double *tile = b->right + q * depth + k * columns;
+        for (size_t c = 0; c < columns; c++) {
+            tile[columns - 1 - c] = u[q + c] / pivot;
+        }
+        for (size_t c = 0; c < columns && q + c < rest; c++, below += width + 2) {
+            *below = tile[columns - 1 - c];
+        }
+    }
+}
+
+/* u and L = u / D as tiles. */
 static void pack_tiles(const block *b)
 {
-    const size_t rows = (size_t)b->kernel->tile_rows, columns = (size_t)b->kernel->tile_columns;
-    const size_t depth = (size_t)(b->end - b->first);
-
-    for (size_t k = 0; k < depth; k++) {
-        const double *u = b->u + k * b->stride;
-        const int column = b->first + (int)k;
-        const double pivot = taut_band_row(b->band, column)[0];
-        for (size_t r = 0; r < (size_t)b->rest + rows; r++) {
-            b->left[(r / rows * depth + k) * rows + r % rows] = -u[r];
-        }
-        for (size_t q = 0; q < (size_t)b->rest + columns; q++) {
-            b->right[(q / columns * depth + k) * columns + (columns - 1 - q % columns)] =
-                u[q] / pivot;
-        }
-        for (int r = 0; r < b->rest && b->end + r - column <= b->band->width; r++) {
-            taut_band_row(b->band, b->end + r)[b->end + r - column] = u[r] / pivot;
-        }
+    for (size_t k = 0; b->rest > 0 && k < (size_t)(b->end - b->first); k++) {
+        pack_left(b, k);
+        pack_right(b, k);
     }
 }
 

@@ -209,75 +209,147 @@ static size_t entry(const profile *shape, int a, int b)
     return shape->at[i] + (size_t)(j - shape->begin[i]);
 }
 
-/* What a move is at a node. */
+/* What a move is in a cell, and at a node of it. */
 typedef struct moved {
-    int index;
-    double value, u, v; /* N, N_u, N_v */
-    double along;       /* n . direction */
+    int index, u, v; /* of the move; which functions of those alive */
     const double *direction;
+    double value, slope[2]; /* N, N_u, N_v */
+    double along;           /* n . direction */
+    double turned[3];       /* n x direction */
 } moved;
 
-static int gather(const taut_film_sheet *sheet, const taut_film_moves *moves, int a, int b,
-                  const double n[3], moved *list)
+/* A cell: nodes that see the same functions, and what their moves have together, the lower triangle row by row. */
+typedef struct cell {
+    int u, v, end_u, end_v; /* nodes */
+    moved *list;
+    int count;
+    double *k, *m; /* [count (count + 1) / 2] */
+} cell;
+
+/* The first node behind those that see the functions of node a. */
+static int end_of_run(const taut_table *table, int a)
+{
+    int end = a + 1;
+    while (end < table->count && table->first[end] == table->first[a]) {
+        end++;
+    }
+    return end;
+}
+
+static void enter_cell(const taut_film_sheet *sheet, const taut_film_moves *moves, cell *c)
 {
     const taut_table *u = sheet->u.moves, *v = sheet->v.moves;
-    int count = 0;
+
+    c->count = 0;
     for (int i = 0; i < u->local; i++) {
         for (int j = 0; j < v->local; j++) {
-            const int point = taut_film_sheet_owner(sheet, u->first[a] + i, v->first[b] + j);
-            const double nu = taut_table_row(u, a, 0)[i], du = taut_table_row(u, a, 1)[i];
-            const double nv = taut_table_row(v, b, 0)[j], dv = taut_table_row(v, b, 1)[j];
+            const int point = taut_film_sheet_owner(sheet, u->first[c->u] + i, v->first[c->v] + j);
             for (int k = moves->first[point]; k < moves->first[point + 1]; k++) {
-                const double *direction = moves->direction + 3 * k;
-                list[count++] = (moved){.index = k,
-                                        .value = nu * nv,
-                                        .u = du * nv,
-                                        .v = nu * dv,
-                                        .along = taut_dot(n, direction),
-                                        .direction = direction};
+                c->list[c->count++] =
+                    (moved){.index = k, .u = i, .v = j, .direction = moves->direction + 3 * k};
             }
         }
     }
-    return count;
+    const size_t pairs = (size_t)c->count * ((size_t)c->count + 1) / 2;
+    memset(c->k, 0, pairs * sizeof(double));
+    memset(c->m, 0, pairs * sizeof(double));
 }
 
-/* The same of threads: alike in every direction. */
-static void add_threads(pencil *p, const taut_film_place *place, const double threads[2],
-                        const moved *list, int count)
+/* What the moves are at node (a, b). */
+static void enter_node(const taut_film_sheet *sheet, int a, int b, const double n[3], cell *c)
 {
-    for (int x = 0; x < count; x++) {
+    const double *nu = taut_table_row(sheet->u.moves, a, 0),
+                 *du = taut_table_row(sheet->u.moves, a, 1);
+    const double *nv = taut_table_row(sheet->v.moves, b, 0),
+                 *dv = taut_table_row(sheet->v.moves, b, 1);
+
+    for (int x = 0; x < c->count; x++) {
+        moved *s = &c->list[x];
+        s->value = nu[s->u] * nv[s->v];
+        s->slope[0] = du[s->u] * nv[s->v];
+        s->slope[1] = nu[s->u] * dv[s->v];
+        s->along = taut_dot(n, s->direction);
+        taut_cross(n, s->direction, s->turned);
+    }
+}
+
+/* Adds a node of threads: alike in every direction. */
+static void add_threads(cell *c, const taut_film_place *place, const double threads[2])
+{
+    double *k = c->k, *m = c->m;
+
+    for (int x = 0; x < c->count; x++) {
+        const moved *s = &c->list[x];
         for (int y = 0; y <= x; y++) {
-            const moved *s = &list[x], *o = &list[y];
-            const size_t at = entry(&p->shape, s->index, o->index);
-            const double times = x != y && s->index == o->index ? 2 : 1; /* of a pole */
-            p->k[at] += times * place->weight * taut_dot(s->direction, o->direction) *
-                        (threads[0] * s->u * o->u + threads[1] * s->v * o->v);
-            p->m[at] +=
-                times * place->weight * place->w * s->along * s->value * o->along * o->value;
+            const moved *o = &c->list[y];
+            *k++ +=
+                place->weight * taut_dot(s->direction, o->direction) *
+                (threads[0] * s->slope[0] * o->slope[0] + threads[1] * s->slope[1] * o->slope[1]);
+            *m++ += place->weight * place->w * s->along * s->value * o->along * o->value;
         }
     }
 }
 
-static void add_place(pencil *p, const taut_film_place *place, const double n[3], const moved *list,
-                      int count)
+/* Adds a node of a film of one tension. */
+static void add_place(cell *c, const taut_film_place *place)
 {
     const double e = place->weight * place->e / place->w, f = place->weight * place->f / place->w,
                  g = place->weight * place->g / place->w, mass = place->weight * place->w;
+    double *k = c->k, *m = c->m;
 
-    for (int x = 0; x < count; x++) {
-        const moved *s = &list[x];
-        const double along_u = s->along * (g * s->u - f * s->v),
-                     along_v = s->along * (e * s->v - f * s->u);
+    for (int x = 0; x < c->count; x++) {
+        const moved *s = &c->list[x];
+        const double along_u = s->along * (g * s->slope[0] - f * s->slope[1]),
+                     along_v = s->along * (e * s->slope[1] - f * s->slope[0]),
+                     moves = mass * s->along * s->value;
+        const double turn_u = place->weight * s->slope[0], turn_v = place->weight * s->slope[1];
         for (int y = 0; y <= x; y++) {
-            const moved *o = &list[y];
-            const double turn = place->weight * taut_det(s->direction, o->direction, n) *
-                                (s->u * o->v - o->u * s->v);
-            const size_t at = entry(&p->shape, s->index, o->index);
-            const double times = x != y && s->index == o->index ? 2 : 1; /* of a pole */
-            p->k[at] += times * (o->along * (along_u * o->u + along_v * o->v) + turn);
-            p->m[at] += times * mass * s->along * s->value * o->along * o->value;
+            const moved *o = &c->list[y];
+            const double turn = taut_dot(s->turned, o->direction); /* det(s, o, n) */
+            *k++ += o->along * (along_u * o->slope[0] + along_v * o->slope[1]) +
+                    turn * (turn_u * o->slope[1] - turn_v * o->slope[0]);
+            *m++ += moves * o->along * o->value;
         }
     }
+}
+
+static void leave_cell(const cell *c, pencil *p)
+{
+    const double *k = c->k, *m = c->m;
+
+    for (int x = 0; x < c->count; x++) {
+        for (int y = 0; y <= x; y++, k++, m++) {
+            const int a = c->list[x].index, b = c->list[y].index;
+            const size_t at = entry(&p->shape, a, b);
+            const double times = x != y && a == b ? 2 : 1; /* of a pole */
+            p->k[at] += times * *k;
+            p->m[at] += times * *m;
+        }
+    }
+}
+
+static void add_cell(const taut_film_sheet *sheet, const taut_film_moves *moves, cell *c, pencil *p)
+{
+    enter_cell(sheet, moves, c);
+    for (int a = c->u; a < c->end_u; a++) {
+        for (int b = c->v; b < c->end_v; b++) {
+            taut_film_place place;
+            double n[3];
+            taut_film_sheet_place(sheet, a, b, &place);
+            for (int x = 0; x < 3; x++) {
+                n[x] = place.normal[x] / place.w;
+            }
+            enter_node(sheet, a, b, n, c);
+            if (taut_film_sheet_has_threads(sheet->problem)) {
+                double threads[2];
+                taut_film_sheet_threads(sheet, sheet->u.at[a], sheet->v.at[b], threads);
+                add_threads(c, &place, threads);
+            } else {
+                add_place(c, &place);
+            }
+        }
+    }
+    leave_cell(c, p);
 }
 
 /* What moves k and o of a line weigh together at a node: functions x and y there. */
@@ -357,27 +429,19 @@ static taut_status fill_pencil(const taut_film_sheet *sheet, const taut_film_mov
                                double size, int with_lines, pencil *p)
 {
     const size_t most = 3 * (size_t)sheet->u.table->local * (size_t)sheet->v.table->local;
-    moved *list = taut_arena_take(sheet->arena, most, sizeof *list);
+    const taut_table *u = sheet->u.moves, *v = sheet->v.moves;
+    cell c = {.list = taut_arena_take(sheet->arena, most, sizeof *c.list),
+              .k = taut_arena_take_raw(sheet->arena, most * (most + 1) / 2, sizeof(double)),
+              .m = taut_arena_take_raw(sheet->arena, most * (most + 1) / 2, sizeof(double))};
 
-    if (list == NULL) {
+    if (taut_arena_status(sheet->arena) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
-    for (int a = 0; a < sheet->u.table->count; a++) {
-        for (int b = 0; b < sheet->v.table->count; b++) {
-            taut_film_place place;
-            double n[3];
-            taut_film_sheet_place(sheet, a, b, &place);
-            for (int c = 0; c < 3; c++) {
-                n[c] = place.normal[c] / place.w;
-            }
-            const int count = gather(sheet, moves, a, b, n, list);
-            if (taut_film_sheet_has_threads(sheet->problem)) {
-                double threads[2];
-                taut_film_sheet_threads(sheet, sheet->u.at[a], sheet->v.at[b], threads);
-                add_threads(p, &place, threads, list, count);
-            } else {
-                add_place(p, &place, n, list, count);
-            }
+    for (c.u = 0; c.u < u->count; c.u = c.end_u) {
+        c.end_u = end_of_run(u, c.u);
+        for (c.v = 0; c.v < v->count; c.v = c.end_v) {
+            c.end_v = end_of_run(v, c.v);
+            add_cell(sheet, moves, &c, p);
         }
     }
     if (!with_lines) {

@@ -39,6 +39,7 @@ enum { RULES = 8, POLISHES = 6, MULTIPLIERS = 40, SEEKS = 20, APPROACH = 12 };
 static const int extra_nodes[RULES] = {1, 3, 6, 10, 16, 26, 42, 68};
 static const double energy_agreement = 1e-13; /* share: two rules that agree */
 static const double residual_agreement = 0.1; /* of the tolerance */
+static const double residual_settled = 0.01;  /* of the tolerance: no step more is worth its cost */
 static const double residual_any = 5e-7;      /* of all coordinates: the certificate allows 1e-6 */
 static const double residual_rough = 1e-3;    /* of all coordinates, by the method `normal` */
 /* Of given lengths: share. Rounding is 1e-15, the certificate's limit 1e-10. */
@@ -272,7 +273,8 @@ static taut_status polish_moves(taut_film_work *w, double residual[3], taut_erro
             residual[2] = at.any;
             return status == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
         }
-        if (taut_film_polish(w->functional, w->space, w->net, found, &w->is_definite) != TAUT_OK) {
+        if (taut_film_polish(w->functional, w->space, w->net, w->enough, found, &w->is_definite) !=
+            TAUT_OK) {
             return taut_fail_memory(error);
         }
         residual[0] = k == 0 ? found[0] : residual[0];
@@ -298,6 +300,7 @@ static taut_status polish(taut_film_work *w, double *before, taut_error *error)
         return status;
     }
     *before = residual[0];
+    w->any = residual[2];
     w->region.residual = residual[1];
     w->region.area = taut_area_functional_value(w->functional, w->net).area;
     return is_folded(w->functional) ? refuse_fold(w, error) : TAUT_OK;
@@ -312,8 +315,17 @@ static taut_status refuse_rules(const taut_film_work *w, taut_error *error)
         "or the tolerance");
 }
 
-/* The next rule: *agree where it gives the same energy, and derivatives within the tolerance. */
-static taut_status refine_rule(taut_film_work *w, double factor, int *agree, taut_error *error)
+/* Do the last steps alone leave the film at rest? */
+static int is_rested(const taut_film_work *w)
+{
+    return w->space->problem->method == TAUT_FILM_FULL && w->is_definite &&
+           w->region.residual <= w->region.tolerance && w->any <= residual_any;
+}
+
+/* The next rule: *agree where it gives the same energy, and derivatives within the tolerance; *rested: the film is at rest by
+ * it. */
+static taut_status refine_rule(taut_film_work *w, double factor, int *agree, int *rested,
+                               taut_error *error)
 {
     const double before = w->region.area;
     double residual = 0;
@@ -325,8 +337,11 @@ static taut_status refine_rule(taut_film_work *w, double factor, int *agree, tau
     if (!(fabs(after - before) <= energy_agreement * after)) {
         return TAUT_OK;
     }
+    w->enough = residual_settled * w->region.tolerance;
     const taut_status status = polish(w, &residual, error);
     *agree = residual <= residual_agreement * w->region.tolerance;
+    *rested = is_rested(w);
+    w->enough = 0;
     return status;
 }
 
@@ -459,6 +474,7 @@ taut_status taut_film_rest(taut_film_work *w, double factor, taut_error *error)
 {
     taut_status status = taut_film_take_rule(w, 0, factor);
     double residual = 0;
+    int rested = 0;
 
     w->region.iterations = 0; /* its work goes on to be counted: all films on the way share it */
     if (status != TAUT_OK) {
@@ -466,16 +482,19 @@ taut_status taut_film_rest(taut_film_work *w, double factor, taut_error *error)
     }
     for (int agree = 0; status == TAUT_OK && !agree;) {
         const int before = w->region.iterations;
-        status = w->space->leader != NULL ? minimise_moving(w, error) : minimise(w, error);
+        if (!rested) {
+            status = w->space->leader != NULL ? minimise_moving(w, error) : minimise(w, error);
+        }
         w->iterations += w->region.iterations - before;
-        if (status == TAUT_OK) {
+        if (status == TAUT_OK && !rested) {
             status = polish(w, &residual, error);
         }
+        rested = 0;
         if (status == TAUT_OK) {
             status = enforce_laws(w, error);
         }
         if (status == TAUT_OK) {
-            status = w->rule + 1 < RULES ? refine_rule(w, factor, &agree, error)
+            status = w->rule + 1 < RULES ? refine_rule(w, factor, &agree, &rested, error)
                                          : refuse_rules(w, error);
         }
     }

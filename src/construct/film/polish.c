@@ -249,12 +249,13 @@ static double look(work *w)
     return all > 0 ? along / all : 0;
 }
 
-static taut_status polish(work *w, taut_area_hessian *hessian, double residual[3], int *is_definite)
+static taut_status polish(work *w, taut_area_hessian *hessian, double least, double residual[3],
+                          int *is_definite)
 {
     double found = look(w);
 
     residual[0] = found;
-    for (int k = 0; k < STEPS && found > enough; k++) {
+    for (int k = 0; k < STEPS && found > fmax(least, enough); k++) {
         taut_area_hessian_assemble(hessian, w->functional);
         taut_area_hessian_stiffen(hessian, w->directions, stiffness);
         const taut_status status = taut_area_hessian_factor(hessian, 0);
@@ -367,7 +368,7 @@ taut_status taut_film_respond(taut_area_functional *functional, const taut_film_
 }
 
 taut_status taut_film_polish(taut_area_functional *functional, const taut_film_space *space,
-                             double *net, double residual[3], int *is_definite)
+                             double *net, double least, double residual[3], int *is_definite)
 {
     work w = {.functional = functional, .space = space, .mask = &space->mask, .net = net};
     taut_area_hessian *hessian = NULL;
@@ -379,7 +380,7 @@ taut_status taut_film_polish(taut_area_functional *functional, const taut_film_s
     taut_arena *arena = taut_arena_new();
     taut_status status = prepare(&w, arena, &hessian);
     if (status == TAUT_OK) {
-        status = polish(&w, hessian, residual, is_definite);
+        status = polish(&w, hessian, least, residual, is_definite);
     }
     taut_area_hessian_free(hessian);
     taut_arena_free(arena);

@@ -332,20 +332,23 @@ static void add_line(taut_area_hessian *hessian, const taut_area_functional *fun
 static void add_block(taut_area_hessian *hessian, int a, int b, double sign, const double *block)
 {
     const double x = sign * block[6], y = sign * block[7], z = sign * block[8];
-    const double full[3][3] = {{block[0], block[1] - z, block[3] + y},
-                               {block[1] + z, block[2], block[4] - x},
-                               {block[3] - y, block[4] + x, block[5]}};
+    double *const metric = taut_band_row(&hessian->metric, a) + (a - b);
+    const int next = hessian->second.width + 2; /* from column 0 of a row to that of the next */
+    double *const top = taut_band_row(&hessian->second, 3 * a) + 3 * (a - b);
+    double *const middle = top + next, *const low = middle + next;
 
-    for (int c = 0; c < 3; c++) {
-        double *row = taut_band_row(&hessian->second, 3 * a + c);
-        for (int d = 0; d < 3; d++) {
-            const int below = 3 * a + c - (3 * b + d);
-            if (below >= 0) {
-                row[below] += full[c][d];
-            }
-        }
+    top[0] += block[0];
+    middle[0] += block[1] + z;
+    middle[-1] += block[2];
+    low[0] += block[3] - y;
+    low[-1] += block[4] + x;
+    low[-2] += block[5];
+    if (a > b) { /* else above the diagonal */
+        top[-1] += block[1] - z;
+        top[-2] += block[3] + y;
+        middle[-2] += block[4] - x;
     }
-    taut_band_row(&hessian->metric, a)[a - b] += block[9];
+    metric[0] += block[9];
 }
 
 /* Adds the block of points a and b, in the order that the band keeps; of two points that are one, both
