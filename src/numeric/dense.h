@@ -1,13 +1,14 @@
-/* dense.h -- dense linear algebra in the small: Householder triangles, Jacobi singular values and
- * eigenvalues. Nothing here allocates.
+/* dense.h -- dense linear algebra in the small: Householder triangles, Jacobi singular values, and
+ * eigenvalues (symmetric.c). Nothing here allocates.
  *
  * Matrices are column-major: a[i + j ld] is row i, column j. Sources: [GolubVanLoan2013] 5.1-5.3
- * (Householder), 8.5 (Jacobi), 8.6.3 (one-sided Jacobi).
+ * (Householder), 8.3 (eigenvalues), 8.6.3 (one-sided Jacobi).
  */
 #ifndef TAUT_NUMERIC_DENSE_H
 #define TAUT_NUMERIC_DENSE_H
 
-enum { TAUT_SVD_MAX = 48 }; /* most columns of a singular value decomposition */
+enum { TAUT_SVD_MAX = 48 };   /* most columns of a singular value decomposition */
+enum { TAUT_EIGEN_MAX = 96 }; /* most rows of a symmetric eigenvalue problem */
 
 /* Adds rows to a triangle: on return r'r is what r'r + block'block was, so that least squares over
  * any number of rows is done block by block.
@@ -35,7 +36,8 @@ void taut_svd(int rows, int columns, double *a, double *s, double *v);
 int taut_least_norm(int rows, int columns, const double *a, const double *b, double cut, double *x,
                     double *null);
 
-/* a = v diag(values) v' for a symmetric n x n a, which is destroyed; values increasing. */
+/* a = v diag(values) v' for a symmetric n x n a, n at most TAUT_EIGEN_MAX, which is destroyed;
+ * values increasing, errors some roundings of the largest. Cost about 9 n^3. */
 void taut_symmetric_eigen(int n, double *a, double *values, double *v);
 
 #endif /* TAUT_NUMERIC_DENSE_H */

@@ -8,15 +8,17 @@
 #include <string.h>
 
 enum { QUASI_MAX = 100, NEWTON_MAX = 30, ROUGH_MAX = 12, HALVINGS_MAX = 40 };
-static const double newton_from = 1e-4; /* gradient over value at which Newton takes over */
-static const double settled = 1e-8;     /* gradient over value that counts as a minimum */
-static const double difference = 1e-5;  /* step of the differences: error 1e-10 of the Hessian */
-static const double longest_step = 2.0; /* in one step, per variable: they are logarithms */
+static const double newton_from = 1e-4;  /* gradient over value at which Newton takes over */
+static const double settled = 1e-8;      /* gradient over value that counts as a minimum */
+static const double difference = 1e-5;   /* step of the differences: error 1e-10 of the Hessian */
+static const double least_pivot = 1e-10; /* of a positive Hessian, over its largest entry */
+static const double longest_step = 2.0;  /* in one step, per variable: they are logarithms */
 
 /* The state of one run; all arrays lie in the caller's scratch. */
 typedef struct descent {
     int n;
     taut_objective objective;
+    taut_hessian hessian; /* or NULL */
     void *context;
     double *x, *g; /* here */
     double *trial, *g_trial;
@@ -163,9 +165,9 @@ static void quasi_newton(descent *d)
     }
 }
 
-/* matrix = the Hessian at x, made symmetric. A difference that leaves the domain is taken on one
- * side. Returns 0 if both sides leave it. */
-static int find_hessian(descent *d)
+/* matrix = the Hessian at x by differences, made symmetric. One that leaves the domain is taken on
+ * one side. Returns 0 if both sides leave it. */
+static int difference_hessian(descent *d)
 {
     const int n = d->n;
     for (int j = 0; j < n; j++) {
@@ -195,14 +197,65 @@ static int find_hessian(descent *d)
     return 1;
 }
 
-/* step = -|H|^-1 g from the eigenvalues of H; returns the least of them. */
-static double newton_step(descent *d)
+/* matrix = the Hessian at x, where the objective was last called; 0 if there is none. */
+static int find_hessian(descent *d)
+{
+    if (d->hessian == NULL) {
+        return difference_hessian(d);
+    }
+    d->hessian(d->context, d->x, d->matrix);
+    return 1;
+}
+
+/* Eigenvalues of the Hessian, increasing, and its vectors. */
+static void find_eigen(descent *d, double *values)
+{
+    memcpy(d->spare, d->matrix, (size_t)d->n * (size_t)d->n * sizeof *d->spare);
+    taut_symmetric_eigen(d->n, d->spare, values, d->vectors);
+}
+
+/* step = -H^-1 g by Cholesky's factors, rows of the lower triangle; 0 where H is not clearly
+ * positive. */
+static int positive_step(descent *d)
+{
+    const int n = d->n;
+    double *const l = d->spare, *const x = d->step;
+    double largest = 0.0;
+    for (int i = 0; i < n; i++) {
+        largest = fmax(largest, fabs(d->matrix[i * n + i]));
+    }
+    for (int i = 0; i < n; i++) {
+        double rest = d->matrix[i * n + i];
+        for (int j = 0; j < i; j++) {
+            const double part = d->matrix[i * n + j] - dot_product(j, l + i * n, l + j * n);
+            l[i * n + j] = part / l[j * n + j];
+        }
+        rest -= dot_product(i, l + i * n, l + i * n);
+        if (!(rest > least_pivot * largest)) {
+            return 0;
+        }
+        l[i * n + i] = sqrt(rest);
+        x[i] = (-d->g[i] - dot_product(i, l + i * n, x)) / l[i * n + i];
+    }
+    for (int i = n - 1; i >= 0; i--) {
+        x[i] /= l[i * n + i];
+        for (int j = 0; j < i; j++) {
+            x[j] -= l[i * n + j] * x[i];
+        }
+    }
+    return 1;
+}
+
+/* step = -|H|^-1 g, which falls; by the eigenvalues of H where it is not positive. */
+static void newton_step(descent *d)
 {
     const int n = d->n;
     double values[TAUT_MINIMISE_MAX];
     double floor_value = 0.0;
-    memcpy(d->spare, d->matrix, (size_t)n * (size_t)n * sizeof *d->spare);
-    taut_symmetric_eigen(n, d->spare, values, d->vectors);
+    if (positive_step(d)) {
+        return;
+    }
+    find_eigen(d, values);
     floor_value = fmax(1e-10 * fmax(fabs(values[0]), fabs(values[n - 1])), DBL_MIN);
     memset(d->step, 0, (size_t)n * sizeof *d->step);
     for (int j = 0; j < n; j++) {
@@ -212,34 +265,41 @@ static double newton_step(descent *d)
             d->step[i] -= part * v[i];
         }
     }
-    return values[0];
 }
 
 /* At most `most` Newton steps until the gradient is at most `enough`; 0 goes down to rounding.
- * Returns the least eigenvalue of the last Hessian, or -1. */
-static double run_newton(descent *d, int most, double enough)
+ * Returns 0 where there is no Hessian. */
+static int run_newton(descent *d, int most, double enough)
 {
-    double least = -1.0;
-    for (int iteration = 0; iteration < most; iteration++) {
-        if (largest_of(d->n, d->g) <= enough) {
-            break;
-        }
+    for (int iteration = 0; iteration < most && largest_of(d->n, d->g) > enough; iteration++) {
         if (!find_hessian(d)) {
-            return -1.0;
+            return 0;
         }
-        least = newton_step(d);
+        newton_step(d);
         if (largest_of(d->n, d->step) < DBL_EPSILON || !search_line(d)) {
             break;
         }
     }
-    return least;
+    return 1;
 }
 
-int taut_minimise(int count, taut_objective objective, void *context, double *x, double *work,
-                  int rough, taut_minimum *minimum)
+/* The least eigenvalue of the Hessian at x, or -1. */
+static double find_curvature(descent *d)
+{
+    double values[TAUT_MINIMISE_MAX], unused = 0.0;
+    if (!evaluate_at(d, d->x, &unused, d->g) || !find_hessian(d)) {
+        return -1.0;
+    }
+    find_eigen(d, values);
+    return values[0];
+}
+
+int taut_minimise(int count, taut_objective objective, taut_hessian hessian, void *context,
+                  double *x, double *work, int rough, taut_minimum *minimum)
 {
     const int square = count * count;
-    descent d = {.n = count, .objective = objective, .context = context};
+    descent d = {.n = count, .objective = objective, .hessian = hessian, .context = context};
+    int settles = 0;
 
     assert(count >= 1 && count <= TAUT_MINIMISE_MAX);
     d.matrix = work;
@@ -256,8 +316,9 @@ int taut_minimise(int count, taut_objective objective, void *context, double *x,
         return 0;
     }
     quasi_newton(&d);
-    minimum->curvature = rough ? run_newton(&d, ROUGH_MAX, newton_from * size_of(d.value))
-                               : run_newton(&d, NEWTON_MAX, 0.0);
+    settles = rough ? run_newton(&d, ROUGH_MAX, newton_from * size_of(d.value))
+                    : run_newton(&d, NEWTON_MAX, 0.0);
+    minimum->curvature = !rough && settles ? find_curvature(&d) : -1.0;
     minimum->value = d.value;
     minimum->gradient = largest_of(count, d.g);
     minimum->evaluations = d.evaluations;

@@ -23,8 +23,8 @@ static int descend(const taut_start_plan *plan, double *x, int rough, taut_minim
     if (plan->begin != NULL) {
         plan->begin(plan->context, x);
     }
-    return taut_minimise(plan->count, plan->objective, plan->context, x, plan->work, rough,
-                         minimum);
+    return taut_minimise(plan->count, plan->objective, plan->hessian, plan->context, x, plan->work,
+                         rough, minimum);
 }
 
 static int go_down(const taut_start_plan *plan, rough_end *ends)

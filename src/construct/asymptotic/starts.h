@@ -14,6 +14,7 @@ typedef struct taut_start_plan {
     int count;  /* unknowns; 0: nothing to find, the value is 0 */
     int starts; /* at most TAUT_STARTS_MAX */
     taut_objective objective;
+    taut_hessian hessian; /* or NULL */
     /* Start number `number` into x; 0 if there is none. */
     int (*start)(void *context, int number, uint64_t *noise, double *x);
     /* Called before each descent from x, to fix the region it stays in; may be NULL. */

@@ -169,29 +169,45 @@ static void test_rank(void)
     CHECK_NEAR(x[1], 0.4, 1e-15, "x0 + 2 x1 = 1 of least norm");
 }
 
-/* a = v diag v' with given eigenvalues of both signs. */
+/* a v = v diag(values), v'v = 1: random ones of every size; diagonal, of equal eigenvalues, of rank
+ * one, parted, and of every magnitude. Seen: 2.4e-15 sqrt(n) of the largest entry. */
+static void check_eigen(int n, const double *a, double size)
+{
+    static double copy[TAUT_EIGEN_MAX * TAUT_EIGEN_MAX], v[TAUT_EIGEN_MAX * TAUT_EIGEN_MAX];
+    double values[TAUT_EIGEN_MAX];
+    memcpy(copy, a, (size_t)n * (size_t)n * sizeof *a);
+    taut_symmetric_eigen(n, copy, values, v);
+    for (int k = 0; k < n; k++) {
+        CHECK(k == 0 || values[k] >= values[k - 1], "increasing");
+        for (int i = 0; i < n; i++) {
+            double image = -values[k] * v[i + k * n], product = i == k ? -1.0 : 0.0;
+            for (int j = 0; j < n; j++) {
+                image += a[i + j * n] * v[j + k * n];
+                product += v[j + i * n] * v[j + k * n];
+            }
+            CHECK_NEAR(image / size, 0.0, 5e-15 * sqrt((double)n), "n=%d %d", n, k);
+            CHECK_NEAR(product, 0.0, 5e-15 * sqrt((double)n), "n=%d %d %d", n, i, k);
+        }
+    }
+}
+
 static void test_eigen(void)
 {
-    enum { N = 8 };
-    for (int trial = 0; trial < 100; trial++) {
-        double a[N * N], copy[N * N], values[N], v[N * N];
-        for (int j = 0; j < N; j++) {
+    static double a[TAUT_EIGEN_MAX * TAUT_EIGEN_MAX];
+    for (int trial = 0; trial < 120; trial++) {
+        const int n = trial < 100 ? 1 + trial % 20 : trial == 119 ? TAUT_EIGEN_MAX : 2 * trial / 10;
+        const double size = ldexp(1.0, trial % 5 == 0 ? 900 : trial % 5 == 1 ? -900 : 0);
+        for (int j = 0; j < n; j++) {
             for (int i = 0; i <= j; i++) {
-                a[i + j * N] = a[j + i * N] = random_in(-1, 1);
+                const double x = trial % 7 == 0   ? (i == j ? floor(random_in(-2, 2)) : 0.0)
+                                 : trial % 7 == 1 ? 1.0
+                                 : trial % 7 == 2 ? (i + 1 == j || i == j ? random_in(-1, 1) : 0.0)
+                                 : trial % 7 == 3 && i < n / 2 && j >= n / 2 ? 0.0
+                                                                             : random_in(-1, 1);
+                a[i + j * n] = a[j + i * n] = size * x;
             }
         }
-        memcpy(copy, a, sizeof a);
-        taut_symmetric_eigen(N, copy, values, v);
-        for (int k = 0; k < N; k++) {
-            CHECK(k == 0 || values[k] >= values[k - 1], "increasing");
-            for (int i = 0; i < N; i++) {
-                double image = 0.0;
-                for (int j = 0; j < N; j++) {
-                    image += a[i + j * N] * v[j + k * N];
-                }
-                CHECK_NEAR(image, values[k] * v[i + k * N], 2e-14, "trial %d", trial);
-            }
-        }
+        check_eigen(n, a, size);
     }
 }
 
