@@ -18,19 +18,26 @@ enum { LENGTH = TAUT_QUAD_PATCH + 1, NODES_MAX = 2 * TAUT_QUAD_PATCH + 14 };
 typedef double jet[6];
 
 /* The columns of the least-squares problem: inner unknowns; three per freedom, its effect on x, y
- * and z; three for the patch as it stands. */
+ * and z; three for the patch as it stands. Along one line of nodes, u fixed, the inner ones are made
+ * of 3 per narrow ones,
+ *     (b_k(u) b_l(v) / W)'' = b_k(u) n_0l + b_k'(u) n_1l + b_k''(u) n_2l,
+ * so that a line's rows are first brought down to as many, and then spread over all columns. */
 typedef struct plate {
     const taut_patch *patch;
     int count; /* freedoms */
     const taut_plate_freedom *freedoms;
-    int inner, columns, nodes;
+    int inner, others, columns, nodes;
+    int per, narrow_columns; /* bubbles of a direction; 3 per + others */
     double node[NODES_MAX], weight[NODES_MAX];
     double bernstein[NODES_MAX][3][LENGTH]; /* at the nodes */
     double bubble[NODES_MAX][3][LENGTH];
     double small[(TAUT_PLATE_FREEDOMS + 1) * (TAUT_PLATE_FREEDOMS + 1)]; /* of the freedoms */
     double reduced[(TAUT_PLATE_FREEDOMS + 1) * 3 * (TAUT_PLATE_FREEDOMS + 1)];
     double *triangle;            /* [columns][columns] */
-    double *block;               /* [columns][3 nodes] */
+    double *block;               /* [columns][3 per], or the others alone */
+    double *narrow;              /* of one line of nodes, [3 per + others][3 nodes] */
+    double *line;                /* its triangle, [3 per + others][3 per + others] */
+    double *rest;                /* of all lines, the columns beside the inner ones alone */
     double *bubble_coefficients; /* [m - 3][m + 1] */
 } plate;
 
@@ -113,11 +120,11 @@ static void product(const double *f, const double *g, double *out)
     out[5] = f[5] * g[0] + 2 * f[2] * g[2] + f[0] * g[5];
 }
 
-/* Entries of one column for the node in place `at` of the block: sqrt of the weight times second
- * derivatives, the mixed one counted twice. */
+/* Entries of one narrow column for the node in place `at` of the line: sqrt of the weight times
+ * second derivatives, the mixed one counted twice. */
 static void write_entries(const plate *p, int column, int at, double root, const double *value)
 {
-    double *const to = p->block + ((int64_t)column * p->nodes + at) * 3;
+    double *const to = p->narrow + ((int64_t)column * p->nodes + at) * 3;
     to[0] = root * value[3];
     to[1] = root * sqrt(2.0) * value[4];
     to[2] = root * value[5];
@@ -136,33 +143,83 @@ static void fill_freedoms(const plate *p, int a, int b, double root, const doubl
             for (int s = 0; s < 6; s++) {
                 moved[s] -= pulled[s];
             }
-            write_entries(p, p->inner + 3 * j + k, b, root, moved);
+            write_entries(p, 3 * p->per + 3 * j + k, b, root, moved);
         }
     }
 }
 
-/* All columns at one node. */
+/* All narrow columns at one node. */
 static void fill_node(const plate *p, int a, int b)
 {
-    const int per = p->patch->m - 3;
     const double root = sqrt(p->weight[a] * p->weight[b]);
     jet net[4], r[3];
     net_jets(p, a, b, net);
-    for (int k = 0; k < per; k++) {
-        for (int l = 0; l < per; l++) {
-            jet f, value;
+    for (int d = 0; d < 3; d++) {
+        for (int l = 0; l < p->per; l++) {
+            jet f = {0}, value;
             for (int s = 0; s < 6; s++) {
-                f[s] = p->bubble[a][order_u[s]][k] * p->bubble[b][order_v[s]][l];
+                f[s] = order_u[s] == d ? p->bubble[b][order_v[s]][l] : 0.0;
             }
             quotient(net[3], f, value);
-            write_entries(p, k * per + l, b, root, value);
+            write_entries(p, d * p->per + l, b, root, value);
         }
     }
     for (int k = 0; k < 3; k++) {
         quotient(net[3], net[k], r[k]);
-        write_entries(p, p->inner + 3 * p->count + k, b, root, r[k]);
+        write_entries(p, 3 * p->per + 3 * p->count + k, b, root, r[k]);
     }
     fill_freedoms(p, a, b, root, net[3], r);
+}
+
+/* Adds rows of the other columns alone: the triangle's end of a line, or of all. */
+static void add_rest(const plate *p, const double *triangle, int columns, double *to)
+{
+    const int first = columns - p->others;
+    for (int j = 0; j < p->others; j++) {
+        for (int i = 0; i < p->others; i++) {
+            p->block[j * p->others + i] =
+                i <= j ? triangle[(int64_t)(first + j) * columns + first + i] : 0.0;
+        }
+    }
+    taut_qr_append(p->others, to, p->others, p->block);
+}
+
+/* The rows of one line of nodes, brought down and spread. */
+static void add_line(const plate *p, int a)
+{
+    const int rows = 3 * p->per, per = p->per;
+    memset(p->line, 0, (size_t)p->narrow_columns * (size_t)p->narrow_columns * sizeof *p->line);
+    taut_qr_append(p->narrow_columns, p->line, 3 * p->nodes, p->narrow);
+    add_rest(p, p->line, p->narrow_columns, p->rest);
+    for (int k = 0; k < per; k++) {
+        for (int l = 0; l < per; l++) {
+            double *const to = p->block + (int64_t)(k * per + l) * rows;
+            memset(to, 0, (size_t)rows * sizeof *to);
+            for (int d = 0; d < 3; d++) {
+                const double *const from = p->line + (int64_t)(d * per + l) * p->narrow_columns;
+                for (int i = 0; i <= d * per + l; i++) {
+                    to[i] += p->bubble[a][d][k] * from[i];
+                }
+            }
+        }
+    }
+    for (int j = 0; j < p->others; j++) {
+        memcpy(p->block + (int64_t)(p->inner + j) * rows,
+               p->line + (int64_t)(rows + j) * p->narrow_columns, (size_t)rows * sizeof(double));
+    }
+    taut_qr_append(p->columns, p->triangle, rows, p->block);
+}
+
+/* The rest of all lines below the triangle, in its end. */
+static void add_all_rest(const plate *p)
+{
+    add_rest(p, p->triangle, p->columns, p->rest);
+    for (int j = 0; j < p->others; j++) {
+        for (int i = 0; i <= j; i++) {
+            p->triangle[(int64_t)(p->inner + j) * p->columns + p->inner + i] =
+                p->rest[j * p->others + i];
+        }
+    }
 }
 
 static void fill_tables(plate *p)
@@ -196,8 +253,9 @@ static taut_status triangularise(plate *p, const taut_monitor *monitor, taut_err
         for (int b = 0; b < p->nodes; b++) {
             fill_node(p, a, b);
         }
-        taut_qr_append(p->columns, p->triangle, 3 * p->nodes, p->block);
+        add_line(p, a);
     }
+    add_all_rest(p);
     return TAUT_OK;
 }
 
@@ -331,10 +389,21 @@ static void plate_free(plate *p)
 {
     if (p != NULL) {
         taut_free(p->bubble_coefficients);
+        taut_free(p->rest);
+        taut_free(p->line);
+        taut_free(p->narrow);
         taut_free(p->block);
         taut_free(p->triangle);
         taut_free(p);
     }
+}
+
+/* Room for a line's rows, and for the others' alone. */
+static double *alloc_block(const plate *p)
+{
+    const size_t line = (size_t)p->columns * 3 * (size_t)p->per;
+    const size_t rest = (size_t)p->others * (size_t)p->others;
+    return taut_alloc_aligned(line > rest ? line : rest, sizeof(double));
 }
 
 /* The triangle of the whole least-squares problem. */
@@ -350,13 +419,22 @@ static taut_status plate_new(taut_patch *patch, int count, const taut_plate_free
     p->patch = patch;
     p->count = count;
     p->freedoms = freedoms;
+    p->per = per;
     p->inner = per * per;
-    p->columns = p->inner + 3 * count + 3;
+    p->others = 3 * count + 3;
+    p->columns = p->inner + p->others;
+    p->narrow_columns = 3 * per + p->others;
     p->nodes = options->nodes > 0 ? options->nodes : 2 * m + 14;
     p->triangle = taut_alloc_zero((size_t)p->columns * (size_t)p->columns, sizeof(double));
-    p->block = taut_alloc_aligned((size_t)p->columns * 3 * (size_t)p->nodes, sizeof(double));
+    p->block = alloc_block(p);
+    p->narrow =
+        taut_alloc_aligned((size_t)p->narrow_columns * 3 * (size_t)p->nodes, sizeof(double));
+    p->line =
+        taut_alloc_aligned((size_t)p->narrow_columns * (size_t)p->narrow_columns, sizeof(double));
+    p->rest = taut_alloc_zero((size_t)p->others * (size_t)p->others, sizeof(double));
     p->bubble_coefficients = taut_alloc((size_t)per * (size_t)(m + 1), sizeof(double));
-    if (p->triangle == NULL || p->block == NULL || p->bubble_coefficients == NULL) {
+    if (p->triangle == NULL || p->block == NULL || p->narrow == NULL || p->line == NULL ||
+        p->rest == NULL || p->bubble_coefficients == NULL) {
         plate_free(p);
         return taut_fail_memory(error);
     }

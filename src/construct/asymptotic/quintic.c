@@ -10,7 +10,7 @@
 
 enum { DRAWS_MAX = 200 };
 
-static void plan_unknowns(const taut_corner_data *data, const int signs[4], taut_quintic_search *s)
+void taut_quintic_plan(const taut_corner_data *data, const int signs[4], taut_quintic_search *s)
 {
     memset(s, 0, sizeof *s);
     s->data = data;
@@ -21,6 +21,11 @@ static void plan_unknowns(const taut_corner_data *data, const int signs[4], taut
         if (data->edges[e].straight) {
             taut_corner_straight(data, e, TAUT_QUINTIC, &s->quad.edges[e]);
             continue;
+        }
+        for (int k = 0; k < 2; k++) {
+            const taut_corner_edge *const edge = &data->edges[e];
+            s->fixed[e][k] = taut_log((TAUT_QUINTIC - 2.0) / TAUT_QUINTIC * edge->weight[k]) -
+                             2 * taut_log(taut_norm(edge->normal[k])) - 0.5 * edge->bend[k];
         }
         s->first[e] = s->count;
         s->count += TAUT_QUINTIC_OWN;
@@ -75,9 +80,8 @@ static void guess_edge(const taut_quintic_search *s, int e, double size, uint64_
         taut_log(edge->weight[1]) - edge->bend[1] + raise + size * taut_noise(noise);
 }
 
-/* A start whose torsions can match; 0 if none is drawn. Torsions begin as the mean of what
- * weights of 1 give the two edges of a corner. */
-static int draw_start(void *context, int number, uint64_t *noise, double *x)
+/* Torsions begin as the mean of what weights of 1 give the two edges of a corner. */
+int taut_quintic_start(void *context, int number, uint64_t *noise, double *x)
 {
     taut_quintic_search *const s = context;
     int ends[4] = {0};
@@ -139,10 +143,13 @@ static void minimise(const void *room, const int signs[4], double *work, taut_pu
 {
     const taut_corner_data *const data = *(const taut_corner_data *const *)room;
     taut_quintic_search s;
-    taut_start_plan plan = {
-        .starts = 6, .objective = taut_quintic_objective, .start = draw_start, .begin = fix_signs};
+    taut_start_plan plan = {.starts = 6,
+                            .objective = taut_quintic_objective,
+                            .hessian = taut_quintic_hessian,
+                            .start = taut_quintic_start,
+                            .begin = fix_signs};
     double x[TAUT_MINIMISE_MAX];
-    plan_unknowns(data, signs, &s);
+    taut_quintic_plan(data, signs, &s);
     plan.count = s.count;
     plan.context = &s;
     plan.work = work;

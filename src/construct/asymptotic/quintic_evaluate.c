@@ -33,14 +33,11 @@ double taut_quintic_numerator(const taut_quintic_search *s, int e, int end,
 double taut_quintic_rest(const taut_quintic_search *s, int e, int end, const double *y,
                          double numerator)
 {
-    const taut_corner_edge *const edge = &s->data->edges[e];
-    return taut_log((TAUT_QUINTIC - 2.0) / TAUT_QUINTIC * edge->weight[end]) +
-           taut_log(fabs(numerator)) - 2 * taut_log(taut_norm(edge->normal[end])) -
-           1.5 * y[end == 0 ? TAUT_QUINTIC_LOG_MU : TAUT_QUINTIC_LOG_NU] - 0.5 * edge->bend[end];
+    return s->fixed[e][end] + taut_log(fabs(numerator)) -
+           1.5 * y[end == 0 ? TAUT_QUINTIC_LOG_MU : TAUT_QUINTIC_LOG_NU];
 }
 
-/* h of an end. */
-static double raising(const taut_quintic_search *s, int e, int end)
+double taut_quintic_raising(const taut_quintic_search *s, int e, int end)
 {
     return (s->data->raised - TAUT_QUINTIC) * s->data->edges[e].weight[end] / TAUT_QUINTIC;
 }
@@ -70,7 +67,7 @@ static int place_weights(const taut_quintic_search *s, int e, const double *x,
     for (int k = 0; k < 2; k++) {
         const int j = k == 0 ? 1 : 4;
         const double whole = made->weights[j];
-        made->weights[j] -= raising(s, e, k);
+        made->weights[j] -= taut_quintic_raising(s, e, k);
         if (!(made->weights[j] > 0)) {
             return 0;
         }

@@ -14,6 +14,8 @@
 
 #include "construct/asymptotic/corner_data.h"
 
+#include <stdint.h>
+
 /* Places of an edge's own unknowns, counted from its first. */
 enum {
     TAUT_QUINTIC_LAMBDA,
@@ -30,10 +32,16 @@ typedef struct taut_quintic_search {
     const int *signs;
     int first[4];           /* index of an edge's own unknowns, -1 if straight */
     int theta[4][2];        /* index of an end's log |tau| */
+    double fixed[4][2];     /* the part of taut_quintic_rest that no unknown moves */
     int torsion_sign[4][2]; /* of n.(P_3 - P_0), fixed by the start; 0: not yet */
     int count;
     taut_quad quad;
 } taut_quintic_search;
+
+/* quintic.c */
+void taut_quintic_plan(const taut_corner_data *data, const int signs[4], taut_quintic_search *s);
+/* A start whose torsions can match; 0 if none is drawn. */
+int taut_quintic_start(void *search, int number, uint64_t *noise, double *x);
 
 /* quintic_evaluate.c */
 
@@ -46,7 +54,12 @@ double taut_quintic_numerator(const taut_quintic_search *s, int e, int end,
 /* theta - (l_3 - 3/2 l_2) at an end: what the torsion has besides its weights. */
 double taut_quintic_rest(const taut_quintic_search *s, int e, int end, const double *y,
                          double numerator);
+/* h of an end: what raising the degree later takes from the weight beside it. */
+double taut_quintic_raising(const taut_quintic_search *s, int e, int end);
 /* A taut_objective; its context is the search. */
 int taut_quintic_objective(void *search, const double *x, double *value, double *gradient);
+
+/* quintic_second.c: a taut_hessian; the objective was last called at x. */
+void taut_quintic_hessian(void *search, const double *x, double *hessian);
 
 #endif /* TAUT_ASYMPTOTIC_QUINTIC_SEARCH_H */
