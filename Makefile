@@ -93,6 +93,7 @@ mutants:
 
 install: build
 	@cmake --install build/release
+	@[ -z "$(PYTHON_FOLDER)" ] || tools/python.sh install "$(PYTHON_FOLDER)"
 	@echo "ldconfig, as root, lets programs find the library in the folders of the system"
 
 reproduction: build

@@ -1,8 +1,8 @@
 #!/bin/sh
-# python.sh test|pack|wheel|windows|bench [ARGUMENT...] -- the Python package: its tests (pytest, types by mypy) against the library of
-# build/release, its wheel (build/python/*.whl; `pack` packs alone, what `wheel` tests is then installed from it), the wheel around the
-# library for Windows (build/python-windows/*.whl, of build/mingw), whose layouts and functions alone are looked at, its figures. By $PYTHON, or
-# the first python3 that has all they need.
+# python.sh test|pack|install FOLDER|wheel|windows|bench [ARGUMENT...] -- the Python package: its tests (pytest, types by mypy) against the
+# library of build/release, its wheel (build/python/*.whl; `pack` packs alone, `install` puts it into a folder, `wheel` tests what is
+# installed from it), the wheel around the library for Windows (build/python-windows/*.whl, of build/mingw), whose layouts and functions alone
+# are looked at, its figures. By $PYTHON, or the first python3 that has all they need.
 set -eu
 cd "$(dirname "$0")/.."
 export TAUT_BUILD=${TAUT_BUILD:-$PWD/build/release} PYTHONDONTWRITEBYTECODE=1
@@ -44,6 +44,10 @@ test)
     fi
     ;;
 pack) make_wheel ;;
+install)
+    make_wheel
+    "$PYTHON" -m pip --quiet install --no-deps --no-index --upgrade --target "${2:?install needs a folder}" "$wheels"/*.whl
+    ;;
 wheel)
     shift
     make_wheel
