@@ -55,6 +55,25 @@ def test_map_by_dask():
         check(dict(taut.map(problems(20), client=client)), 20)
 
 
+def test_a_thousand_films():
+    """Of 12 x 12 points, by two threads: none is lost or fails (some claims are undecided by their rounding), and each is what it is by itself."""
+    x, y = np.meshgrid(np.linspace(0, 1, 12), np.linspace(0, 1, 12), indexing="ij")
+    basis = taut.bspline(3, count=12)
+
+    def film(seed):
+        a, b, c = np.random.default_rng(seed).uniform(-0.3, 0.3, 3)
+        points = np.stack([x, y, a * np.sin(3 * x) + b * x * y + c * np.cos(2 * y)], axis=-1)
+        points[1:-1, 1:-1] = np.nan
+        return {"construct": "plateau", "method": "normal", "least": False, "u": basis, "v": basis, "points": points}
+    seen = set()
+    for index, model in taut.map((film(seed) for seed in range(1000)), threads=2):
+        assert isinstance(model, taut.Model) and model.certificate.holds is not False, (index, model)
+        if index % 97 == 0:
+            assert model == taut.make(film(index))
+        seen.add(index)
+    assert seen == set(range(1000))
+
+
 def test_as_many_at_once_as_there_are_workers():
     """On a cluster, not as many as this machine has processors."""
     class Executor(concurrent.futures.ThreadPoolExecutor):
