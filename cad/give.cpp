@@ -69,15 +69,51 @@ static const void *geometry_of(const TopoDS_Shape &shape)
 void occt_names::add(const TopoDS_Shape &shape, const std::string &name)
 {
     const void *key = geometry_of(shape);
-    if (key != nullptr && !name.empty()) {
-        of.emplace(key, name);
+    if (key != nullptr && of[key].name.empty()) {
+        of[key].name = name;
     }
 }
 
-const char *occt_names::find(const TopoDS_Shape &shape) const
+/* Every face of a shape and every edge that bounds none. */
+static TopTools_IndexedMapOfShape parts_of(const TopoDS_Shape &shape)
 {
+    TopTools_IndexedMapOfShape parts;
+    if (!shape.IsNull()) {
+        TopExp::MapShapes(shape, TopAbs_FACE, parts);
+        for (TopExp_Explorer at(shape, TopAbs_EDGE, TopAbs_FACE); at.More(); at.Next()) {
+            parts.Add(at.Current());
+        }
+    }
+    return parts;
+}
+
+void occt_names::add_product(const TopoDS_Shape &shape, const std::string &product)
+{
+    const TopTools_IndexedMapOfShape parts = parts_of(shape);
+    for (int i = 1; i <= parts.Extent(); i++) {
+        const void *key = geometry_of(parts(i));
+        if (key != nullptr && of[key].product.empty()) {
+            of[key].product = product;
+        }
+    }
+}
+
+void occt_names::add_colour(const TopoDS_Shape &shape, int colour)
+{
+    const TopTools_IndexedMapOfShape parts = parts_of(shape);
+    for (int i = 1; i <= parts.Extent(); i++) {
+        const void *key = geometry_of(parts(i));
+        if (key != nullptr && of[key].colour == 0) {
+            of[key].colour = colour;
+        }
+    }
+}
+
+const occt_about &occt_names::find(const TopoDS_Shape &shape) const
+{
+    static const occt_about nothing;
     const auto at = of.find(geometry_of(shape));
-    return at != of.end() ? at->second.c_str() : "";
+    return at != of.end() ? at->second : nothing;
 }
 
 /* The ranges a face takes of its surface, as its boundary has them. */
@@ -234,14 +270,19 @@ static std::vector<double> numbers(const TColStd_Array1OfReal &array)
     return out;
 }
 
-static void give_item(const occt_sink &sink, const taut_cad_item &item)
+static void give_item(const occt_sink &sink, const occt_about &about, const char *name,
+                      taut_cad_item &item)
 {
+    item.name = name;
+    item.product = about.product.c_str();
+    item.colour = about.colour;
     if (!sink.item(sink.context, &item)) {
         throw occt_failure(TAUT_IO, "write", "what was read could not be passed on");
     }
 }
 
-static void give_face(const TopoDS_Face &face, const char *name, const occt_sink &sink)
+static void give_face(const TopoDS_Face &face, const occt_about &about, const char *name,
+                      const occt_sink &sink)
 {
     taut_cad_item item = {};
     const Handle(Geom_BSplineSurface) s = convert_surface(face, item.notes);
@@ -254,7 +295,6 @@ static void give_face(const TopoDS_Face &face, const char *name, const occt_sink
             weights.push_back(s->Weight(i, j));
         }
     }
-    item.name = name;
     item.degree[0] = s->UDegree();
     item.degree[1] = s->VDegree();
     item.count[0] = s->NbUPoles();
@@ -263,10 +303,11 @@ static void give_face(const TopoDS_Face &face, const char *name, const occt_sink
     item.knots[1] = v.data();
     item.points = points.data();
     item.weights = s->IsURational() || s->IsVRational() ? weights.data() : nullptr;
-    give_item(sink, item);
+    give_item(sink, about, name, item);
 }
 
-static void give_edge(const TopoDS_Edge &edge, const char *name, const occt_sink &sink)
+static void give_edge(const TopoDS_Edge &edge, const occt_about &about, const char *name,
+                      const occt_sink &sink)
 {
     double first = 0, last = 0;
     Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
@@ -292,13 +333,12 @@ static void give_edge(const TopoDS_Edge &edge, const char *name, const occt_sink
         points.insert(points.end(), {p.X(), p.Y(), p.Z()});
         weights.push_back(made->Weight(i));
     }
-    item.name = name;
     item.degree[0] = made->Degree();
     item.count[0] = made->NbPoles();
     item.knots[0] = t.data();
     item.points = points.data();
     item.weights = made->IsRational() ? weights.data() : nullptr;
-    give_item(sink, item);
+    give_item(sink, about, name, item);
 }
 
 /* Gives one object; one that OpenCASCADE fails on is named and left out, the rest of the file is worth having. 0 where it was. */
@@ -328,6 +368,37 @@ static int give_or_name(const char *what, int number, const char *name, const oc
     return 0;
 }
 
+/* What has no name is called after its product where the file has several: with a number where it is not alone there. */
+class namer
+{
+  public:
+    namer(const occt_names &said, const TopTools_IndexedMapOfShape &faces,
+          const TopTools_IndexedMapOfShape &edges)
+        : names(said)
+    {
+        for (const TopTools_IndexedMapOfShape *parts : {&faces, &edges}) {
+            for (int i = 1; i <= parts->Extent(); i++) {
+                const occt_about &about = names.find((*parts)(i));
+                nameless[about.product] += about.name.empty() ? 1 : 0;
+            }
+        }
+    }
+    std::string name(const TopoDS_Shape &shape)
+    {
+        const occt_about &about = names.find(shape);
+        if (!about.name.empty() || about.product.empty() || nameless.size() < 2) {
+            return about.name;
+        }
+        const int number = ++given[about.product];
+        return nameless[about.product] > 1 ? about.product + "." + std::to_string(number)
+                                           : about.product;
+    }
+
+  private:
+    const occt_names &names;
+    std::map<std::string, int> nameless, given;
+};
+
 void occt_give(const TopoDS_Shape &shape, const occt_names &names, const occt_sink &sink)
 {
     TopTools_IndexedMapOfShape faces, edges;
@@ -340,16 +411,21 @@ void occt_give(const TopoDS_Shape &shape, const occt_names &names, const occt_si
     if (faces.IsEmpty() && edges.IsEmpty()) {
         throw occt_failure(TAUT_BAD_INPUT, "empty", "the file holds no surface and no curve");
     }
+    namer namer(names, faces, edges);
     int given = 0;
     for (int i = 1; i <= faces.Extent(); i++) {
         const TopoDS_Face face = TopoDS::Face(faces(i));
-        given += give_or_name("face", i, names.find(face), sink,
-                              [&](const char *name) { give_face(face, name, sink); });
+        const std::string said = namer.name(face);
+        given += give_or_name("face", i, said.c_str(), sink, [&](const char *name) {
+            give_face(face, names.find(face), name, sink);
+        });
     }
     for (int i = 1; i <= edges.Extent(); i++) {
         const TopoDS_Edge edge = TopoDS::Edge(edges(i));
-        given += give_or_name("edge", i, names.find(edge), sink,
-                              [&](const char *name) { give_edge(edge, name, sink); });
+        const std::string said = namer.name(edge);
+        given += give_or_name("edge", i, said.c_str(), sink, [&](const char *name) {
+            give_edge(edge, names.find(edge), name, sink);
+        });
     }
     if (given == 0) {
         throw occt_failure(TAUT_BAD_INPUT, "broken",

@@ -231,7 +231,8 @@ std::string occt_write_iges(const taut_cad_job &job, int count, const taut_cad_i
     global.SetMaxCoord(reach);
     model->SetGlobalSection(global);
     IGESData_IGESWriter output(model);
-    output.FloatWriter().SetFormat("%.17E");
+    output.FloatWriter().SetFormat(
+        "%.16E"); /* with one digit more -1E-178 has no room in the library, and ends it */
     output.SendModel(protocol);
     std::ostringstream text;
     if (!output.Print(text) || !text.flush()) {

@@ -42,12 +42,18 @@ const char *occt_unit(const char *unit);
 /* The text of an IGES file. */
 std::string occt_write_iges(const taut_cad_job &job, int count, const taut_cad_item *items);
 
-/* The names that entities of the file give to shapes: of a face or an edge, by the geometry it
- * hangs on. */
+/* What the file says of a face or an edge, by the geometry it hangs on. */
+struct occt_about {
+    std::string name, product;
+    int colour = 0; /* as in taut_cad_item */
+};
 struct occt_names {
-    std::map<const void *, std::string> of;
+    std::map<const void *, occt_about> of;
     void add(const TopoDS_Shape &shape, const std::string &name);
-    const char *find(const TopoDS_Shape &shape) const;
+    /* All faces and free edges of a shape: what the first call says of one stays. */
+    void add_product(const TopoDS_Shape &shape, const std::string &product);
+    void add_colour(const TopoDS_Shape &shape, int colour);
+    const occt_about &find(const TopoDS_Shape &shape) const;
 };
 
 /* Reads a file: its shapes, names, and its unit told to the sink. */

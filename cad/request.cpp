@@ -74,12 +74,16 @@ void request::read_item(FILE *from)
     get_bytes(from, &tag, 1);
     get_bytes(from, &head, sizeof head);
     check(tag == 'I' && head.name_length >= 0 && head.name_length <= words_max &&
-          head.degree[0] >= 1 && head.degree[0] < head.count[0] && head.count[1] >= 0 &&
+          head.product_length >= 0 && head.product_length <= words_max && head.degree[0] >= 1 &&
+          head.degree[0] < head.count[0] && head.count[1] >= 0 &&
           (head.count[1] == 0 || head.degree[1] >= 1) && head.degree[1] >= 0 &&
           head.degree[1] <= head.count[1]);
     words.emplace_back(static_cast<size_t>(head.name_length), '\0');
     get_bytes(from, &words.back()[0], static_cast<size_t>(head.name_length));
     item.name = words.back().c_str();
+    words.emplace_back(static_cast<size_t>(head.product_length), '\0');
+    get_bytes(from, &words.back()[0], static_cast<size_t>(head.product_length));
+    item.product = words.back().c_str();
     for (int d = 0; d < 2; d++) {
         item.degree[d] = head.degree[d];
         item.count[d] = head.count[d];

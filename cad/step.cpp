@@ -2,18 +2,31 @@
 #include "occt.hpp"
 
 #include <Interface_Static.hxx>
+#include <Quantity_Color.hxx>
+#include <STEPConstruct_Styles.hxx>
 #include <STEPControl_Reader.hxx>
+#include <StepBasic_Product.hxx>
+#include <StepBasic_ProductDefinition.hxx>
+#include <StepBasic_ProductDefinitionFormation.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepRepr_RepresentationItem.hxx>
 #include <StepShape_GeometricSet.hxx>
+#include <StepVisual_ColourRgb.hxx>
+#include <StepVisual_StyledItem.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TCollection_HAsciiString.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TransferBRep.hxx>
 #include <Transfer_Binder.hxx>
 #include <Transfer_TransientProcess.hxx>
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
+
+#include <cmath>
+#include <map>
+#include <utility>
 
 static void set_option(const char *name, const char *value)
 {
@@ -45,6 +58,95 @@ static const char *unit_of(const TCollection_AsciiString &name)
         }
     }
     return nullptr;
+}
+
+/* How many faces and edges: parts come before what they are parts of. */
+static int size_of(const TopoDS_Shape &shape)
+{
+    TopTools_IndexedMapOfShape parts;
+    TopExp::MapShapes(shape, TopAbs_FACE, parts);
+    TopExp::MapShapes(shape, TopAbs_EDGE, parts);
+    return parts.Extent();
+}
+
+/* The product that each face belongs to: the innermost one of an assembly. */
+static void add_products(const Handle(Transfer_TransientProcess) & process, occt_names &names)
+{
+    std::multimap<int, std::pair<TopoDS_Shape, std::string>> products;
+    for (int i = 1; i <= process->NbMapped(); i++) {
+        const Handle(StepBasic_ProductDefinition) definition =
+            Handle(StepBasic_ProductDefinition)::DownCast(process->Mapped(i));
+        const Handle(Transfer_Binder) binder = process->MapItem(i);
+        if (definition.IsNull() || binder.IsNull() || definition->Formation().IsNull() ||
+            definition->Formation()->OfProduct().IsNull()) {
+            continue;
+        }
+        const Handle(StepBasic_Product) product = definition->Formation()->OfProduct();
+        const TopoDS_Shape shape = TransferBRep::ShapeResult(binder);
+        if (!shape.IsNull() && !product->Name().IsNull()) {
+            products.emplace(size_of(shape), std::make_pair(shape, product->Name()->ToCString()));
+        }
+    }
+    for (const auto &product : products) {
+        names.add_product(product.second.first, product.second.second);
+    }
+}
+
+/* 1 + 0xRRGGBB; 0 where it is none. */
+static int number_of(const Handle(StepVisual_Colour) & colour)
+{
+    double parts[3];
+    const Handle(StepVisual_ColourRgb) rgb = Handle(StepVisual_ColourRgb)::DownCast(colour);
+    Quantity_Color known;
+    int number = 0;
+    if (!rgb.IsNull()) {
+        parts[0] = rgb->Red(), parts[1] = rgb->Green(), parts[2] = rgb->Blue();
+    } else if (!colour.IsNull() && STEPConstruct_Styles::DecodeColor(colour, known)) {
+        parts[0] = known.Red(), parts[1] = known.Green(), parts[2] = known.Blue(); /* 0 or 1 */
+    } else {
+        return 0;
+    }
+    for (const double part : parts) {
+        if (!(part >= 0 && part <= 1)) {
+            return 0;
+        }
+        number = 256 * number + static_cast<int>(std::lround(255 * part));
+    }
+    return 1 + number;
+}
+
+/* Colours of faces and curves; what is said of a face counts before what is said of its solid. */
+static void add_colours(const Handle(XSControl_WorkSession) & session,
+                        const Handle(Transfer_TransientProcess) & process, occt_names &names)
+{
+    std::multimap<int, std::pair<TopoDS_Shape, int>> colours;
+    STEPConstruct_Styles styles(session);
+    if (!styles.LoadStyles()) {
+        return;
+    }
+    for (int i = 1; i <= styles.NbStyles(); i++) {
+        const Handle(StepVisual_StyledItem) style = styles.Style(i);
+        Handle(StepVisual_Colour) surface, boundary, curve, rendered;
+        double transparency = 0;
+        Standard_Boolean is_component = Standard_False;
+        if (style.IsNull() || style->Item().IsNull() ||
+            !styles.GetColors(style, surface, boundary, curve, rendered, transparency,
+                              is_component)) {
+            continue;
+        }
+        const int mapped = process->MapIndex(style->Item());
+        const int colour = number_of(!surface.IsNull()    ? surface
+                                     : !rendered.IsNull() ? rendered
+                                                          : curve);
+        const TopoDS_Shape shape =
+            mapped > 0 ? TransferBRep::ShapeResult(process->MapItem(mapped)) : TopoDS_Shape();
+        if (!shape.IsNull() && colour > 0) {
+            colours.emplace(size_of(shape), std::make_pair(shape, colour));
+        }
+    }
+    for (const auto &colour : colours) {
+        names.add_colour(colour.second.first, colour.second.second);
+    }
 }
 
 TopoDS_Shape occt_read_step(const taut_cad_job &job, const occt_sink &sink, occt_names &names)
@@ -82,5 +184,7 @@ TopoDS_Shape occt_read_step(const taut_cad_job &job, const occt_sink &sink, occt
             }
         }
     }
+    add_products(process, names);
+    add_colours(reader.WS(), process, names);
     return reader.OneShape();
 }

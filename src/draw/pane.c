@@ -221,10 +221,18 @@ static const char *curve_name(const void *of, int i)
     return taut_curve_name(((const taut_pane *)of)->curves[i].curve);
 }
 
-/* One surface alone is the first colour. */
+/* One surface alone is the first colour, where it has none of its own. */
 int taut_pane_sheet_colour(const taut_pane *pane, int i)
 {
-    return pane->surface >= 0 ? 0 : taut_colour_group(sheet_name, pane, pane->sheet_count, i);
+    int k = 0;
+    while (k < taut_model_surface_count(pane->model) &&
+           taut_model_surface(pane->model, k) != pane->sheets[i].surface) {
+        k++;
+    }
+    const int said = taut_colour_said(pane->model, k);
+    return said >= 0            ? said
+           : pane->surface >= 0 ? 0
+                                : taut_colour_group(sheet_name, pane, pane->sheet_count, i);
 }
 
 int taut_pane_curve_colour(const taut_pane *pane, int i)

@@ -54,6 +54,10 @@ taut_ink taut_colour_plain(int i)
         {166, 198, 230}, {238, 206, 150}, {174, 216, 182}, {228, 174, 172},
         {200, 186, 228}, {158, 214, 216}, {222, 214, 158}, {210, 194, 180},
     };
+    if (i >= TAUT_COLOUR_OWN) {
+        return (taut_ink){(unsigned char)(i >> 16 & 255), (unsigned char)(i >> 8 & 255),
+                          (unsigned char)(i & 255)};
+    }
     return palette[(size_t)i % (sizeof palette / sizeof palette[0])];
 }
 
@@ -128,9 +132,30 @@ static const char *curve_name(const void *of, int i)
     return taut_curve_name(taut_model_curve(of, i));
 }
 
+int taut_colour_said(const taut_model *model, int i)
+{
+    static const char digits[] = "0123456789abcdef";
+    const taut_record *colours = taut_record_get(taut_model_details(model), "colours");
+    const char *text = taut_record_text(taut_record_at(colours, (size_t)i));
+    int number = 0;
+    if (text == NULL || strlen(text) != 7 || text[0] != '#') {
+        return -1;
+    }
+    for (int k = 1; k < 7; k++) {
+        const char *digit = strchr(digits, text[k]);
+        if (digit == NULL) {
+            return -1;
+        }
+        number = 16 * number + (int)(digit - digits);
+    }
+    return TAUT_COLOUR_OWN + number;
+}
+
 int taut_colour_of_surface(const taut_model *model, int i)
 {
-    return taut_colour_group(surface_name, model, taut_model_surface_count(model), i);
+    const int said = taut_colour_said(model, i);
+    return said >= 0 ? said
+                     : taut_colour_group(surface_name, model, taut_model_surface_count(model), i);
 }
 
 int taut_colour_of_curve(const taut_model *model, int i)

@@ -17,7 +17,8 @@ typedef struct taut_ink {
  * vision. */
 taut_ink taut_colour_diverging(double t);
 
-/* The i-th plain surface colour; they repeat. */
+/* The i-th plain surface colour; they repeat. From TAUT_COLOUR_OWN on it is the colour 0xRRGGBB beyond it. */
+enum { TAUT_COLOUR_OWN = 1 << 24 };
 taut_ink taut_colour_plain(int i);
 
 /* Which plain or curve colour thing i of a model takes: things whose names differ in their number
@@ -26,7 +27,10 @@ taut_ink taut_colour_plain(int i);
  * of a number alone, take one each. name(of, i): never NULL. */
 int taut_colour_group(const char *(*name)(const void *of, int i), const void *of, int count, int i);
 
-/* The same of surface i, and of curve i, of a model. */
+/* TAUT_COLOUR_OWN and the colour that the file had for surface i that the model was read from, details.colours; else -1. */
+int taut_colour_said(const taut_model *model, int i);
+
+/* The colour of surface i, its own or that of its group, and of curve i, of a model. */
 int taut_colour_of_surface(const taut_model *model, int i);
 int taut_colour_of_curve(const taut_model *model, int i);
 

@@ -133,6 +133,18 @@ static const char *curve_name(const void *of, int i)
     return taut_curve_name(((const taut_page_model *)of)->curves[i].curve);
 }
 
+/* Its own, else that of its group. */
+static int colour_of(const taut_page_model *p, int i)
+{
+    int k = 0;
+    while (k < taut_model_surface_count(p->model) &&
+           taut_model_surface(p->model, k) != p->surfaces[i].surface) {
+        k++;
+    }
+    const int said = taut_colour_said(p->model, k);
+    return said >= 0 ? said : taut_colour_group(surface_name, p, p->count, i);
+}
+
 static taut_status put_surface(taut_json_out *out, const taut_page_model *p,
                                const taut_page_surface *s)
 {
@@ -148,7 +160,7 @@ static taut_status put_surface(taut_json_out *out, const taut_page_model *p,
     }
     taut_json_open(out, '{');
     put_text(out, "name", taut_surface_name(surface));
-    put_number(out, "colour", taut_colour_group(surface_name, p, p->count, (int)(s - p->surfaces)));
+    put_number(out, "colour", colour_of(p, (int)(s - p->surfaces)));
     put_basis(out, "basis_u", taut_surface_u(surface));
     put_basis(out, "basis_v", taut_surface_v(surface));
     put_lines(out, "u", &s->u, room);

@@ -52,6 +52,34 @@ if [ -e "$helper" ]; then
     absent never.json never.igs
     TAUT_CAD=
     run 0 convert model.igs -o back.json # nothing said
+    # colours of the file that a model came from stay with it: in STEP and back, meshes, figures and the page
+    "$TAUT" example harmonic-neighbour > problem.json
+    run 0 make problem.json --quiet -o plain.json
+    python3 - <<'PY' || complain "colours: not set"
+import json
+model = json.load(open("plain.json"))
+model["details"] = {"colours": ["#12ab34", "#fedcba"][:len(model["surfaces"])]}
+json.dump(model, open("own.json", "w"))
+PY
+    run 0 convert own.json -o own.step -o own.3mf -o own.svg -o own.html -o own.glb
+    run 0 convert own.step -o again.json
+    contains again.json '"#12ab34"'
+    contains again.json '"#fedcba"'
+    contains own.svg '#12ab34'
+    contains own.html "\"colour\": *$((16777216 + 0x12ab34))"
+    unzip -p own.3mf 3D/3dmodel.model > own.xml
+    contains own.xml '#12AB34'
+    run 0 convert plain.json -o plain.step
+    run 0 convert plain.step -o again.json
+    ! grep -q colours again.json || complain "colours of taut's own are said"
+    # numbers of three-digit exponents, below 0 too
+    line='{ "type": "bezier", "degree": 1 }'
+    echo "{ \"taut\": 1, \"surfaces\": [ { \"u\": $line, \"v\": $line, \"points\":
+        [ [ [0, 0, 0], [0, 1, 0] ], [ [1, 0, 0], [-1.2345e-178, 1, -1.5e-99] ] ] } ] }" > small.json
+    run 0 convert small.json -o small.igs
+    run 0 convert small.igs -o back.json
+    contains back.json '1[.]2345e-178'
+    contains back.json '1[.]5e-99'
     # several surfaces and curves are one group, under the name of the construction
     "$TAUT" example pipe-elbow > problem.json
     run 0 make problem.json --quiet -o pipe.igs
@@ -60,7 +88,7 @@ if [ -e "$helper" ]; then
     ! grep -q '^ *402 ' model.igs || complain "a group of one"
     run 0 convert pipe.igs -o back.json
     [ "$(grep -c '"name": "' back.json)" = 4 ] || complain "names out of a group: $(grep '"name"' back.json)"
-    "$helper" --version | grep -q '^taut-cad, protocol 2, OpenCASCADE [0-9]' || complain "$helper says no version"
+    "$helper" --version | grep -q '^taut-cad, protocol 3, OpenCASCADE [0-9]' || complain "$helper says no version"
     "$helper" model.igs > /dev/null 2>&1 && complain "$helper takes an argument"
 fi
 finish

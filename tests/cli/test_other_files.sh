@@ -67,9 +67,23 @@ try() { # try NAME PATH FACES TRIMMED [areas]
     fi
 }
 try as1-tu-203.stp $doc/gmsh-doc/doc/gmsh/demos/boolean/as1-tu-203.stp 160 50 areas
+# An assembly: the innermost product of each face, and its colour.
+looks() { # looks FILE EXPECTED: each product, or name, with its colour and how many faces there are of it
+    [ -e "$1" ] || return
+    run 0 convert "$1" --untrim -o whole.json
+    said=$(python3 -c "
+import collections, json
+model = json.load(open('whole.json'))
+names = [s['name'] for s in model['surfaces']]
+products, colours = (model['details'].get(key, names) for key in ('products', 'colours'))
+print(*(f'{p}:{c}:{n}' for (p, c), n in sorted(collections.Counter(zip(products, colours)).items())))")
+    [ "$said" = "$2" ] || complain "$1: $said, expected $2"
+}
+looks as1-tu-203.stp 'bolt:#0000ff:42 l-bracket:#00ff00:32 nut:#ff0000:64 plate:#c7c700:18 rod:#ff9100:4'
 try component8.step $doc/gmsh-doc/doc/gmsh/demos/boolean/component8.step 21 15 areas
 try t20_data.step $doc/gmsh-doc/doc/gmsh/tutorial/t20_data.step 21 15 areas
 try step_boundary_colors.stp $doc/gmsh-doc/doc/gmsh/demos/api/step_boundary_colors.stp 6 0 areas
+looks step_boundary_colors.stp 'PartBody:#0080ff:1 PartBody:#00ff00:1 PartBody:#e1e1e1:3 PartBody:#ff0000:1'
 try frame.step $doc/netgen/examples/frame.step 375 42 areas
 try screw.step $occt/step/screw.step 10 7 areas
 try linkrods.step $occt/step/linkrods.step 37 16 areas

@@ -12,8 +12,16 @@ static const char variable[] = "TAUT_TEST_ROLE";
 static const double knots[4] = {0, 0, 1, 1}, points[12] = {0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 1};
 
 const taut_cad_item fake_cad_items[2] = {
-    {"face", {1, 1}, {2, 2}, {knots, knots}, points, NULL, TAUT_CAD_APPROXIMATE},
-    {"edge", {1, 0}, {2, 0}, {knots, NULL}, points, NULL, TAUT_CAD_APPROXIMATE}};
+    {"face",
+     {1, 1},
+     {2, 2},
+     {knots, knots},
+     points,
+     NULL,
+     TAUT_CAD_APPROXIMATE,
+     "part",
+     1 + 0x12ab34},
+    {"edge", {1, 0}, {2, 0}, {knots, NULL}, points, NULL, TAUT_CAD_APPROXIMATE, NULL, 0}};
 
 static const taut_error nothing_wrong = {.status = TAUT_OK};
 

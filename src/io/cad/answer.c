@@ -88,7 +88,8 @@ static taut_status refuse_stream(taut_error *error)
 static taut_status check_head(const taut_cad_item_head *head, taut_error *error)
 {
     const int directions = head->count[1] > 0 ? 2 : 1;
-    if (head->name_length < 0 || head->name_length > TAUT_NAME_MAX) {
+    if (head->name_length < 0 || head->name_length > TAUT_NAME_MAX || head->product_length < 0 ||
+        head->product_length > TAUT_NAME_MAX || head->colour < 0 || head->colour > 1 << 24) {
         return refuse_stream(error);
     }
     for (int d = 0; d < directions; d++) {
@@ -111,7 +112,7 @@ static taut_status check_head(const taut_cad_item_head *head, taut_error *error)
 /* An item as it came; the arena owns its numbers. */
 typedef struct item_read {
     taut_cad_item_head head;
-    char name[TAUT_NAME_MAX + 1];
+    char name[TAUT_NAME_MAX + 1], product[TAUT_NAME_MAX + 1];
     double *knots[2], *points, *weights;
     taut_arena *arena;
 } item_read;
@@ -182,6 +183,17 @@ static void add_notes(const taut_cad_item_head *head, const char *name, int inde
     }
 }
 
+/* What a surface is a part of, and its colour. */
+static void add_looks(const item_read *item, taut_cad_result *result)
+{
+    char colour[8] = "";
+    if (item->head.colour > 0) {
+        snprintf(colour, sizeof colour, "#%06x", (unsigned)(item->head.colour - 1) & 0xffffffU);
+    }
+    taut_record_add_text(result->products, NULL, item->product);
+    taut_record_add_text(result->colours, NULL, colour);
+}
+
 static taut_status get_numbers(taut_cad_source *source, item_read *item, taut_error *error)
 {
     const taut_cad_item_head *head = &item->head;
@@ -214,10 +226,12 @@ static taut_status get_item_into(taut_cad_source *source, item_read *item, taut_
     if (status != TAUT_OK) {
         return status;
     }
-    if (!get_bytes(source, item->name, 1, (size_t)item->head.name_length)) {
+    if (!get_bytes(source, item->name, 1, (size_t)item->head.name_length) ||
+        !get_bytes(source, item->product, 1, (size_t)item->head.product_length)) {
         return refuse_stream(error);
     }
     mend_name(item->name, (size_t)item->head.name_length);
+    mend_name(item->product, (size_t)item->head.product_length);
     const int is_surface = item->head.count[1] > 0;
     const int index = is_surface ? taut_model_surface_count(result->model)
                                  : taut_model_curve_count(result->model);
@@ -238,6 +252,9 @@ static taut_status get_item_into(taut_cad_source *source, item_read *item, taut_
         return status;
     }
     add_notes(&item->head, item->name, index, result->notes);
+    if (is_surface) {
+        add_looks(item, result);
+    }
     result->trimmed += (item->head.notes & TAUT_CAD_TRIMMED) != 0;
     return TAUT_OK;
 }

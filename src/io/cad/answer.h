@@ -31,9 +31,11 @@ taut_cad_greeting taut_cad_get_hello(taut_cad_source *source, taut_cad_hello *he
 typedef struct taut_cad_result {
     taut_model *model;  /* surfaces and curves are added, the unit set; may be NULL when writing */
     taut_record *notes; /* a list of sentences, likewise */
-    int trimmed;        /* surfaces of which the file has only a part */
-    FILE *text;         /* where the text of a file goes; NULL when reading */
-    int has_ended;      /* the end was seen... */
+    taut_record *products,
+        *colours;  /* of each surface: a text, "" where nothing is said; may be NULL likewise */
+    int trimmed;   /* surfaces of which the file has only a part */
+    FILE *text;    /* where the text of a file goes; NULL when reading */
+    int has_ended; /* the end was seen... */
     taut_status status; /* ...with this, and *error is filled */
 } taut_cad_result;
 

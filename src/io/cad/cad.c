@@ -8,9 +8,11 @@
 #include "io/cad/scan.h"
 #include "io/file/in.h"
 #include "io/format.h"
+#include "mesh/colour.h"
 #include "platform/system.h"
 
 #include <errno.h>
+#include <string.h>
 #include <sys/stat.h>
 
 static void set_direction(taut_cad_item *item, int d, const taut_basis *basis)
@@ -130,18 +132,59 @@ static taut_status scan_file(taut_cad_kind kind, const char *path, taut_error *e
     return status;
 }
 
-/* What was read, with notes where there are any. */
+/* Do its surfaces belong to several products? */
+static int has_products(const taut_record *products)
+{
+    int several = 0;
+    for (size_t i = 1; i < taut_record_count(products); i++) {
+        several = several || strcmp(taut_record_text(taut_record_at(products, i)),
+                                    taut_record_text(taut_record_at(products, 0))) != 0;
+    }
+    return several;
+}
+
+/* Are there colours other than those that taut gives? */
+static int has_colours(const taut_record *colours, const taut_model *model)
+{
+    int other = 0;
+    for (int i = 0; i < (int)taut_record_count(colours) && !other; i++) {
+        const char *text = taut_record_text(taut_record_at(colours, (size_t)i));
+        char own[8];
+        const taut_ink ink = taut_colour_plain(taut_colour_of_surface(model, i));
+        snprintf(own, sizeof own, "#%02x%02x%02x", (unsigned)ink.r, (unsigned)ink.g,
+                 (unsigned)ink.b);
+        other = text[0] != '\0' && strcmp(text, own) != 0;
+    }
+    return other;
+}
+
+/* What was read, with what there is to say of it. */
 static taut_status finish_model(taut_cad_kind kind, taut_cad_result *result, taut_error *error)
 {
     taut_record *details = taut_record_new();
-    taut_record_add_text(details, "read_from", kind == TAUT_CAD_STEP ? "STEP" : "IGES");
-    taut_record_add_number(details, "trimmed", result->trimmed);
-    taut_record_add_record(details, "notes", result->notes);
-    if (taut_record_status(details) != TAUT_OK || taut_record_status(result->notes) != TAUT_OK) {
+    int is_said = taut_record_count(result->notes) > 0;
+    if (taut_record_status(result->notes) != TAUT_OK ||
+        taut_record_status(result->products) != TAUT_OK ||
+        taut_record_status(result->colours) != TAUT_OK) {
         taut_record_free(details);
         return taut_fail_memory(error);
     }
-    if (taut_record_count(result->notes) > 0) {
+    taut_record_add_text(details, "read_from", kind == TAUT_CAD_STEP ? "STEP" : "IGES");
+    taut_record_add_number(details, "trimmed", result->trimmed);
+    taut_record_add_record(details, "notes", result->notes);
+    if (has_products(result->products)) {
+        taut_record_add_record(details, "products", result->products);
+        is_said = 1;
+    }
+    if (has_colours(result->colours, result->model)) {
+        taut_record_add_record(details, "colours", result->colours);
+        is_said = 1;
+    }
+    if (taut_record_status(details) != TAUT_OK) {
+        taut_record_free(details);
+        return taut_fail_memory(error);
+    }
+    if (is_said) {
         taut_model_set_details(result->model, details);
     } else {
         taut_record_free(details);
@@ -153,7 +196,10 @@ static taut_status read_items(const taut_cad_job *job, taut_cad_result *result, 
 {
     taut_status status = TAUT_OK;
     result->notes = taut_record_new_list();
-    if (result->notes == NULL || taut_model_new(&result->model) != TAUT_OK) {
+    result->products = taut_record_new_list();
+    result->colours = taut_record_new_list();
+    if (result->notes == NULL || result->products == NULL || result->colours == NULL ||
+        taut_model_new(&result->model) != TAUT_OK) {
         return taut_fail_memory(error);
     }
     status = taut_cad_run(job, 0, NULL, result, error);
@@ -176,6 +222,8 @@ static taut_status read_cad(taut_cad_kind kind, const char *path, taut_model **m
     }
     status = read_items(&job, &result, error);
     taut_record_free(result.notes);
+    taut_record_free(result.products);
+    taut_record_free(result.colours);
     if (status != TAUT_OK) {
         taut_model_free(result.model);
         return status;

@@ -65,17 +65,25 @@ int taut_cad_put_unit(FILE *file, const char *unit)
     return put_bytes(file, "U", 1, 1) && put_bytes(file, bytes, 1, TAUT_CAD_UNIT);
 }
 
+static int name_length(const char *name)
+{
+    const size_t length = name != NULL ? strlen(name) : 0;
+    return length < TAUT_NAME_MAX ? (int)length : TAUT_NAME_MAX;
+}
+
 int taut_cad_put_item(FILE *file, const taut_cad_item *item)
 {
-    const size_t length = strlen(item->name);
     const taut_cad_item_head head = {{item->degree[0], item->degree[1]},
                                      {item->count[0], item->count[1]},
                                      item->weights != NULL,
                                      item->notes,
-                                     length < TAUT_NAME_MAX ? (int)length : TAUT_NAME_MAX};
+                                     name_length(item->name),
+                                     name_length(item->product),
+                                     item->colour};
     const size_t n = taut_cad_point_count(&head);
     return put_bytes(file, "I", 1, 1) && put_bytes(file, &head, sizeof head, 1) &&
            put_bytes(file, item->name, 1, (size_t)head.name_length) &&
+           put_bytes(file, item->product, 1, (size_t)head.product_length) &&
            put_bytes(file, item->knots[0], sizeof(double), taut_cad_knot_count(&head, 0)) &&
            put_bytes(file, item->knots[1], sizeof(double), taut_cad_knot_count(&head, 1)) &&
            put_bytes(file, item->points, 3 * sizeof(double), n) &&

@@ -33,12 +33,14 @@ typedef struct taut_cad_item {
     const double *points; /* double[count[0]][count[1]][3], u slowest; curve: double[count[0]][3] */
     const double *weights; /* positive, or NULL */
     int notes;             /* read: TAUT_CAD_TRIMMED, TAUT_CAD_APPROXIMATE */
+    const char *product;   /* read: of what it is a part, UTF-8; "" or NULL if nothing says so */
+    int colour;            /* read: 0, or 1 + 0xRRGGBB */
 } taut_cad_item;
 
-/* What stands before the name and the numbers of an item. */
+/* What stands before the name, the product and the numbers of an item. */
 typedef struct taut_cad_item_head {
     int degree[2], count[2], is_rational, notes;
-    int name_length;
+    int name_length, product_length, colour;
 } taut_cad_item_head;
 
 typedef enum taut_cad_kind { TAUT_CAD_STEP, TAUT_CAD_IGES } taut_cad_kind;
@@ -58,7 +60,7 @@ typedef struct taut_cad_job {
 
 /* What stands first, both ways. A version changes with what is said, the layout with compilers. */
 enum {
-    TAUT_CAD_VERSION = 2,
+    TAUT_CAD_VERSION = 3,
     TAUT_CAD_MARK = 8,
     TAUT_CAD_UNIT = 4,
     TAUT_CAD_TEXT_MAX = 1 << 15,

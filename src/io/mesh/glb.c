@@ -160,16 +160,17 @@ static void put_meshes(taut_json_out *out, const glb_plan *plan)
 
 /* One white one where the vertices carry the colour, with what the colours mean; else one a surface, under
  * its name, in its colour of figures. */
-static void put_materials(taut_json_out *out, const glb_plan *plan)
+static void put_materials(taut_json_out *out, const glb_plan *plan, const taut_model *model)
 {
     const int surfaces = taut_mesh_out_surfaces(plan->mesh);
     const int count = plan->values != NULL ? 1 : plan->count;
     taut_json_open_pair(out, "materials", '[');
     for (int i = 0; i < count; i++) {
         const taut_ink white = {255, 255, 255};
-        const taut_ink ink = plan->values != NULL
-                                 ? white
-                                 : taut_colour_plain(taut_mesh_out_plain(plan->mesh, surfaces, i));
+        const taut_ink ink =
+            plan->values != NULL
+                ? white
+                : taut_colour_plain(taut_mesh_out_plain(model, plan->mesh, surfaces, i));
         char room[TAUT_NAME_MAX + 1];
         taut_json_open_inline(out, '{');
         if (plan->values == NULL) {
@@ -277,7 +278,7 @@ static taut_status write_document(const glb_plan *plan, const taut_model *model,
     put_asset(&out);
     put_nodes(&out, plan, model);
     put_meshes(&out, plan);
-    put_materials(&out, plan);
+    put_materials(&out, plan, model);
     put_accessors(&out, plan);
     put_buffers(&out, plan);
     taut_json_close(&out, '}');

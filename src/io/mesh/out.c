@@ -134,10 +134,11 @@ static const char *group_name(const void *of, int i)
     return taut_mesh_group_at(of, i)->name;
 }
 
-int taut_mesh_out_plain(const taut_mesh *mesh, int surfaces, int g)
+int taut_mesh_out_plain(const taut_model *model, const taut_mesh *mesh, int surfaces, int g)
 {
     const int first = taut_mesh_out_colour(mesh, surfaces, g);
-    return taut_colour_group(group_name, mesh, surfaces, first);
+    const int said = taut_colour_said(model, taut_mesh_group_at(mesh, g)->surface);
+    return said >= 0 ? said : taut_colour_group(group_name, mesh, surfaces, first);
 }
 
 const char *taut_mesh_out_name(const taut_mesh_group *group, char *room)

@@ -45,7 +45,7 @@ int taut_mesh_out_surfaces(const taut_mesh *mesh);
 /* The number of the colour of group g: the first group of its surface, out of that many. */
 int taut_mesh_out_colour(const taut_mesh *mesh, int surfaces, int g);
 /* Its plain colour, by its surface's name (mesh/colour.h). */
-int taut_mesh_out_plain(const taut_mesh *mesh, int surfaces, int g);
+int taut_mesh_out_plain(const taut_model *model, const taut_mesh *mesh, int surfaces, int g);
 
 /* The group's name, or "surface<i>" where it has none, in room for TAUT_NAME_MAX + 1 bytes. */
 const char *taut_mesh_out_name(const taut_mesh_group *group, char *room);

@@ -42,6 +42,7 @@ typedef struct side {
 } side;
 
 typedef struct threemf {
+    const taut_model *model;
     const taut_mesh *mesh;
     taut_sink sink; /* the model's text */
     int groups, surfaces;
@@ -126,7 +127,8 @@ static void put_materials(threemf *file)
         taut_sink_text(sink, "<base name=\"");
         taut_xml_text(sink, taut_mesh_out_name(taut_mesh_group_at(file->mesh, g), room));
         taut_sink_text(sink, "\" displaycolor=\"");
-        put_colour(sink, taut_colour_plain(taut_mesh_out_plain(file->mesh, file->surfaces, g)));
+        put_colour(sink, taut_colour_plain(
+                             taut_mesh_out_plain(file->model, file->mesh, file->surfaces, g)));
         taut_sink_text(sink, "\"/>\n");
     }
     taut_sink_text(sink, "</basematerials>\n");
@@ -329,7 +331,7 @@ static taut_status write_3mf(const taut_model *model, const taut_write_options *
         return status;
     }
     taut_arena *arena = taut_arena_new();
-    threemf file = {.mesh = mesh};
+    threemf file = {.model = model, .mesh = mesh};
     status = write_mesh(&file, taut_model_unit(model), arena, out, error);
     taut_arena_free(arena);
     taut_mesh_free(mesh);

@@ -158,6 +158,23 @@ static taut_status put_file(const taut_model *nurbs, taut_cad_facts *facts, FILE
                                     : sent;
 }
 
+/* Colours that the file had which the model was read from. */
+static taut_status keep_colours(const taut_model *model, taut_model *nurbs, taut_error *error)
+{
+    const taut_record *colours = taut_record_get(taut_model_details(model), "colours");
+    if (colours == NULL) {
+        return TAUT_OK;
+    }
+    taut_record *details = taut_record_new();
+    taut_record_add_record(details, "colours", colours);
+    if (taut_record_status(details) != TAUT_OK) {
+        taut_record_free(details);
+        return taut_fail_memory(error);
+    }
+    taut_model_set_details(nurbs, details);
+    return TAUT_OK;
+}
+
 static taut_status write_step(const taut_model *model, const taut_write_options *options,
                               FILE *file, taut_error *error)
 {
@@ -169,6 +186,9 @@ static taut_status write_step(const taut_model *model, const taut_write_options 
         return status;
     }
     status = check_faces(nurbs, error);
+    if (status == TAUT_OK) {
+        status = keep_colours(model, nurbs, error);
+    }
     if (status == TAUT_OK) {
         status = put_file(nurbs, &facts, file, error);
     }

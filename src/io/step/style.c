@@ -14,7 +14,7 @@ static size_t put_item(taut_part21 *out, size_t style, size_t item)
 
 size_t taut_step_style_face(taut_part21 *out, size_t item, int i, size_t *style)
 {
-    size_t *known = &style[i % TAUT_STEP_COLOURS];
+    size_t own = 0, *known = i < TAUT_COLOUR_OWN ? &style[i % TAUT_STEP_COLOURS] : &own;
     if (*known == 0) {
         const size_t colour = put_colour(out, taut_colour_plain(i));
         const size_t fill = TAUT_NEW(out, "FILL_AREA_STYLE_COLOUR('',%)", TAUT_REF(colour));

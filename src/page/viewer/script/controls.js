@@ -167,7 +167,7 @@ const keys = {
 
 /* A box for each part of a model that has some, but not hundreds. */
 function fillParts() {
-    const parts = model.surfaces.map((s, i) => ['surface ' + i, s.name || 'surface ' + (i + 1), plainColours[colourIndex(i) % plainColours.length]])
+    const parts = model.surfaces.map((s, i) => ['surface ' + i, s.name || 'surface ' + (i + 1), plainColour(colourIndex(i))])
         .concat(model.curves.map((c, i) => ['curve ' + i, curveLabel(c, i), curveColour(c)]));
     if (parts.length < 2 || parts.length > 40) {
         return;

@@ -1,6 +1,8 @@
 /* shade.js -- how a surface looks: the colours, light or dark paper, the light, isolines and reflections of the figures (src/mesh/colour.c,
  * sheet_corners.c), in a shader. */
 const plainColours = [0xa6c6e6, 0xeece96, 0xaed8b6, 0xe4aeac, 0xc8bae4, 0x9ed6d8, 0xded69e, 0xd2c2b4];
+/* A number from 1 << 24 on is a colour of its own, that of the file which the model was read from. */
+const plainColour = index => index >= 1 << 24 ? index - (1 << 24) : plainColours[index % plainColours.length];
 const curveColours = [0xb02a30, 0x164e8c, 0x1e7040, 0x96540c, 0x683088, 0x146e76];
 
 /* Lines by what they are, on light paper and on dark; curves have colours of their own. */
@@ -108,7 +110,7 @@ function surfaceMaterial(index, own) {
     return new THREE.ShaderMaterial({
         vertexShader: vertexShader,
         fragmentShader: fragmentShader,
-        uniforms: Object.assign({ plain: { value: rgb(plainColours[index % plainColours.length]) } }, look, own),
+        uniforms: Object.assign({ plain: { value: rgb(plainColour(index)) } }, look, own),
         side: THREE.DoubleSide,
         clipping: true,
         polygonOffset: true,
