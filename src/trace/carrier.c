@@ -10,6 +10,8 @@
 enum { GRID = 33 };
 /* How near the two lines of a seam have to be, over the size, and their normals. */
 static const double same_line = 1e-12, same_normal = 1e-9;
+/* Of |H|, and of 1 over the size: where R is smaller than a share of that which rounding explains, it is none. */
+static const double least_share = 1e-4;
 
 static const int order_u[TAUT_CARRIER_VECTORS] = {0, 1, 0, 2, 1, 0, 3, 2, 1, 0};
 static const int order_v[TAUT_CARRIER_VECTORS] = {0, 0, 1, 0, 1, 2, 0, 1, 2, 3};
@@ -267,9 +269,11 @@ static int make_net(taut_arena *arena, const double origin[3], double half, taut
     return 1;
 }
 
-/* How large |x_u x x_v| and R get, on a grid. */
+/* How large |x_u x x_v| and R get, on a grid. On spheres and planes R is rounding: it counts as so large at least that
+ * this is nothing. */
 static void look(taut_carrier *carrier)
 {
+    carrier->roundest = least_share / carrier->size;
     for (int i = 0; i < GRID; i++) {
         for (int j = 0; j < GRID; j++) {
             const double at[2] = {
@@ -281,6 +285,8 @@ static void look(taut_carrier *carrier)
             if (forms.w > 0) {
                 carrier->widest = fmax(carrier->widest, forms.w);
                 carrier->roundest = fmax(carrier->roundest, taut_form_pair_radius(&forms));
+                carrier->roundest =
+                    fmax(carrier->roundest, least_share * fabs(taut_form_pair_mean(&forms)));
             }
         }
     }

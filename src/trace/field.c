@@ -5,6 +5,8 @@
 /* R below this much of its largest value on the surface is a flat or an umbilic point; |x_u x x_v|
  * below that much of its largest is none. */
 static const double least_radius = 1e-8, least_area = 1e-10;
+/* |H| over the largest R, above which a point where R vanishes is no flat one: K > 0 there. */
+static const double flat_mean = 1e-6;
 
 static void make_unit(const taut_form_pair *q, double ab[2])
 {
@@ -65,7 +67,9 @@ taut_linefield_fault taut_linefield_direction(const taut_carrier *carrier, taut_
     if (kind.net == TAUT_TRACE_ASYMPTOTIC) {
         const double square = q->m * q->m - q->l * q->n;
         if (!(taut_form_pair_radius(q) > least_radius * carrier->roundest)) {
-            return TAUT_LINEFIELD_ROUND;
+            return fabs(taut_form_pair_mean(q)) <= flat_mean * carrier->roundest
+                       ? TAUT_LINEFIELD_ROUND
+                       : TAUT_LINEFIELD_ELLIPTIC;
         }
         if (!(square > 0)) {
             return TAUT_LINEFIELD_ELLIPTIC;
