@@ -74,6 +74,42 @@ typedef struct taut_pattern_compensation {
     double seam;
 } taut_pattern_compensation;
 
+/* How the cloth that is left is cut at corners. */
+typedef enum taut_pattern_corner {
+    TAUT_PATTERN_MITRE =
+        0, /* on to where both lines meet, at most twice what is left away from the corner */
+    TAUT_PATTERN_SQUARE, /* off at what is left away from the corner */
+    TAUT_PATTERN_MIRROR  /* a seam's folded over covers the border's */
+} taut_pattern_corner;
+
+/* What is left beyond the line that is sewn, in the document's unit; none negative. */
+typedef struct taut_pattern_allowance {
+    double seam, border;
+    double
+        overlap; /* above 0: of welded seams, in place of seam: all of it on the piece of odd number */
+    int is_split; /* or half of it on both */
+    taut_pattern_corner corner;
+} taut_pattern_allowance;
+
+/* An edge folded over, and sewn down at the width of the pocket: twice that and the allowance of seams are left. */
+typedef struct taut_pattern_hem {
+    taut_edge edge;
+    double pocket; /* above 0 */
+} taut_pattern_hem;
+
+/* How a mark is drawn. */
+typedef enum taut_pattern_notch {
+    TAUT_PATTERN_SLIT = 0, /* a line across the allowance, from the line that is sewn */
+    TAUT_PATTERN_V,        /* a notch in it */
+    TAUT_PATTERN_DOT       /* on the line itself */
+} taut_pattern_notch;
+
+/* Marks that meet when a seam is sewn: at equal lengths of the surface from where pieces start. */
+typedef struct taut_pattern_marks {
+    double spacing; /* 0: none */
+    taut_pattern_notch notch;
+} taut_pattern_marks;
+
 /* Zero means default everywhere. One of `model` and `of`. */
 typedef struct taut_pattern_problem {
     const taut_model *model; /* the surface is in it */
@@ -84,6 +120,10 @@ typedef struct taut_pattern_problem {
     taut_pattern_seam_length seam_length;
     taut_pattern_cloth cloth;
     taut_pattern_compensation compensation;
+    taut_pattern_allowance allowance;
+    int hem_count; /* at most 4 */
+    const taut_pattern_hem *hems;
+    taut_pattern_marks marks;
     double
         strain; /* claim: the largest |principal strain| is no more; 0: that of the rule, or none */
 } taut_pattern_problem;
@@ -112,6 +152,8 @@ typedef struct taut_pattern_problem {
       "scale it")                                                                                  \
     X("width", "a flat piece is wider than the roll, or no number of strips up to 500 fits",       \
       "take more strips, or a wider roll")                                                         \
+    X("allowance", "an edge turns inwards more tightly than what is to be left along it",          \
+      "leave less there: the message says how much")                                               \
     X("strain", "no number of strips up to 500 is strained as little as that",                     \
       "allow more strain: halving the width of strips quarters it")                                \
     X("folds", "no flat piece without folds was found to begin with", "take more strips")          \

@@ -51,7 +51,7 @@ typedef struct cli_options {
     int solid;             /* trace, make: --solid */
     const char *cut_sheet; /* trace --sheet */
     const char *across;    /* pattern */
-    const char *warp, *weft, *strain;
+    const char *warp, *weft, *strain, *allowance, *border, *marks;
     const char *seam_length;
     int count;
     int cells;

@@ -71,6 +71,9 @@ static int write_document(const cli_options *options, cli_words *t)
 {
     const member cloth[] = {{"--width", options->lath_width, "width"},
                             {NULL, options->material, "material"}};
+    const member allowance[] = {{"--allowance", options->allowance, "seam"},
+                                {"--border", options->border, "border"}};
+    const member marks[] = {{"--marks", options->marks, "spacing"}};
     const member compensation[] = {{"--warp", options->warp, "warp"},
                                    {"--weft", options->weft, "weft"}};
 
@@ -82,6 +85,8 @@ static int write_document(const cli_options *options, cli_words *t)
     cli_put_named(options->seam_length, "seam_length", t);
     code = code == 0 ? put_object("cloth", 2, cloth, t) : code;
     code = code == 0 ? put_object("compensation", 2, compensation, t) : code;
+    code = code == 0 ? put_object("allowance", 2, allowance, t) : code;
+    code = code == 0 ? put_object("marks", 1, marks, t) : code;
     if (code == 0 && options->count > 0 && options->strain != NULL) {
         code = cli_put_number("--strain", options->strain, "strain", t);
     }
@@ -117,6 +122,12 @@ static const cli_option options_of_pattern[] = {
     {"--warp", CLI_TEXT, offsetof(cli_options, warp), 0, 0, 0, "C",
      "compensation: the share by which the warp is cut smaller"},
     {"--weft", CLI_TEXT, offsetof(cli_options, weft), 0, 0, 0, "C", "the same of the weft"},
+    {"--allowance", CLI_TEXT, offsetof(cli_options, allowance), 0, 0, 0, "A",
+     "cloth that is left beyond seams"},
+    {"--border", CLI_TEXT, offsetof(cli_options, border), 0, 0, 0, "B",
+     "cloth that is left beyond borders"},
+    {"--marks", CLI_TEXT, offsetof(cli_options, marks), 0, 0, 0, "D",
+     "marks across seams, so far apart on the surface"},
     {"--strain", CLI_TEXT, offsetof(cli_options, strain), 0, 0, 0, "E",
      "no more than this: claimed, and without --count as many strips as it takes"},
     {"--seam-length", CLI_TEXT, offsetof(cli_options, seam_length), 0, 0, 0, "L",

@@ -373,6 +373,13 @@
     X(taut_panels_options, surface, "const char *") \
     X(taut_panels_options, monitor, "taut_monitor")
 
+#define TAUT_ABI_MEMBERS_taut_pattern_allowance(X) \
+    X(taut_pattern_allowance, seam, "double") \
+    X(taut_pattern_allowance, border, "double") \
+    X(taut_pattern_allowance, overlap, "double") \
+    X(taut_pattern_allowance, is_split, "int") \
+    X(taut_pattern_allowance, corner, "taut_pattern_corner")
+
 #define TAUT_ABI_MEMBERS_taut_pattern_cloth(X) \
     X(taut_pattern_cloth, width, "double") \
     X(taut_pattern_cloth, material, "taut_pattern_material") \
@@ -385,6 +392,14 @@
     X(taut_pattern_compensation, weft, "double") \
     X(taut_pattern_compensation, has_seam, "int") \
     X(taut_pattern_compensation, seam, "double")
+
+#define TAUT_ABI_MEMBERS_taut_pattern_hem(X) \
+    X(taut_pattern_hem, edge, "taut_edge") \
+    X(taut_pattern_hem, pocket, "double")
+
+#define TAUT_ABI_MEMBERS_taut_pattern_marks(X) \
+    X(taut_pattern_marks, spacing, "double") \
+    X(taut_pattern_marks, notch, "taut_pattern_notch")
 
 #define TAUT_ABI_MEMBERS_taut_pattern_material(X) \
     X(taut_pattern_material, e, "double[2]") \
@@ -400,6 +415,10 @@
     X(taut_pattern_problem, seam_length, "taut_pattern_seam_length") \
     X(taut_pattern_problem, cloth, "taut_pattern_cloth") \
     X(taut_pattern_problem, compensation, "taut_pattern_compensation") \
+    X(taut_pattern_problem, allowance, "taut_pattern_allowance") \
+    X(taut_pattern_problem, hem_count, "int") \
+    X(taut_pattern_problem, hems, "const taut_pattern_hem *") \
+    X(taut_pattern_problem, marks, "taut_pattern_marks") \
     X(taut_pattern_problem, strain, "double")
 
 #define TAUT_ABI_MEMBERS_taut_pattern_rule(X) \
@@ -638,8 +657,11 @@
     X(taut_mesh_options) \
     X(taut_monitor) \
     X(taut_panels_options) \
+    X(taut_pattern_allowance) \
     X(taut_pattern_cloth) \
     X(taut_pattern_compensation) \
+    X(taut_pattern_hem) \
+    X(taut_pattern_marks) \
     X(taut_pattern_material) \
     X(taut_pattern_problem) \
     X(taut_pattern_rule) \
@@ -773,6 +795,16 @@
     X(TAUT_PATTERN_BY_LENGTH, "length") \
     X(TAUT_PATTERN_BY_PARAMETER, "parameter")
 
+#define TAUT_ABI_VALUES_taut_pattern_corner(X) \
+    X(TAUT_PATTERN_MITRE, "mitre") \
+    X(TAUT_PATTERN_SQUARE, "square") \
+    X(TAUT_PATTERN_MIRROR, "mirror")
+
+#define TAUT_ABI_VALUES_taut_pattern_notch(X) \
+    X(TAUT_PATTERN_SLIT, "slit") \
+    X(TAUT_PATTERN_V, "v") \
+    X(TAUT_PATTERN_DOT, "dot")
+
 #define TAUT_ABI_VALUES_taut_pattern_rule_kind(X) \
     X(TAUT_PATTERN_ACROSS, "across")
 
@@ -896,6 +928,8 @@
     X(taut_join_kind) \
     X(taut_panels_kind) \
     X(taut_pattern_by) \
+    X(taut_pattern_corner) \
+    X(taut_pattern_notch) \
     X(taut_pattern_rule_kind) \
     X(taut_pattern_seam_length) \
     X(taut_pipe_axis_kind) \

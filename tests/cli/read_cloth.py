@@ -16,6 +16,17 @@ def require(holds, text):
         sys.exit(text)
 
 
+def along(line, place):
+    best, far, sum_ = 0, math.inf, 0
+    for a, b in zip(line, line[1:]):
+        length = math.dist(a, b)
+        x = min(max(((place[0] - a[0]) * (b[0] - a[0]) + (place[1] - a[1]) * (b[1] - a[1])) / length**2, 0), 1)
+        away = math.dist(place, [a[0] + x * (b[0] - a[0]), a[1] + x * (b[1] - a[1])])
+        best, far = (sum_ + x * length, away) if away < far else (best, far)
+        sum_ += length
+    return best, far
+
+
 def area(points):
     return sum(p[0] * q[1] - p[1] * q[0] for p, q in zip(points, points[1:] + points[:1])) / 2
 
@@ -39,8 +50,9 @@ for piece, (closed, points) in zip(details["pieces"], lines["CUT"]):
     around = sum(math.dist(points[k], points[k - 1]) for k in range(len(points)))
     edges = sum(edge["flat_length"] for edge in piece["edges"].values())
     require(closed, f"{piece['name']} is open")
-    require(edges * (1 - 1e-5) <= around <= edges * (1 + 1e-12), f"{piece['name']} is {around} around, and its edges are {edges}")
-    require(abs(area(points) - piece["flat_area"]) <= 1e-4 * piece["flat_area"], f"{piece['name']} has {area(points)}")
+    left = any("allowance" in edge for edge in piece["edges"].values())
+    require(left or edges * (1 - 1e-5) <= around <= edges * (1 + 1e-12), f"{piece['name']} is {around} around, and its edges are {edges}")
+    require(abs(area(points) - piece["cut_area"]) <= 1e-4 * piece["cut_area"], f"{piece['name']} has {area(points)}")
     require(texts[piece["name"]] == 1, f"{piece['name']} has no name")
     low = [min(p[d] for p in points) for d in range(2)]
     high = [max(p[d] for p in points) for d in range(2)]
@@ -51,6 +63,27 @@ for piece, (closed, points) in zip(details["pieces"], lines["CUT"]):
 for seam in details["seams"]:
     for one, other in (seam["pieces"], seam["pieces"][::-1]):
         require(texts[f"{seam['name']}: {other}"] >= 1, f"{one} does not say who is beyond {seam['name']}")
+# lines to sew, from piece to piece, and what is left beyond them; marks of both sides of a seam at equal lengths along them
+sewn = dict(zip([(p["name"], e) for p in details["pieces"] for e in ("right", "end", "left", "start")], [line for _, line in lines.get("SEW", [])]))
+for (piece, edge), line in sewn.items():
+    told = next(p for p in details["pieces"] if p["name"] == piece)["edges"][edge]
+    long = sum(math.dist(*pair) for pair in zip(line, line[1:]))
+    require(told["flat_length"] * (1 - 1e-5) <= long <= told["flat_length"] * (1 + 1e-12), f"{piece}.{edge} is {long} long")
+    outline = lines["CUT"][[p["name"] for p in details["pieces"]].index(piece)][1]
+    near = along(outline, line[len(line) // 2])[1]
+    require(abs(near - told["allowance"]) < 1e-4, f"{piece}.{edge}: {near} is left, not {told['allowance']}")
+
+
+slits = [line for _, line in lines["MARK"] if len(line) == 2]
+for seam in details["seams"] if sewn else []:
+    sides = []
+    for piece in details["pieces"]:
+        for edge in ("right", "left"):
+            if piece["edges"][edge].get("seam") == seam["name"]:
+                found = [along(sewn[piece["name"], edge], slit[0]) for slit in slits]
+                sides.append(sorted(x for x, away in found if away < 1e-4))
+    require(len(sides) == 2 and len(sides[0]) == len(sides[1]) == len(seam["marks"]), f"marks of {seam['name']}: {sides}")
+    require(all(abs(a - b) < 1e-4 for a, b in zip(*sides)), f"marks of {seam['name']} do not meet: {sides}")
 svg = tree.parse(sys.argv[3]).getroot()
 scale = {"mm": 1, "cm": 10, "m": 1000, "in": 25.4, "ft": 304.8}[model.get("unit", "mm")]
 require(abs(float(svg.get("width")[:-2]) - scale * roll["length"]) < 1e-6 * scale, "width of the SVG")

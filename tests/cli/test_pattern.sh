@@ -3,7 +3,7 @@
 
 "$TAUT" example pattern-sail > sail.json
 run 0 make sail.json -o made.json -o made.dxf -o made.svg -o made.step --report report.json
-for claim in surface cover on-surface geodesic edges seams no-fold no-overlap stationary stable exhausts roll identity; do
+for claim in surface cover on-surface geodesic edges seams no-fold no-overlap allowance stationary stable exhausts roll identity; do
     contains err.txt "$claim +holds"
 done
 contains made.json '"name": "P4.cut"'
@@ -12,7 +12,8 @@ run 0 certify made.json
 
 # The words of the command are the same document.
 sed -n '/"of"/,/^  },/p' sail.json | sed '1s/.*/{/; $s/.*/}/' > surface.json
-run 0 pattern surface.json --across v0,v1 --count 4 --width 0.75 --warp 0.02 --weft 0.045 --quiet -o words.json
+run 0 pattern surface.json --across v0,v1 --count 4 --width 0.75 --warp 0.02 --weft 0.045 --allowance 0.02 --border 0.05 --marks 0.25 \
+    --quiet -o words.json
 sed 's/"of": {/"of": "surface.json",/; /"taut": 1,/,/^  },/{/"construct"\|"pattern"\|^  "taut"/!{/"of"/!d}}' sail.json > document.json
 run 0 make document.json --quiet -o document-made.json
 cmp words.json document-made.json || complain "the words make another pattern than the document"
@@ -28,6 +29,11 @@ refused 2 'value --across v0' pattern surface.json --across v0 --count 3 -o none
 refused 2 'edge' pattern surface.json --across v0,u1 --count 3 -o none.json
 refused 2 'compensation' pattern surface.json --across v0,v1 --count 3 --warp 0.5 -o none.json
 refused 2 'missing' pattern surface.json --across v0,v1 -o none.json
+refused 2 'allowance' pattern surface.json --across v0,v1 --count 3 --allowance -1 -o none.json
+refused 4 'allowance' pattern surface.json --across v0,v1 --count 3 --allowance 9 -o none.json
+refused 4 'strain' pattern surface.json --across v0,v1 --strain 1e-9 -o none.json
+run 0 pattern surface.json --across v0,v1 --strain 0.005 --quiet -o strained.json
+contains strained.json '"strain": 0.005'
 refused 2 'material' pattern surface.json --across v0,v1 --count 3 --material silk -o none.json
 "$TAUT" example trace-torus > torus.json
 refused 2 'option' pattern torus.json -o none.json

@@ -312,6 +312,16 @@ static void piece_cut(edit_model *edit, double amount, int way)
     move_line(edit, "P1.cut", -amount, way);
 }
 
+/* All of the line that is cut, away from the line that is sewn. */
+static void piece_margin(edit_model *edit, double amount, int way)
+{
+    for (int i = 0; i < edit->curves; i++) {
+        for (int k = 0; strcmp(edit->curve[i].name, "P1.cut") == 0 && k < edit->curve[i].n; k++) {
+            edit->curve[i].points[3 * k + way % 2] += amount * size_of(&edit->surface[0]);
+        }
+    }
+}
+
 /* The piece one seam along on top of the next, and away from its roll. */
 static void piece_aside(edit_model *edit, double amount, int way)
 {
@@ -431,6 +441,7 @@ static const attack_row rows[] = {
     {"pattern", "stable", "pattern-sail", piece_inside, ANY | ONE_WAY},
     {"pattern", "no-fold", "pattern-cylinder", piece_inside, ANY | ONE_WAY},
     {"pattern", "no-overlap", "pattern-cylinder", piece_cut, ANY | ONE_WAY},
+    {"pattern", "allowance", "pattern-sail", piece_margin, ANY | ONE_WAY},
     {"pattern", "exhausts", "pattern-cylinder", lath_name, ANY | ONE_WAY},
     {"pattern", "roll", "pattern-cylinder", piece_aside, ANY | ONE_WAY},
     {"pattern", "identity", "pattern-cylinder", other_unit, 0},

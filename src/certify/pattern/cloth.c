@@ -166,6 +166,19 @@ static void take_side(taut_cloth *cloth, taut_cloth_piece *piece, int index, int
     cloth->sides[side].owners[which] = index;
 }
 
+/* What is told of an edge's cloth beyond it. */
+static void take_allowance(taut_cloth_piece *piece, int e, const taut_record *edge)
+{
+    static const char *const borders[] = {"u0", "u1", "v0", "v1"};
+    const taut_record *left = taut_record_get(edge, "allowance");
+    const char *name = taut_record_text(taut_record_get(edge, "edge"));
+    piece->allowance[e] = left != NULL ? taut_record_number(left) : 0;
+    piece->border[e] = -1;
+    for (int k = 0; k < 4; k++) {
+        piece->border[e] = strcmp(name, borders[k]) == 0 ? k : piece->border[e];
+    }
+}
+
 static taut_status read_piece(taut_cloth *cloth, const taut_record *item, const taut_record *roll,
                               taut_arena *arena)
 {
@@ -191,6 +204,7 @@ static taut_status read_piece(taut_cloth *cloth, const taut_record *item, const 
     }
     for (int e = 0; e < TAUT_CLOTH_EDGES; e++) {
         piece->edges[e] = line_of(cloth, piece->name, edge_names[e], 1);
+        take_allowance(piece, e, taut_record_get(edges, edge_names[e]));
     }
     piece->cut = line_of(cloth, piece->name, "cut", 4);
     const taut_record *developed = taut_record_get(item, "developed");

@@ -31,8 +31,11 @@ typedef struct taut_cloth_piece {
     const taut_surface *flat;                  /* scaled; the arena's */
     const taut_curve *edges[TAUT_CLOTH_EDGES]; /* as s or t grows, in the model's unit */
     const taut_curve *cut;
-    int is_developed; /* told to be without strain */
-    double at[2];     /* on the roll, in the model's unit */
+    double allowance[TAUT_CLOTH_EDGES]; /* told to be left along each, in the model's unit */
+    int border
+        [TAUT_CLOTH_EDGES]; /* the edge of the window that each is told to be on; -1: a seam */
+    int is_developed;       /* told to be without strain */
+    double at[2];           /* on the roll, in the model's unit */
     int is_placed;
 } taut_cloth_piece;
 

@@ -3,6 +3,7 @@
  *   surface      with the problem: the surface is the one given, or what its problem makes (certify/common/of.h)
  *   cover, on-surface, geodesic, edges, seams, lengths   (certify/pattern/seams.h)
  *   no-fold, no-overlap   (certify/pattern/fold.h)
+ *   allowance    (certify/pattern/allowance.h)
  *   stationary   gradient of the Lagrangian over the largest that strains of 1 would give; of pieces that were solved (check)
  *   stable       the lowest eigenvalue on the constraints over the largest of the diagonal; of these (check)
  *   isometric    largest strain of pieces that are told to have none (check)
@@ -14,6 +15,7 @@
 
 #include "certify/certify_ops.h"
 #include "certify/common/of.h"
+#include "certify/pattern/allowance.h"
 #include "certify/pattern/energy.h"
 #include "certify/pattern/fold.h"
 #include "certify/pattern/seams.h"
@@ -230,11 +232,12 @@ static taut_status add_figures(const taut_cloth *cloth, const taut_cloth_state *
 {
     taut_record *figures = taut_record_new();
     const taut_record *roll = taut_record_get(taut_model_details(cloth->model), "roll");
-    double flat = 0, energy = 0, plain = 0, seams = 0, unavoidable = 0, expected = 0;
+    double flat = 0, cut = 0, energy = 0, plain = 0, seams = 0, unavoidable = 0, expected = 0;
     double strain[2] = {INFINITY, -INFINITY}, inner[2] = {INFINITY, -INFINITY};
 
     for (int k = 0; k < cloth->piece_count; k++) {
         flat += list[k].flat_area;
+        cut += taut_cloth_cut_area(cloth, &cloth->pieces[k]);
         energy += list[k].energy;
         plain += list[k].plain;
         strain[0] = taut_certify_min(strain[0], list[k].strain[0]);
@@ -256,7 +259,7 @@ static taut_status add_figures(const taut_cloth *cloth, const taut_cloth_state *
     taut_record_add_number(figures, "flat_area", ldexp(flat, 2 * cloth->unit));
     taut_record_add_number(figures, "seam_length", ldexp(seams, cloth->unit));
     taut_record_add_number(figures, "waste",
-                           1 - ldexp(flat, 2 * cloth->unit) /
+                           1 - ldexp(cut, 2 * cloth->unit) /
                                    (taut_record_number(taut_record_get(roll, "length")) *
                                     taut_record_number(taut_record_get(roll, "width"))));
     taut_record *curvature = taut_record_add_list(figures, "curvature");
@@ -287,6 +290,9 @@ static taut_status prove(const taut_cloth *cloth, taut_arena *arena, taut_certif
     taut_status status = taut_cloth_add_lines(cloth, certificate);
     if (status == TAUT_OK) {
         status = taut_cloth_add_folds(cloth, arena, certificate);
+    }
+    if (status == TAUT_OK) {
+        status = taut_cloth_add_allowance(cloth, arena, certificate);
     }
     if (status == TAUT_OK) {
         status = look_at_all(cloth, arena, &list, &limits);

@@ -9,6 +9,9 @@
 #include <stdio.h>
 #include <string.h>
 
+/* Of a seam's length: no mark is so near to its end. */
+static const double mark_share = 1e-6;
+
 enum { NODES = 8, PARTS = 4 /* of a span, looked at for extremes */, CELLS = 16 };
 
 static const char *const edge_names[TAUT_FLAT_EDGES] = {"right", "end", "left", "start"};
@@ -69,11 +72,13 @@ static const taut_pattern_side *side_of(const taut_pattern_piece *piece, int edg
                                     : NULL;
 }
 
-static void add_edges(const taut_pattern_layout *layout, const taut_pattern_piece *piece,
-                      const taut_pattern_outline *outline, const char *const ends[2],
-                      taut_record *at)
+static void add_edges(const taut_pattern_told *told, int index, taut_record *at)
 {
-    const int scale = layout->carrier->scale;
+    const taut_edge *ends = told->problem->rules[0].edges;
+    const taut_pattern_piece *piece = &told->layout->pieces[index];
+    const taut_pattern_outline *outline = &told->outlines[index];
+    const taut_pattern_margin *margin = &told->margins[index];
+    const int scale = told->layout->carrier->scale;
     taut_record *edges = taut_record_add_object(at, "edges");
     for (int e = 0; e < TAUT_FLAT_EDGES; e++) {
         const taut_pattern_side *side = side_of(piece, e);
@@ -81,25 +86,30 @@ static void add_edges(const taut_pattern_layout *layout, const taut_pattern_piec
         const double length =
             side != NULL ? side->length : across_length(piece, e == TAUT_FLAT_END);
         taut_record_add_text(edge, side != NULL && side->is_seam ? "seam" : "edge",
-                             side != NULL ? side->name : ends[e == TAUT_FLAT_END]);
+                             side != NULL ? side->name : taut_edge_name(ends[e == TAUT_FLAT_END]));
         taut_record_add_number(edge, "length", ldexp(length, scale));
         taut_record_add_number(edge, "flat_length", ldexp(flat_length(outline->edges[e]), scale));
+        if (margin->width[e] > 0) {
+            taut_record_add_number(edge, "allowance", ldexp(margin->width[e], scale));
+        }
+        if (margin->is_folded[e]) {
+            taut_record_add_bool(edge, "hem", 1);
+        }
     }
 }
 
-static void describe_piece(const taut_pattern_layout *layout, int index,
-                           const taut_pattern_outline *outline, const char *const ends[2],
-                           taut_record *list)
+static void describe_piece(const taut_pattern_told *told, int index, taut_record *list)
 {
-    const taut_pattern_piece *piece = &layout->pieces[index];
-    const int scale = layout->carrier->scale;
+    const taut_pattern_piece *piece = &told->layout->pieces[index];
+    const taut_pattern_outline *outline = &told->outlines[index];
+    const int scale = told->layout->carrier->scale;
     const double extent[2] = {ldexp(outline->high[0] - outline->low[0], scale),
                               ldexp(outline->high[1] - outline->low[1], scale)};
     double y[2][3][2];
     taut_record *at = taut_record_add_object(list, NULL);
 
     taut_record_add_text(at, "name", piece->name);
-    add_edges(layout, piece, outline, ends, at);
+    add_edges(told, index, at);
     taut_record *alone = taut_record_add_object(at, "alone");
     for (int e = 0; e < TAUT_FLAT_EDGES; e++) {
         taut_record_add_number(alone, edge_names[e],
@@ -109,6 +119,7 @@ static void describe_piece(const taut_pattern_layout *layout, int index,
     taut_record_add_number(alone, "energy", ldexp(piece->alone.energy, 2 * scale));
     taut_record_add_number(at, "area", ldexp(piece->flat.area, 2 * scale));
     taut_record_add_number(at, "flat_area", ldexp(piece->flat.flat_area, 2 * scale));
+    taut_record_add_number(at, "cut_area", ldexp(outline->area, 2 * scale));
     taut_record_add_number(at, "curvature", piece->curvature);
     taut_record_add_numbers(at, "extent", 2, extent);
     taut_flat_at(&piece->flat, 0.5, 0, y[0]);
@@ -131,9 +142,21 @@ static void widen(double range[2], double x)
     range[1] = fmax(range[1], x);
 }
 
-static void describe_seam(const taut_pattern_layout *layout, const taut_pattern_cut *cut, int index,
-                          const taut_pattern_outline *outlines, taut_record *list)
+/* Lengths of the surface from the start. */
+static void add_marks(const taut_pattern_side *seam, double spacing, int scale, taut_record *at)
 {
+    const double length = ldexp(seam->length, scale);
+    taut_record *list = taut_record_add_list(at, "marks");
+    for (int k = 1; spacing > 0 && k * spacing < length * (1 - mark_share); k++) {
+        taut_record_add_number(list, NULL, k * spacing);
+    }
+}
+
+static void describe_seam(const taut_pattern_told *told, int index, taut_record *list)
+{
+    const taut_pattern_layout *layout = told->layout;
+    const taut_pattern_cut *cut = told->cut;
+    const taut_pattern_outline *outlines = told->outlines;
     const taut_pattern_side *seam = &layout->sides[index];
     const int right = seam->owners[TAUT_PIECE_RIGHT], left = seam->owners[TAUT_PIECE_LEFT];
     const int scale = layout->carrier->scale, count = PARTS * layout->pieces[right].alone.spans[0];
@@ -161,6 +184,7 @@ static void describe_seam(const taut_pattern_layout *layout, const taut_pattern_
     if (cut->seam_length == TAUT_PATTERN_TRUE) {
         taut_record_add_number(at, "compensation", 1 - seam->share);
     }
+    add_marks(seam, told->problem->marks.spacing, scale, at);
     taut_record_add_numbers(at, "stretch", 2, stretch);
     taut_record_add_number(at, "disagreement", apart);
     taut_record_add_number(at, "closure",
@@ -168,6 +192,58 @@ static void describe_seam(const taut_pattern_layout *layout, const taut_pattern_
 }
 
 /* ---- the whole ---- */
+
+/* Edges that are folded over, the pieces along them together. */
+static void describe_hems(const taut_pattern_told *told, taut_record *details)
+{
+    const int scale = told->layout->carrier->scale;
+    taut_record *list = taut_record_add_list(details, "hems");
+    for (int h = 0; h < told->problem->hem_count; h++) {
+        const taut_pattern_hem *hem = &told->problem->hems[h];
+        taut_record *at = taut_record_add_object(list, NULL);
+        double sums[2] = {0, 0};
+        for (int k = 0; k < told->layout->piece_count; k++) {
+            const taut_pattern_piece *piece = &told->layout->pieces[k];
+            for (int e = 0; e < TAUT_FLAT_EDGES; e++) {
+                const taut_pattern_side *side = side_of(piece, e);
+                if (taut_pattern_border_of(told->problem, told->layout, k, e) == (int)hem->edge) {
+                    sums[0] +=
+                        side != NULL ? side->length : across_length(piece, e == TAUT_FLAT_END);
+                    sums[1] += flat_length(told->outlines[k].edges[e]);
+                }
+            }
+        }
+        taut_record_add_text(at, "edge", taut_edge_name(hem->edge));
+        taut_record_add_number(at, "pocket", hem->pocket);
+        taut_record_add_number(at, "length", ldexp(sums[0], scale));
+        taut_record_add_number(at, "flat_length", ldexp(sums[1], scale));
+    }
+}
+
+static void describe_allowance(const taut_pattern_allowance *a, taut_record *details)
+{
+    static const char *const corners[] = {"mitre", "square", "mirror"};
+    if (a->seam > 0 || a->border > 0 || a->overlap > 0) {
+        taut_record *at = taut_record_add_object(details, "allowance");
+        taut_record_add_number(at, "seam", a->overlap > 0 ? 0 : a->seam);
+        taut_record_add_number(at, "border", a->border);
+        if (a->overlap > 0) {
+            taut_record_add_number(at, "overlap", a->overlap);
+            taut_record_add_bool(at, "split", a->is_split);
+        }
+        taut_record_add_text(at, "corner", corners[a->corner]);
+    }
+}
+
+static void describe_marks(const taut_pattern_marks *marks, taut_record *details)
+{
+    static const char *const notches[] = {"slit", "v", "dot"};
+    if (marks->spacing > 0) {
+        taut_record *at = taut_record_add_object(details, "marks");
+        taut_record_add_number(at, "spacing", marks->spacing);
+        taut_record_add_text(at, "notch", notches[marks->notch]);
+    }
+}
 
 static void describe_roll(const taut_pattern_layout *layout, const taut_pattern_roll *roll,
                           double gap, taut_record *details)
@@ -204,32 +280,32 @@ static void describe_cloth(const taut_pattern_problem *problem, const taut_patte
     taut_record_add_number(compensation, "weft", cut->compensation.weft);
 }
 
-void taut_pattern_describe(const taut_pattern_layout *layout, const taut_pattern_cut *cut,
-                           const taut_pattern_problem *problem,
-                           const taut_pattern_outline *outlines, const taut_pattern_roll *roll,
-                           double gap, taut_record *details)
+void taut_pattern_describe(const taut_pattern_told *told, taut_record *details)
 {
-    const char *const ends[2] = {taut_edge_name(problem->rules[0].edges[0]),
-                                 taut_edge_name(problem->rules[0].edges[1])};
+    const taut_pattern_layout *layout = told->layout;
+    const taut_pattern_problem *problem = told->problem;
     taut_record_add_text(details, "pattern", "cloth");
-    describe_cloth(problem, cut, details);
+    describe_cloth(problem, told->cut, details);
     taut_record_add_text(details, "seam_length",
-                         cut->seam_length == TAUT_PATTERN_TRUE ? "true" : "shared");
+                         told->cut->seam_length == TAUT_PATTERN_TRUE ? "true" : "shared");
     const double strain = problem->strain > 0 ? problem->strain : problem->rules[0].strain;
     if (strain > 0) {
         taut_record_add_number(details, "strain", strain);
     }
+    describe_allowance(&problem->allowance, details);
+    describe_marks(&problem->marks, details);
     taut_record *pieces = taut_record_add_list(details, "pieces");
     for (int k = 0; k < layout->piece_count; k++) {
-        describe_piece(layout, k, &outlines[k], ends, pieces);
+        describe_piece(told, k, pieces);
     }
     taut_record *seams = taut_record_add_list(details, "seams");
     for (int k = 0; k < layout->side_count; k++) {
         if (layout->sides[k].is_seam) {
-            describe_seam(layout, cut, k, outlines, seams);
+            describe_seam(told, k, seams);
         }
     }
-    describe_roll(layout, roll, gap, details);
+    describe_hems(told, details);
+    describe_roll(layout, told->roll, told->gap, details);
     taut_record *domain = taut_record_add_list(details, "domain");
     for (int k = 0; k < layout->side_count; k++) {
         taut_construct_add_stretch(domain, layout->sides[k].name, NULL, layout->sides[k].part.basis,

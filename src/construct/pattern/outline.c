@@ -1,14 +1,13 @@
 #include "construct/pattern/outline.h"
 
+#include "construct/pattern/line.h"
 #include "core/elementary/elementary.h"
-#include "geometry/keep.h"
 #include "numeric/quadrature.h"
 
 #include <math.h>
 #include <string.h>
 
 enum {
-    P = TAUT_FLAT_DEGREE,
     NODES = 6,
     FIRST = 16,
     MOST = 512,
@@ -42,54 +41,6 @@ static void slopes_at(const edge_source *e, double s, double slope[2][2])
     slope[1][1] = speed[1] * way[1] + speed[0] * turn * way[0];
 }
 
-/* A place of a curve, with its first two derivatives. */
-typedef struct station {
-    double y[3][2];
-} station;
-
-/* The quintics between stations at equal steps of [0, 1], as one spline of triple knots: [3 spans + 3] points. */
-static taut_status quintics(int spans, const station *at, taut_arena *arena,
-                            const taut_curve **curve)
-{
-    const double h = 1.0 / spans;
-    const size_t count = 3 * (size_t)spans + 3;
-    double *points = taut_arena_take(arena, count, 3 * sizeof(double));
-    double *knots = taut_arena_take(arena, count + P + 1, sizeof(double));
-    taut_basis *basis = NULL;
-    taut_curve *made = NULL;
-
-    if (points == NULL || knots == NULL) {
-        return TAUT_NO_MEMORY;
-    }
-    /* by blossoms: before and after a station the points next to it are those of its own Taylor polynomial */
-    for (int k = 0; k <= spans; k++) {
-        const double a = k > 0 ? h : 0, b = k < spans ? h : 0; /* the steps before and after */
-        double(*p)[3] = (double(*)[3])(points + 9 * (size_t)k);
-        for (int d = 0; d < 2; d++) {
-            const double y = at[k].y[0][d], v = at[k].y[1][d], w = at[k].y[2][d];
-            p[0][d] = y - 2 * a / 5 * v + a * a / 20 * w;
-            p[1][d] = y + (b - a) / 5 * v - a * b / 20 * w;
-            p[2][d] = y + 2 * b / 5 * v + b * b / 20 * w;
-        }
-    }
-    size_t n = 0;
-    for (int k = 0; k <= spans; k++) {
-        const int times = k == 0 || k == spans ? P + 1 : 3;
-        for (int m = 0; m < times; m++) {
-            knots[n++] = k == spans ? 1 : k * h;
-        }
-    }
-    const taut_basis_spec spec = {
-        .type = "bspline", .degree = P, .knot_count = (int)n, .knots = knots};
-    taut_status status = taut_basis_new(&spec, (int)count, &basis, NULL);
-    if (status == TAUT_OK) {
-        status = taut_curve_new(NULL, basis, points, NULL, &made, NULL);
-    }
-    taut_basis_free(basis);
-    *curve = made;
-    return status == TAUT_OK && taut_keep_curve(arena, made) ? TAUT_OK : TAUT_NO_MEMORY;
-}
-
 /* The largest share by which the speed between stations is off. */
 static double unevenness(const edge_source *e, const taut_curve *curve, int spans)
 {
@@ -110,7 +61,7 @@ static taut_status exact_edge(const edge_source *e, taut_arena *arena, const tau
     double nodes[NODES], weights[NODES], before = INFINITY;
     taut_gauss_rule(NODES, nodes, weights);
     for (int spans = FIRST; spans <= MOST; spans *= 2) {
-        station *at = taut_arena_take(arena, (size_t)spans + 1, sizeof *at);
+        taut_pattern_station *at = taut_arena_take(arena, (size_t)spans + 1, sizeof *at);
         double y[1][3], slope[2][2];
         if (at == NULL) {
             return TAUT_NO_MEMORY;
@@ -131,7 +82,7 @@ static taut_status exact_edge(const edge_source *e, taut_arena *arena, const tau
         *closure =
             fmax(*closure, taut_hypot(y[0][0] - at[spans].y[0][0], y[0][1] - at[spans].y[0][1]));
         memcpy(at[spans].y[0], y[0], sizeof at[spans].y[0]);
-        const taut_status status = quintics(spans, at, arena, curve);
+        const taut_status status = taut_pattern_quintics(spans, at, arena, curve);
         if (status != TAUT_OK) {
             return status;
         }
@@ -146,45 +97,15 @@ static taut_status exact_edge(const edge_source *e, taut_arena *arena, const tau
 
 /* ---- the line to cut along ---- */
 
-/* Edges end to end as one curve over [0, 4], fivefold knots at its corners: degrees are all the same. */
+/* Edges end to end. */
 static taut_status close_edges(const taut_curve *const edges[TAUT_FLAT_EDGES], taut_arena *arena,
                                const taut_curve **cut)
 {
-    static const int backwards[TAUT_FLAT_EDGES] = {0, 0, 1, 1};
-    taut_basis_spec specs[TAUT_FLAT_EDGES];
-    size_t most = 0, n = 0, count = 0;
-    taut_basis *basis = NULL;
-    taut_curve *made = NULL;
-
+    taut_pattern_part parts[TAUT_FLAT_EDGES];
     for (int e = 0; e < TAUT_FLAT_EDGES; e++) {
-        taut_basis_spec_of(taut_curve_t(edges[e]), &specs[e]);
-        most += (size_t)specs[e].knot_count;
+        parts[e] = (taut_pattern_part){edges[e], taut_pattern_edge_is_back[e], e, e + 1};
     }
-    double *knots = taut_arena_take(arena, most, sizeof(double));
-    double *points = taut_arena_take(arena, most, 3 * sizeof(double));
-    if (knots == NULL || points == NULL) {
-        return TAUT_NO_MEMORY;
-    }
-    for (int e = 0; e < TAUT_FLAT_EDGES; e++) {
-        const int last = specs[e].knot_count - 1, size = taut_basis_count(taut_curve_t(edges[e]));
-        const double *from = taut_curve_points(edges[e]);
-        for (int k = e == 0 ? 0 : P + 1; k <= last - (e < TAUT_FLAT_EDGES - 1); k++) {
-            knots[n++] = e + (backwards[e] ? 1 - specs[e].knots[last - k] : specs[e].knots[k]);
-        }
-        for (int k = e == 0 ? 0 : 1; k < size; k++) {
-            memcpy(points + 3 * count++, from + 3 * (backwards[e] ? size - 1 - k : k),
-                   3 * sizeof(double));
-        }
-    }
-    const taut_basis_spec spec = {
-        .type = "bspline", .degree = P, .knot_count = (int)n, .knots = knots};
-    taut_status status = taut_basis_new(&spec, (int)count, &basis, NULL);
-    if (status == TAUT_OK) {
-        status = taut_curve_new(NULL, basis, points, NULL, &made, NULL);
-    }
-    taut_basis_free(basis);
-    *cut = made;
-    return status == TAUT_OK && taut_keep_curve(arena, made) ? TAUT_OK : TAUT_NO_MEMORY;
+    return taut_pattern_join(TAUT_FLAT_EDGES, parts, arena, cut);
 }
 
 /* Where a curve reaches farthest along an axis (sign 1) or against it (-1): from the best of many places on by Newton's method. */
@@ -192,8 +113,9 @@ static double reach(const taut_curve *curve, int axis, double sign)
 {
     const taut_basis *basis = taut_curve_t(curve);
     const double *breaks = taut_basis_breaks(basis);
+    const int spans = taut_basis_span_count(basis);
     double best = -INFINITY, at = 0, lo = 0, hi = 0;
-    for (int i = 0; i < taut_basis_span_count(basis); i++) {
+    for (int i = 0; i < spans; i++) {
         for (int k = 0; k <= LOOK; k++) {
             const double t = breaks[i] + (breaks[i + 1] - breaks[i]) * k / LOOK;
             double y[3];
@@ -202,7 +124,7 @@ static double reach(const taut_curve *curve, int axis, double sign)
                 best = sign * y[axis];
                 at = t;
                 lo = breaks[i > 0 && k == 0 ? i - 1 : i];
-                hi = breaks[i + 1];
+                hi = breaks[i + 1 < spans && k == LOOK ? i + 2 : i + 1];
             }
         }
     }
@@ -224,6 +146,33 @@ static double reach(const taut_curve *curve, int axis, double sign)
     return sign * best;
 }
 
+/* What a closed line goes around. */
+static double area_of(const taut_curve *curve)
+{
+    const taut_basis *basis = taut_curve_t(curve);
+    const double *breaks = taut_basis_breaks(basis);
+    double nodes[NODES], weights[NODES], sum = 0;
+    taut_gauss_rule(NODES, nodes, weights);
+    for (int i = 0; i < taut_basis_span_count(basis); i++) {
+        const double half = (breaks[i + 1] - breaks[i]) / 2;
+        for (int q = 0; q < NODES; q++) { /* exact: degree 9 */
+            double y[2][3];
+            taut_curve_eval(curve, breaks[i] + half * (1 + nodes[q]), 1, y[0]);
+            sum += weights[q] * half * (y[0][0] * y[1][1] - y[0][1] * y[1][0]) / 2;
+        }
+    }
+    return sum;
+}
+
+void taut_pattern_outline_bound(taut_pattern_outline *outline)
+{
+    for (int d = 0; d < 2; d++) {
+        outline->low[d] = reach(outline->cut, d, -1);
+        outline->high[d] = reach(outline->cut, d, 1);
+    }
+    outline->area = area_of(outline->cut);
+}
+
 taut_status taut_pattern_outline_new(const taut_pattern_layout *layout, const taut_pattern_cut *cut,
                                      int piece, taut_arena *arena, taut_pattern_outline *outline)
 {
@@ -243,9 +192,8 @@ taut_status taut_pattern_outline_new(const taut_pattern_layout *layout, const ta
     if (status == TAUT_OK) {
         status = close_edges(outline->edges, arena, &outline->cut);
     }
-    for (int d = 0; status == TAUT_OK && d < 2; d++) {
-        outline->low[d] = reach(outline->cut, d, -1);
-        outline->high[d] = reach(outline->cut, d, 1);
+    if (status == TAUT_OK) {
+        taut_pattern_outline_bound(outline);
     }
     return status;
 }

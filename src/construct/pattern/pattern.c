@@ -10,6 +10,7 @@
 #include "construct/common/build.h"
 #include "construct/common/of.h"
 #include "construct/construct_ops.h"
+#include "construct/pattern/allowance.h"
 #include "construct/pattern/details.h"
 #include "construct/pattern/strains.h"
 #include "core/fail.h"
@@ -21,7 +22,7 @@
 #include <string.h>
 
 /* Lengths are parameters, which are from 1e-60 to 1e60 (docs/limits.md): of sizes below 2^this. */
-enum { EXPONENT_MOST = 150 };
+enum { EXPONENT_MOST = 150, MARKS_MOST = 1000 /* along a seam */ };
 /* Strains between the places that are looked at may be larger. */
 static const double strain_room = 0.999;
 
@@ -36,6 +37,7 @@ typedef struct made_pieces {
     taut_arena *arena;
     taut_pattern_layout layout;
     taut_pattern_outline *outlines;
+    taut_pattern_margin *margins;
     double widest; /* extent across of a cut piece, in the carrier's unit */
     int widest_piece;
     double strain; /* the largest of all principal ones */
@@ -113,6 +115,16 @@ static taut_status check_problem(const taut_pattern_problem *problem, taut_error
     if (status == TAUT_OK) {
         status = check_range(problem->cloth.thread, -4, 4, "value", "/cloth/thread", error);
     }
+    const taut_pattern_allowance *a = &problem->allowance;
+    const double lengths[4] = {a->seam, a->border, a->overlap, problem->marks.spacing};
+    static const char *const left[4] = {"/allowance/seam", "/allowance/border",
+                                        "/allowance/overlap", "/marks/spacing"};
+    for (int k = 0; status == TAUT_OK && k < 4; k++) {
+        status = check_range(lengths[k], 0, 1e300, "allowance", left[k], error);
+    }
+    for (int k = 0; status == TAUT_OK && k < problem->hem_count; k++) {
+        status = check_range(problem->hems[k].pocket, 0, 1e300, "allowance", "/hems", error);
+    }
     const double shares[3] = {c->warp, c->weft, c->has_seam ? c->seam : 0};
     static const char *const places[3] = {"/compensation/warp", "/compensation/weft",
                                           "/compensation/seam"};
@@ -162,11 +174,21 @@ static taut_status make_outlines(const request *r, made_pieces *made, taut_error
 {
     const int count = made->layout.piece_count;
     made->outlines = taut_arena_take(made->arena, (size_t)count, sizeof *made->outlines);
+    made->margins = taut_arena_take(made->arena, (size_t)count, sizeof *made->margins);
     taut_status status = taut_arena_status(made->arena);
     made->widest = made->strain = 0;
     for (int k = 0; status == TAUT_OK && k < count; k++) {
         taut_pattern_outline *outline = &made->outlines[k];
         status = taut_pattern_outline_new(&made->layout, &r->cut, k, made->arena, outline);
+        if (status != TAUT_OK) {
+            return taut_fail_memory(error);
+        }
+        made->margins[k] = taut_pattern_margin_of(r->problem, &made->layout, k);
+        status = taut_pattern_leave(&made->layout.pieces[k], &made->margins[k],
+                                    r->problem->allowance.corner, made->arena, outline, error);
+        if (status != TAUT_OK) {
+            return status;
+        }
         if (outline->high[1] - outline->low[1] > made->widest) {
             made->widest = outline->high[1] - outline->low[1];
             made->widest_piece = k;
@@ -177,6 +199,21 @@ static taut_status make_outlines(const request *r, made_pieces *made, taut_error
     return status == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 }
 
+static taut_status check_marks(const request *r, const taut_pattern_layout *layout,
+                               taut_error *error)
+{
+    const double spacing = ldexp(r->problem->marks.spacing, -layout->carrier->scale);
+    for (int k = 0; spacing > 0 && k < layout->side_count; k++) {
+        if (layout->sides[k].length > spacing * MARKS_MOST) {
+            return taut_fail(error, TAUT_BAD_INPUT, "allowance", "/marks/spacing",
+                             r->problem->marks.spacing, taut_none,
+                             "found %.6g, which makes more than %d marks along a seam",
+                             r->problem->marks.spacing, MARKS_MOST);
+        }
+    }
+    return TAUT_OK;
+}
+
 /* All of so many strips. */
 static taut_status make_strips(const request *r, const taut_carrier *carrier, int count,
                                const taut_crew *crew, taut_arena *arena, made_pieces *made,
@@ -185,6 +222,9 @@ static taut_status make_strips(const request *r, const taut_carrier *carrier, in
     made->arena = arena;
     taut_status status = taut_pattern_lay_out(carrier, &r->problem->rules[0], count,
                                               &r->options->monitor, arena, &made->layout, error);
+    if (status == TAUT_OK) {
+        status = check_marks(r, &made->layout, error);
+    }
     if (status == TAUT_OK) {
         status = taut_pattern_flatten(&made->layout, &r->cut, crew, error);
     }
@@ -390,7 +430,7 @@ static taut_status place_on_roll(const request *r, const made_pieces *made, taut
     const int scale = layout->carrier->scale;
     double area = 0;
     for (int k = 0; k < layout->piece_count; k++) {
-        area += layout->pieces[k].flat.flat_area;
+        area += made->outlines[k].area;
     }
     return taut_pattern_roll_new(layout->piece_count, made->outlines,
                                  ldexp(r->problem->cloth.width, -scale), ldexp(gap_of(r), -scale),
@@ -415,8 +455,9 @@ static taut_status fill(const request *r, const taut_model *of, const made_piece
     if (details == NULL) {
         return taut_fail_memory(error);
     }
-    taut_pattern_describe(&made->layout, &r->cut, r->problem, made->outlines, &roll, gap_of(r),
-                          details);
+    const taut_pattern_told told = {&made->layout, &r->cut, r->problem, made->outlines,
+                                    made->margins, &roll,   gap_of(r)};
+    taut_pattern_describe(&told, details);
     if (r->problem->of != NULL) {
         taut_construct_describe_of(r->problem->of, of, details);
     }

@@ -119,6 +119,7 @@ taut_status taut_pattern_border(const taut_carrier *carrier, int edge, int backw
         side->ends[end][held] = edge % 2 == 0 ? carrier->lo[held] : carrier->hi[held];
         side->ends[end][along] = end == backwards ? carrier->lo[along] : carrier->hi[along];
     }
+    side->border = edge;
     snprintf(side->name, sizeof side->name, "%s", edges[edge]);
     taut_carrier_forms_at(carrier, side->ends[0], x, &forms);
     double way[3];

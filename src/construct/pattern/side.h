@@ -13,6 +13,7 @@ enum { TAUT_SIDE_NAME = 16 };
 typedef struct taut_pattern_side {
     char name[TAUT_SIDE_NAME]; /* "S1", or of a border the edge, "u0" */
     int is_seam;
+    int border;               /* where it is none: 0 to 3, u0, u1, v0, v1 */
     const taut_curve *window; /* points (u, v, 0); the arena's */
     taut_lath_part part;      /* and in space, in the surface's own unit */
     double length;            /* in the carrier's unit */

@@ -17,7 +17,10 @@ static const taut_flat_layer layers[LAYERS] = {
 static const double chord = 0.05, chord_share = 1e-5, letters = 0.05, letters_most = 20,
                     arrow = 0.2, barb = 0.2;
 
-enum { LOOK = 4 /* places of a span, for its bend */, LINES = 3, TEXTS = 6 /* of a piece */ };
+enum { LOOK = 4 /* places of a span, for its bend */, LINES = 7, TEXTS = 6 /* of a piece */ };
+/* A mark reaches so far into the allowance, or so far, in mm, into the piece where there is none; its half width over that; and letters
+ * beside it. */
+static const double mark_share = 0.6, mark_length = 5, mark_wide = 0.35, mark_letters = 0.8;
 
 typedef struct drawing {
     const taut_model *model;
@@ -25,6 +28,7 @@ typedef struct drawing {
     taut_flat *flat;
     double error; /* of chords, in the model's unit */
     double most;  /* height of letters */
+    double millimetre;
 } drawing;
 
 static const taut_record *member(const taut_record *object, const char *key)
@@ -120,6 +124,92 @@ static void add_arrow(drawing *to, const double middle[2], double length)
         (taut_flat_line){MARK, 0, 5, (const double(*)[2])points};
 }
 
+/* ---- what is sewn ---- */
+
+static const char *const edge_names[4] = {"right", "end", "left", "start"};
+
+static double number_of(const taut_record *object, const char *key)
+{
+    const taut_record *found = member(object, key);
+    return found != NULL ? taut_record_number(found) : 0;
+}
+
+/* The lines to sew along, where the cloth is cut elsewhere; hems are folded there. */
+static void add_sewing(drawing *to, const taut_record *piece, const char *name, const double at[2])
+{
+    int any = 0;
+    for (int e = 0; e < 4; e++) {
+        any |= number_of(member(member(piece, "edges"), edge_names[e]), "allowance") > 0;
+    }
+    for (int e = 0; any && e < 4; e++) {
+        const taut_curve *curve = curve_named(to->model, name, edge_names[e]);
+        const taut_record *hem = member(member(member(piece, "edges"), edge_names[e]), "hem");
+        if (curve != NULL) {
+            add_curve(to, hem != NULL ? FOLD : SEW, curve, at, 0);
+        }
+    }
+}
+
+/* One mark: from a place of the seam along its outward normal. */
+static void add_mark(drawing *to, const char *notch, const double place[2], const double out[2],
+                     double length)
+{
+    const int is_v = strcmp(notch, "v") == 0, is_dot = strcmp(notch, "dot") == 0;
+    const size_t count = is_dot ? 5 : is_v ? 3 : 2;
+    const double wide = mark_wide * length;
+    double(*points)[2] = taut_arena_take(to->arena, count, sizeof *points);
+    for (size_t k = 0; points != NULL && k < count; k++) {
+        /* along the normal and across it */
+        const double slit[2] = {k == 0 ? 0 : length, 0};
+        const double v[2] = {k == 1 ? 0 : length, k == 0 ? -wide : k == 2 ? wide : 0};
+        const double dot[2] = {k == 0 || k == 4 ? -wide
+                               : k == 2         ? wide
+                                                : 0,
+                               k == 1   ? -wide
+                               : k == 3 ? wide
+                                        : 0};
+        const double *shape = is_dot ? dot : is_v ? v : slit;
+        points[k][0] = place[0] + shape[0] * out[0] - shape[1] * out[1];
+        points[k][1] = place[1] + shape[0] * out[1] + shape[1] * out[0];
+    }
+    to->flat->lines[to->flat->line_count++] =
+        (taut_flat_line){MARK, is_dot, is_dot ? 4 : count, (const double(*)[2])points};
+}
+
+/* The marks along right (0) or left (1), numbered from the start. */
+static void add_marks(drawing *to, const taut_record *piece, const char *name, int side,
+                      const taut_record *seam, const double at[2])
+{
+    const char *what = side == 0 ? "right" : "left";
+    const taut_record *edge = member(member(piece, "edges"), what);
+    const taut_record *marks = member(seam, "marks");
+    const taut_curve *curve = curve_named(to->model, name, what);
+    const char *notch =
+        taut_record_text(member(member(taut_model_details(to->model), "marks"), "notch"));
+    const double whole = number_of(seam, "length"), left = number_of(edge, "allowance");
+    const double length = left > 0 ? mark_share * left : -mark_length * to->millimetre;
+
+    for (size_t k = 0; curve != NULL && k < taut_record_count(marks); k++) {
+        const double x = taut_record_number(taut_record_at(marks, k)) / whole;
+        double y[2][3];
+        char number[24];
+        if (!(x > 0) || !(x < 1)) {
+            continue;
+        }
+        taut_curve_eval(curve, x, 1, y[0]);
+        const double speed = taut_hypot(y[1][0], y[1][1]), sign = side == 0 ? 1 : -1;
+        const double out[2] = {sign * y[1][1] / speed, -sign * y[1][0] / speed};
+        const double place[2] = {y[0][0] + at[0], y[0][1] + at[1]};
+        const double height = fmin(mark_letters * fabs(length), to->most / 2);
+        const double beside[2] = {place[0] - height * out[0], place[1] - height * out[1]};
+        add_mark(to, notch, place, out, length);
+        snprintf(number, sizeof number, "%zu", k + 1);
+        add_text(to, number, beside, taut_atan2(y[1][1], y[1][0]), height);
+    }
+}
+
+/* ---- names ---- */
+
 /* The piece's own name and its arrow in the middle, and along each seam who is on its other side. */
 static void add_names(drawing *to, const taut_record *piece, const char *name, const double at[2])
 {
@@ -160,6 +250,7 @@ static void add_names(drawing *to, const taut_record *piece, const char *name, c
             const double place[2] = {middle[k][0] + at[0] - inward * taut_sin(ways[k]),
                                      middle[k][1] + at[1] + inward * taut_cos(ways[k])};
             add_text(to, text, place, ways[k], height);
+            add_marks(to, piece, name, k, one, at);
         }
     }
 }
@@ -176,6 +267,7 @@ static int add_piece(drawing *to, const taut_record *piece, const taut_record *r
         if (strcmp(taut_record_text(member(place, "name")), name) == 0 && cut != NULL &&
             isfinite(at[0]) && isfinite(at[1])) {
             add_curve(to, CUT, cut, at, 1);
+            add_sewing(to, piece, name, at);
             add_names(to, piece, name, at);
             return 1;
         }
@@ -201,16 +293,26 @@ taut_status taut_flat_read_cloth(const taut_model *model, taut_arena *arena, tau
     const taut_record *pieces = member(details, "pieces");
     const size_t count = taut_record_count(pieces);
     const double millimetre = taut_unit_ratio("mm", taut_model_unit(model));
-    drawing to = {.model = model, .arena = arena, .flat = flat, .most = letters_most * millimetre};
+    drawing to = {.model = model,
+                  .arena = arena,
+                  .flat = flat,
+                  .most = letters_most * millimetre,
+                  .millimetre = millimetre};
     int is_fine = 1;
 
-    *flat = (taut_flat){.layer_count = LAYERS,
-                        .text_layer = TEXT,
-                        .layers = layers,
-                        .lines = taut_arena_take(arena, LINES * count + 1, sizeof *flat->lines),
-                        .texts = taut_arena_take(arena, TEXTS * count + 1, sizeof *flat->texts),
-                        .size = {taut_record_number(member(roll, "length")),
-                                 taut_record_number(member(roll, "width"))}};
+    const taut_record *seams = member(details, "seams");
+    size_t marks = 0;
+    for (size_t k = 0; k < taut_record_count(seams); k++) { /* of each side */
+        marks += 2 * taut_record_count(member(taut_record_at(seams, k), "marks"));
+    }
+    *flat =
+        (taut_flat){.layer_count = LAYERS,
+                    .text_layer = TEXT,
+                    .layers = layers,
+                    .lines = taut_arena_take(arena, LINES * count + marks + 1, sizeof *flat->lines),
+                    .texts = taut_arena_take(arena, TEXTS * count + marks + 1, sizeof *flat->texts),
+                    .size = {taut_record_number(member(roll, "length")),
+                             taut_record_number(member(roll, "width"))}};
     if (taut_arena_status(arena) != TAUT_OK) {
         return taut_fail_memory(error);
     }

@@ -1,8 +1,8 @@
 /* cloth.h -- the pieces of a cutting pattern on their roll, from the lines of the model (P1.cut, P1.right, ...) and the places that
  * details.roll gives.
  *
- * Layers: CUT, outlines, closed; SEW, the lines to sew along where the cloth is cut with an allowance; FOLD; MARK, the arrow along the
- * warp; TEXT, names of pieces and along each seam of the neighbour; ROLL, the border of the roll. Curved lines are polylines whose chords
+ * Layers: CUT, outlines, closed; SEW, the lines to sew along where the cloth is cut with an allowance; FOLD, those of hems; MARK, marks across seams and the arrow
+ * along the warp; TEXT, names of pieces and along each seam of the neighbour; ROLL, the border of the roll. Curved lines are polylines whose chords
  * are within 0.05 mm, and within 1e-5 of the roll.
  */
 #ifndef TAUT_IO_FLAT_CLOTH_H

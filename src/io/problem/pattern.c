@@ -13,8 +13,9 @@
 #include <stdio.h>
 #include <string.h>
 
-static const char *const members[] = {"pattern", "of",           "surface", "seams",  "seam_length",
-                                      "cloth",   "compensation", "strain",  "untrim", NULL};
+static const char *const members[] = {
+    "pattern",   "of",   "surface", "seams",  "seam_length", "cloth", "compensation",
+    "allowance", "hems", "marks",   "strain", "untrim",      NULL};
 static const char *const patterns[] = {"cloth", NULL};
 static const char *const lengths[] = {"shared", "true", NULL};
 static const char *const edges[] = {"u0", "u1", "v0", "v1", NULL};
@@ -23,6 +24,13 @@ static const char *const rule_members[] = {"across", "count", "width", "strain",
 static const char *const cloth_members[] = {"width", "material", "thread", "gap", NULL};
 static const char *const material_members[] = {"E", "nu", "G", NULL};
 static const char *const compensation_members[] = {"warp", "weft", "seam", NULL};
+
+static const char *const allowance_members[] = {"seam",  "border", "overlap",
+                                                "split", "corner", NULL};
+static const char *const corners[] = {"mitre", "square", "mirror", NULL};
+static const char *const hem_members[] = {"edge", "pocket", NULL};
+static const char *const mark_members[] = {"spacing", "notch", NULL};
+static const char *const notches[] = {"slit", "v", "dot", NULL};
 
 /* Typical values, in kN/m. ETFE is isotropic: G = E / (2 (1 + nu)). */
 static const struct {
@@ -224,6 +232,98 @@ static taut_status read_compensation(const taut_json *at, void *into, taut_error
     return in.status;
 }
 
+/* ---- what is left beyond seams ---- */
+
+static taut_status read_left(const taut_json *at, void *into, taut_error *error)
+{
+    double *width = into;
+    const taut_status status = taut_json_number(at, width, error);
+    return status == TAUT_OK && !(*width >= 0)
+               ? taut_json_refuse(at, error, "allowance", "a number that is not negative")
+               : status;
+}
+
+static taut_status read_allowance(const taut_json *at, void *into, taut_error *error)
+{
+    taut_pattern_allowance *a = into;
+    taut_reader in = taut_reader_of(at, allowance_members, error);
+    int word = 0;
+    taut_reader_optional(&in, "seam", read_left, &a->seam);
+    taut_reader_optional(&in, "border", read_left, &a->border);
+    taut_reader_optional(&in, "overlap", read_left, &a->overlap);
+    taut_reader_flag(&in, "split", &a->is_split);
+    taut_reader_optional_word(&in, "corner", corners, &word);
+    a->corner = (taut_pattern_corner)word;
+    if (in.status == TAUT_OK && taut_reader_has(&in, "seam") && taut_reader_has(&in, "overlap")) {
+        const taut_json overlap = taut_json_member(at, "overlap");
+        return taut_json_fail(&overlap, error, "conflict", taut_none, taut_none,
+                              "found \"overlap\" beside \"seam\", expected one of them");
+    }
+    return in.status;
+}
+
+typedef struct hems {
+    taut_pattern_hem list[4];
+    int count;
+} hems;
+
+static taut_status read_hem(const taut_json *at, void *into, taut_error *error)
+{
+    hems *all = into;
+    taut_pattern_hem *hem = &all->list[all->count++];
+    taut_reader in = taut_reader_of(at, hem_members, error);
+    int word = 0;
+    taut_reader_word(&in, "edge", edges, &word);
+    take_reason(&in, 1, "edge");
+    taut_reader_member(&in, "pocket", read_positive, &hem->pocket);
+    hem->edge = (taut_edge)word;
+    for (int k = 0; in.status == TAUT_OK && k + 1 < all->count; k++) {
+        if (all->list[k].edge == hem->edge) {
+            return taut_json_refuse(at, error, "edge", "one hem for each edge");
+        }
+    }
+    return in.status;
+}
+
+static void read_hems(taut_reader *document, taut_arena *arena, taut_pattern_problem *data)
+{
+    const taut_json at = taut_json_member(document->object, "hems");
+    hems all = {.count = 0};
+    if (document->status != TAUT_OK || !taut_reader_has(document, "hems")) {
+        return;
+    }
+    document->status = taut_json_each(&at, 0, 4, "hems", read_hem, &all, document->error);
+    taut_pattern_hem *list = taut_arena_take(arena, 4, sizeof *list);
+    if (document->status == TAUT_OK && list == NULL) {
+        document->status = taut_fail_memory(document->error);
+    }
+    if (document->status == TAUT_OK) {
+        memcpy(list, all.list, sizeof all.list);
+        data->hems = list;
+        data->hem_count = all.count;
+    }
+}
+
+/* Half the roll apart, unless they are told. */
+static void read_marks(taut_reader *document, taut_pattern_problem *data)
+{
+    const taut_json at = taut_json_member(document->object, "marks");
+    int word = 0;
+    if (document->status != TAUT_OK || !taut_reader_has(document, "marks")) {
+        return;
+    }
+    taut_reader in = taut_reader_of(&at, mark_members, document->error);
+    data->marks.spacing = data->cloth.width / 2;
+    if (data->cloth.width > 0) {
+        taut_reader_optional(&in, "spacing", read_positive, &data->marks.spacing);
+    } else {
+        taut_reader_member(&in, "spacing", read_positive, &data->marks.spacing);
+    }
+    taut_reader_optional_word(&in, "notch", notches, &word);
+    data->marks.notch = (taut_pattern_notch)word;
+    document->status = in.status;
+}
+
 /* ---- the whole ---- */
 
 static void pattern_read(taut_reader *document, taut_problem *problem, void *into)
@@ -244,6 +344,9 @@ static void pattern_read(taut_reader *document, taut_problem *problem, void *int
     data->seam_length = (taut_pattern_seam_length)word;
     taut_reader_optional(document, "cloth", read_cloth, &data->cloth);
     taut_reader_optional(document, "compensation", read_compensation, &data->compensation);
+    taut_reader_optional(document, "allowance", read_allowance, &data->allowance);
+    read_hems(document, problem->arena, data);
+    read_marks(document, data);
     taut_reader_optional(document, "strain", read_strain, &data->strain);
 }
 

@@ -201,8 +201,30 @@ static void test_isometric(void)
     cloth_free(&made);
 }
 
+/* A line to cut along that is not where it is to be; and what is left that was not asked for. */
+static void test_allowance(void)
+{
+    static const change none = {"", {0, 0, 0}, 0, 0, 0};
+    static const change fine = {"P2.cut", {0, 0, 0}, 1 + 2e-9, 0, 0};
+    static const change wide = {"P2.cut", {0, 0, 0}, 1 + 2e-6, 0, 0};
+    char members[256];
+    snprintf(members, sizeof members, "%s, \"allowance\": { \"seam\": 0.02, \"border\": 0.05 }",
+             strips);
+    made_cloth made = cloth_make(SADDLE, members), other = cloth_make(SADDLE, strips);
+    CHECK(made.status == TAUT_OK, "%s", made.error.message);
+    CHECK(judge(&made, &fine, NULL, "allowance") == TAUT_TRUE, "hardly moved");
+    CHECK(judge(&made, &wide, NULL, "allowance") == TAUT_FALSE, "moved");
+    taut_problem *own = made.problem;
+    made.problem = other.problem;
+    CHECK(judge(&made, &none, NULL, "allowance") == TAUT_FALSE, "none was asked for");
+    made.problem = own;
+    cloth_free(&made);
+    cloth_free(&other);
+}
+
 int main(void)
 {
+    test_allowance();
     test_moved();
     test_told();
     test_true_length();

@@ -233,6 +233,53 @@ static void test_material(void)
     cloth_free(&made);
 }
 
+/* What is left around a parallelogram makes one with sides apart by twice as much more; hems, welds, mirrored corners. */
+static void test_allowance(void)
+{
+    static const struct {
+        const char *members;
+        double seam[2], border; /* of the right and the left of P2 */
+    } rows[] = {
+        {"\"allowance\": { \"seam\": 0.02, \"border\": 0.05 }", {0.02, 0.02}, 0.05},
+        {"\"allowance\": { \"seam\": 0.03 }", {0.03, 0.03}, 0},
+        {"\"allowance\": { \"overlap\": 0.04 }", {0, 0}, 0},
+        {"\"allowance\": { \"overlap\": 0.04, \"split\": true }", {0.02, 0.02}, 0},
+        {"\"allowance\": { \"seam\": 0.02, \"border\": 0.05 }, \"hems\": [{ \"edge\": \"v0\", "
+         "\"pocket\": 0.04 }, { \"edge\": \"v1\", \"pocket\": 0.04 }]",
+         {0.02, 0.02},
+         0.1}};
+    const double wide = 1.09321633322024241, sine = wide / 1.4, area = 4.2, tall = area / 1.4;
+    char members[512];
+    made_cloth made;
+    for (size_t k = 0; k < sizeof rows / sizeof rows[0]; k++) {
+        snprintf(members, sizeof members,
+                 "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 3 }], %s",
+                 rows[k].members);
+        made = example("pattern-cylinder", members);
+        check_holds(&made, members);
+        CHECK_NEAR(cloth_number(&made, "pieces", "P2", "cut_area"),
+                   (wide + rows[k].seam[0] + rows[k].seam[1]) * (tall + 2 * rows[k].border) / sine,
+                   2e-11, "%s", members);
+        check_piece(&made, "extent/1", wide + rows[k].seam[0] + rows[k].seam[1], 1e-11);
+        check_piece(&made, "flat_area", area, 1e-12);
+        cloth_free(&made);
+    }
+    static const char *const corners[] = {"mitre", "square", "mirror"};
+    double areas[3];
+    for (size_t k = 0; k < 3; k++) {
+        snprintf(members, sizeof members,
+                 "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 3 }], \"allowance\": "
+                 "{ \"seam\": 0.04, \"border\": 0.05, \"corner\": \"%s\" }",
+                 corners[k]);
+        made = cloth_make(SADDLE, members);
+        CHECK(made.status == TAUT_OK, "%s: %s", corners[k], made.error.message);
+        check_holds(&made, corners[k]);
+        areas[k] = cloth_number(&made, "pieces", "P2", "cut_area");
+        cloth_free(&made);
+    }
+    CHECK(areas[1] < areas[0] && areas[2] != areas[0], "%g, %g, %g", areas[0], areas[1], areas[2]);
+}
+
 static void test_refusals(void)
 {
     static const struct {
@@ -257,6 +304,23 @@ static void test_refusals(void)
          "/seams/0/width", TAUT_BAD_INPUT},
         {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2, \"strain\": 1 }]", "conflict",
          "/seams/0/strain", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }], \"allowance\": { "
+         "\"seam\": 9 }",
+         "allowance", "/allowance", TAUT_NO_SOLUTION},
+        {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }], \"allowance\": { "
+         "\"border\": -9 }",
+         "allowance", "/allowance/border", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }], \"allowance\": { "
+         "\"seam\": 1, \"overlap\": 1 }",
+         "conflict", "/allowance/overlap", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }], \"marks\": {}", "missing",
+         "/marks/spacing", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }], \"marks\": { "
+         "\"spacing\": 1e-9 }",
+         "allowance", "/marks/spacing", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }], \"hems\": [{ \"edge\": "
+         "\"x\", \"pocket\": 1 }]",
+         "edge", "/hems/0/edge", TAUT_BAD_INPUT},
         {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"strain\": 2 }]", "value", "/seams/0/strain",
          TAUT_BAD_INPUT},
         {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"strain\": 1e-9 }]", "strain",
@@ -316,6 +380,7 @@ int main(void)
     test_saddle();
     test_orientation();
     test_material();
+    test_allowance();
     test_refusals();
     test_sizes();
     return check_failures != 0;
