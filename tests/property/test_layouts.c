@@ -90,6 +90,8 @@ static void check_refusal(const layout *l, const taut_error *error, int trial, t
         }
     }
     CHECK(known, "trial %d: %s at %s: %s", trial, error->reason, error->where, error->message);
+    CHECK(!(l->kind == LAYOUT_TUBE && l->arcs && l->height < 0.97 * parted),
+          "trial %d, circles %.6g apart: %s: %s", trial, l->height, error->reason, error->message);
     CHECK(!(l->area > 0), "trial %d, a flat one: %s: %s", trial, error->reason, error->message);
     if (says) {
         printf("trial %d: kind %d, %d patches of degree %d, %d cables, height %g: %s: %s\n", trial,

@@ -1,29 +1,21 @@
-/* ring.c -- edges of films that go around, and the theorem of the cone.
+/* ring.c -- edges of films that go around.
  *
- * A connected minimal surface is bounded by no two curves of which one lies in each nappe of the open
- * cone  rho < |z| sinh(t0),  t0 tanh(t0) = 1, whatever its apex and its axis. With heights along the axis
- * there is an apex between them when
- *
- *     max (z + rho / sinh t0) over the lower curve  <  min (z - rho / sinh t0) over the upper
- *
- * A nappe is convex: the control points of what is held will do for the proof, and the curves
- * themselves tell the distance that would. The axis is looked for by steps from the one through the middles.
+ * By the theorem of the cone (cone.h) the control points of what is held tell that there is no film, and the curves themselves the
+ * distance at which there would be one.
  */
 #include "construct/film/ring.h"
 
+#include "construct/film/cone.h"
 #include "construct/film/held.h"
 #include "core/fail.h"
 #include "core/vec3.h"
-#include "numeric/quadrature.h"
 #include "taut/operations.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-enum { SAMPLES = 720, HALVINGS = 24, NODES = 16, REFINEMENTS = 6 };
-static const double sinh_t0 = 1.5088795615383199;
-static const double near_enough = 0.2; /* of the widths: room that a better axis may make */
+enum { SAMPLES = 720, REFINEMENTS = 6 };
 static const double gap_closed = 1e-9; /* of the size: ends of a closed curve */
 
 static int other_of(int e)
@@ -157,66 +149,6 @@ taut_status taut_film_ring_lay(taut_film_space *space, taut_arena *arena, taut_e
 
 /* ---- the cone ---- */
 
-typedef struct rims {
-    int count[2];
-    double *points[2]; /* [count][3] */
-    double span[2];    /* by find_gap: the largest rho / sinh t0 of each */
-    double height;     /* the least distance between them along the axis */
-} rims;
-
-/* How much room for the apex there is on the axis: above 0, and there is no film. */
-static double find_gap(rims *r, const double axis[6])
-{
-    double n[3] = {axis[3], axis[4], axis[5]}, low[2] = {INFINITY, INFINITY},
-           high[2] = {-INFINITY, -INFINITY}, end[2] = {-INFINITY, INFINITY};
-    const double size = taut_norm(n);
-
-    for (int c = 0; c < 3; c++) {
-        n[c] /= size;
-    }
-    r->span[0] = r->span[1] = 0;
-    for (int k = 0; k < 2; k++) {
-        for (int i = 0; i < r->count[k]; i++) {
-            double from[3], across[3];
-            taut_difference(r->points[k] + 3 * i, axis, from);
-            taut_cross(n, from, across);
-            const double z = taut_dot(n, from), wide = taut_norm(across) / sinh_t0;
-            r->span[k] = fmax(r->span[k], wide);
-            low[k] = fmin(low[k], z);
-            high[k] = fmax(high[k], z);
-            end[k] = k == 0 ? fmax(end[k], z + wide) : fmin(end[k], z - wide);
-        }
-    }
-    r->height = low[1] - high[0];
-    return end[1] - end[0];
-}
-
-/* The axis with the most room, by steps along its six numbers that are halved. */
-static double widen_gap(rims *r, double axis[6], double size)
-{
-    double best = find_gap(r, axis), step = 0.1 * size;
-
-    for (int halved = 0; halved < HALVINGS;) {
-        int better = 0;
-        for (int k = 0; k < 12; k++) {
-            double tried[6];
-            memcpy(tried, axis, sizeof tried);
-            tried[k / 2] += k % 2 == 0 ? step : -step;
-            const double gap = find_gap(r, tried);
-            if (gap > best) {
-                best = gap;
-                memcpy(axis, tried, sizeof tried);
-                better = 1;
-            }
-        }
-        if (!better) {
-            step *= 0.5;
-            halved++;
-        }
-    }
-    return best;
-}
-
 /* The edge as it is held, its spans halved often enough that its points lie near it. */
 static taut_status take_curve(const taut_film_space *space, int e, taut_curve **curve)
 {
@@ -247,7 +179,8 @@ static taut_status take_curve(const taut_film_space *space, int e, taut_curve **
     return status;
 }
 
-static int take_points(const taut_film_space *space, const int edges[2], taut_arena *arena, rims *r)
+static int take_points(const taut_film_space *space, const int edges[2], taut_arena *arena,
+                       taut_film_rims *r)
 {
     for (int k = 0; k < 2; k++) {
         taut_curve *curve = NULL;
@@ -267,7 +200,7 @@ static int take_points(const taut_film_space *space, const int edges[2], taut_ar
 
 /* The problem's own curves, at many places. */
 static int take_samples(const taut_film_space *space, const int edges[2], taut_arena *arena,
-                        rims *r)
+                        taut_film_rims *r)
 {
     for (int k = 0; k < 2; k++) {
         const taut_curve *curve = space->problem->edges[edges[k]].curve;
@@ -291,7 +224,7 @@ taut_status taut_film_ring_cone(const taut_film_space *space, taut_error *error)
     const int edges[2] = {problem->ring == TAUT_FILM_RING_U ? 2 : 0,
                           problem->ring == TAUT_FILM_RING_U ? 3 : 1};
     double axis[6];
-    rims held = {.height = 0}, told = {.height = 0};
+    taut_film_rims held = {.height = 0}, told = {.height = 0};
 
     if (taut_film_has_density(problem) || problem->edges[edges[0]].kind != TAUT_FILM_FIXED ||
         problem->edges[edges[1]].kind != TAUT_FILM_FIXED) {
@@ -304,13 +237,11 @@ taut_status taut_film_ring_cone(const taut_film_space *space, taut_error *error)
     find_middle(space, edges[0], axis);
     find_middle(space, edges[1], middle);
     taut_difference(middle, axis, axis + 3);
-    const double size = taut_norm(axis + 3);
-    if (taken && size > 0) {
-        gap = find_gap(&held, axis);
-        if (gap <= 0 && gap > -near_enough * (held.span[0] + held.span[1])) {
-            gap = widen_gap(&held, axis, size);
-        }
-        (void)find_gap(&told, axis);
+    if (taken) {
+        gap = taut_film_cone_widest(&held, axis);
+    }
+    if (gap > 0) {
+        (void)taut_film_cone_gap(&told, axis);
     }
     taut_arena_free(arena);
     if (!taken) {
@@ -329,27 +260,16 @@ taut_status taut_film_ring_cone(const taut_film_space *space, taut_error *error)
 
 /* ---- rivals ---- */
 
-/* 1/2 int |(x - m) x x_t| dt, m the mean of the points. */
 static double cone_area(const taut_curve *curve)
 {
-    const taut_basis *t = taut_curve_t(curve);
-    const double *breaks = taut_basis_breaks(t), *points = taut_curve_points(curve);
-    const int n = taut_basis_count(t);
-    double node[NODES], weight[NODES], tip[3] = {0, 0, 0}, area = 0;
+    const double *points = taut_curve_points(curve);
+    const int n = taut_basis_count(taut_curve_t(curve));
+    double tip[3] = {0, 0, 0};
 
-    taut_gauss_rule(NODES, node, weight);
     for (int k = 0; k < n; k++) {
         taut_add_scaled(1.0 / n, points + 3 * k, tip);
     }
-    for (int k = 0; k < taut_basis_span_count(t) * NODES; k++) {
-        const double lo = breaks[k / NODES], half = 0.5 * (breaks[k / NODES + 1] - lo);
-        double x[2][3], from[3], turned[3];
-        (void)taut_curve_eval(curve, lo + half * (1 + node[k % NODES]), 1, x[0]);
-        taut_difference(x[0], tip, from);
-        taut_cross(from, x[1], turned);
-        area += 0.5 * half * weight[k % NODES] * taut_norm(turned);
-    }
-    return area;
+    return taut_film_cone_area(curve, tip);
 }
 
 taut_status taut_film_ring_discs(const taut_film_space *space, const double *points, double *area)

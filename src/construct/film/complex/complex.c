@@ -307,7 +307,19 @@ static taut_record *details_of(const taut_film_layout *l, const taut_film_rest *
     } else {
         taut_record_add_text(verdict, "stable", "found");
     }
-    taut_record_add_null(verdict, "least");
+    if (rest->rival > 0 && rest->rival < rest->area) {
+        taut_record_add_bool(verdict, "least", 0);
+    } else {
+        taut_record_add_null(verdict, "least");
+    }
+    if (rest->rival > 0) {
+        taut_record *rivals = taut_record_add_list(details, "rivals");
+        if (rest->rival < rest->area) {
+            taut_record *rival = taut_record_add_object(rivals, NULL);
+            taut_record_add_text(rival, "kind", "discs");
+            taut_record_add_number(rival, "area", rest->rival);
+        }
+    }
     if (l->fitted > 0) {
         taut_record_add_number(details, "deviation", l->deviation);
     }

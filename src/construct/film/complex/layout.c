@@ -94,11 +94,8 @@ static void take_poles(taut_film_layout *l, unsigned char *is_set)
     }
 }
 
-/* weights[2 p + d]: 1 over the mean square of the lengths of the edges of patch p along v (d = 0) or u, and of all that seams and
- * opposite edges make as long. */
-static void find_weights(const taut_film_layout *l, int *class, double *weights)
+void taut_film_strips(const taut_film_problem *problem, int *class)
 {
-    const taut_film_problem *problem = l->complex.problem;
     const int count = 2 * problem->patch_count;
 
     for (int k = 0; k < count; k++) {
@@ -114,6 +111,15 @@ static void find_weights(const taut_film_layout *l, int *class, double *weights)
             }
         }
     }
+}
+
+/* weights[2 p + d]: 1 over the mean square of the lengths of the edges of patch p along v (d = 0) or u, and of all others of their
+ * strip. */
+static void find_weights(const taut_film_layout *l, int *class, double *weights)
+{
+    const int count = 2 * l->complex.problem->patch_count;
+
+    taut_film_strips(l->complex.problem, class);
     for (int k = 0; k < count; k++) {
         double sum = 0;
         int edges = 0;
@@ -288,6 +294,93 @@ static taut_status lay_edge(taut_film_layout *l, int p, int e, taut_arena *arena
     return TAUT_OK;
 }
 
+/* Does the edge begin straight, for want of something better? */
+static int may_bow(const taut_film_complex *c, int p, int e)
+{
+    const taut_film_edge *edge = &c->problem->patches[p].edges[e];
+    const int s = taut_film_complex_seam(c->problem, p, e);
+    return s >= 0 ? c->problem->seams[s].edge.kind != TAUT_FILM_CABLE && !is_closed(c, p, e)
+                  : edge->kind == TAUT_FILM_SLIDE && !has_model(c, p, e);
+}
+
+/* bow: of held curves how far their points are from where those of their chords would be. Is there one? */
+static int take_bows(const taut_film_layout *l, double *at, double *bow)
+{
+    const taut_film_complex *c = &l->complex;
+    int found = 0;
+
+    for (int k = 0; k < 4 * c->problem->patch_count; k++) {
+        const taut_film_problem *patch = &c->problem->patches[k / 4];
+        const taut_film_side side = {k / 4, k % 4, 0};
+        const int n = taut_film_complex_along(patch, side.edge);
+        if (patch->edges[side.edge].curve == NULL || is_closed(c, side.patch, side.edge)) {
+            continue;
+        }
+        const double *a = l->points + 3 * taut_film_complex_node(c, &side, 0),
+                     *b = l->points + 3 * taut_film_complex_node(c, &side, n - 1);
+        taut_film_greville(side.edge < 2 ? patch->v : patch->u, at);
+        for (int i = 1; i < n - 1; i++) {
+            const int node = taut_film_complex_node(c, &side, i);
+            for (int j = 0; j < 3; j++) {
+                bow[3 * node + j] = l->points[3 * node + j] - (1 - at[i]) * a[j] - at[i] * b[j];
+            }
+        }
+        found = 1;
+    }
+    return found;
+}
+
+/* One sweep: lines take the mean of what is opposite to them. The most that one changed by. */
+static double even_bows(const taut_film_complex *c, double *bow, double *sums)
+{
+    double most = 0;
+
+    memset(sums, 0, 4 * (size_t)c->nodes * sizeof(double));
+    for (int k = 0; k < 4 * c->problem->patch_count; k++) {
+        const taut_film_side side = {k / 4, k % 4, 0}, other = {k / 4, k % 4 ^ 1, 0};
+        const int n = taut_film_complex_along(&c->problem->patches[side.patch], side.edge);
+        for (int i = 1; may_bow(c, side.patch, side.edge) && i < n - 1; i++) {
+            double *sum = sums + 4 * taut_film_complex_node(c, &side, i);
+            taut_add_scaled(1, bow + 3 * taut_film_complex_node(c, &other, i), sum);
+            sum[3]++;
+        }
+    }
+    for (int a = 0; a < c->nodes; a++) {
+        for (int j = 0; sums[4 * a + 3] > 0 && j < 3; j++) {
+            const double now = sums[4 * a + j] / sums[4 * a + 3];
+            most = fmax(most, fabs(now - bow[3 * a + j]));
+            bow[3 * a + j] = now;
+        }
+    }
+    return most;
+}
+
+/* Lines between held curves begin as curved as these. */
+static taut_status bow_edges(taut_film_layout *l, taut_arena *arena, taut_error *error)
+{
+    const taut_film_complex *c = &l->complex;
+    double *bow = taut_arena_take(arena, (size_t)c->nodes, 3 * sizeof(double));
+    double *sums = taut_arena_take(arena, (size_t)c->nodes, 4 * sizeof(double));
+    double *at = taut_arena_take(arena, (size_t)c->points, sizeof(double));
+
+    if (taut_arena_status(arena) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    if (!take_bows(l, at, bow)) {
+        return TAUT_OK;
+    }
+    const double size = taut_film_complex_size(c->problem);
+    for (int k = 0; k < SWEEPS && even_bows(c, bow, sums) > swept * size; k++) {
+    }
+    for (int a = 0; a < c->nodes; a++) {
+        if (sums[4 * a + 3] > 0) {
+            taut_add_scaled(1, bow + 3 * a, l->points + 3 * a);
+            taut_film_hold_onto(&c->holds[a], l->points + 3 * a);
+        }
+    }
+    return TAUT_OK;
+}
+
 /* The net of Coons. */
 static taut_status fill_patch(taut_film_layout *l, int p, taut_arena *arena, taut_error *error)
 {
@@ -444,6 +537,9 @@ taut_status taut_film_layout_new(const taut_film_problem *problem, taut_arena *a
         if (has_model(c, p, k % 4) == with_model) {
             status = lay_edge(l, p, k % 4, arena, error);
         }
+    }
+    if (status == TAUT_OK) {
+        status = bow_edges(l, arena, error);
     }
     for (int p = 0; status == TAUT_OK && p < problem->patch_count; p++) {
         const taut_film_problem *patch = &problem->patches[p];

@@ -2,7 +2,8 @@
  *
  *     corners   held, or near where they are said to be, or at the mean of those their edges lead to; a pole opposite to a curve
  *               at the mean of its control points
- *     edges     held curves fitted by their moments; straight lines for the rest, or, closed, what is opposite, moved onto planes
+ *     edges     held curves fitted by their moments; straight lines for the rest, bowed as curves opposite to them are, or, closed,
+ *               what is opposite, moved onto planes
  *     inside    the net of Coons of the four edges
  */
 #ifndef TAUT_CONSTRUCT_FILM_COMPLEX_LAYOUT_H
@@ -27,6 +28,9 @@ typedef struct taut_film_layout {
     int fitted;       /* how many of these */
     size_t pairs;     /* of functions of a cell, at most */
 } taut_film_layout;
+
+/* class[2 p + d], of the edges of patch p along v (d = 0) or u: of one number are those that lie opposite to each other or in a seam. */
+void taut_film_strips(const taut_film_problem *problem, int *class);
 
 /* In the arena. Reasons as taut_film_complex_new, curve-fit, no-area, overflow, value. */
 taut_status taut_film_layout_new(const taut_film_problem *problem, taut_arena *arena,

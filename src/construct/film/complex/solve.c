@@ -7,7 +7,8 @@
  *         taken where phi falls by a tenth of what d promises, or, where that is lost in rounding, the derivatives
  *         get less; then theta / 8, else theta * 8, and at theta = 1 half of d
  *     the same in the moves that are seen alone (ways.h), once a step promises little: there it converges to rounding
- *         (by the method `normal` once it promises 1e-4 of E, with theta held at 1e-3 before, and in all coordinates no more)
+ *         (by the method `normal` once it promises 1e-8 of E, or 1e-4 where that folds the net, with theta held at 1e-3 before,
+ *         and in all coordinates no more; where all coordinates fold the net that method follows by itself)
  *     both with more Gauss nodes, until these leave the derivatives below the aim
  *
  *     phi = E - sum p_c (V_c - V_c0) + mu / 2 sum (V_c - V_c0)^2        with the step's p
@@ -15,12 +16,14 @@
  * At theta = 1 every step without pressure lowers E: L is above H (construct/plateau/area.h). Moves within the sheets, which E
  * does not see, are held back by theta alone. Pivots that lead down where it is at rest are a saddle.
  *
- * A pressure that leads to no film is followed from 0, by halved steps, to name the last one that a film was found for.
+ * A pressure that leads to no film is followed from 0, by halved steps, to name the last one that a film was found for. So are two
+ * rims (parting.h) led apart from where there is a film between them.
  */
 #include "construct/film/complex/solve.h"
 
 #include "construct/film/complex/border.h"
 #include "construct/film/complex/energy.h"
+#include "construct/film/complex/parting.h"
 #include "construct/film/complex/pressure.h"
 #include "core/fail.h"
 #include "core/vec3.h"
@@ -41,12 +44,16 @@ static const double aim_share = 0.1; /* of the tolerance */
 static const double gain_least = 1e-11,
                     residual_all = 3e-7; /* of E; of all coordinates: their end */
 static const double
-    gain_normal = 1e-4,
+    gains_normal[2] = {1e-8, 1e-4},
     theta_normal =
-        1e-3; /* of the method `normal`: its end of all coordinates, its least theta there */
-static const double unsettled = 100;  /* times the aim: what the last rule may find */
-static const double blown = 10;       /* times the size */
-static const double led_least = 4e-3; /* the least step of pressures that are led */
+        1e-3; /* of the method `normal`: its ends of all coordinates, first and where that folds the net, its least theta there */
+static const double unsettled = 100;       /* times the aim: what the last rule may find */
+static const double blown = 10;            /* times the size */
+static const double led_least = 4e-3;      /* the least step of pressures that are led */
+static const double apart_least = 0x1p-15; /* of rims, in their distance */
+static const double neck_most =
+    0.9; /* of the shorter side at the start: else it is the net that folds */
+enum { NEARER = 8, LEADS = 128 };
 
 typedef struct work {
     const taut_film_layout *layout;
@@ -59,11 +66,13 @@ typedef struct work {
     double *pressures; /* [cell_count] */
     double led;        /* share of the given pressures */
     double *led_from;  /* [nodes][3] */
+    double *from;      /* [nodes][3] */
     double value, largest, residual, theta, least_start, aim, mu;
     int iterations, most;
     int is_narrowed; /* nonzero: it was once */
     int narrow;      /* the moves that are seen alone */
     taut_film_method method;
+    double gain; /* of the method `normal` */
 } work;
 
 static int must_stop(const work *w)
@@ -291,7 +300,7 @@ static taut_status descend(work *w)
                  : promised > rounding * fabs(w->value) ? 0
                  : w->residual > 0.5 * before           ? stalls + 1
                                                         : 0;
-        is_done = !w->narrow && (is_normal(w) ? promised <= gain_normal * fabs(w->value)
+        is_done = !w->narrow && (is_normal(w) ? promised <= w->gain * fabs(w->value)
                                               : w->residual <= residual_all &&
                                                     promised <= gain_least * fabs(w->value));
     }
@@ -372,15 +381,13 @@ static int has_pressure(const taut_film_layout *l)
     return 0;
 }
 
-/* A film under a share of the pressures, from x on, by the first rule. */
-static taut_status find_led(work *w, double share, int *found)
+/* A film from x on, by the first rule, in LED steps. */
+static taut_status find_here(work *w, int *found)
 {
     const int most = w->most, before = w->iterations;
     int down = 1;
 
-    w->led = share;
     w->most = before + LED;
-    w->theta = share == 0 ? 1 : 1e-3;
     taut_status status = descend_both(w);
     if (status == TAUT_OK) {
         status = count_down(w, &down);
@@ -388,6 +395,23 @@ static taut_status find_led(work *w, double share, int *found)
     *found = status == TAUT_OK && down == 0 && w->residual <= fmax(w->aim, 1e-6);
     w->most = most;
     return status == TAUT_NO_MEMORY || status == TAUT_INTERRUPTED ? status : TAUT_OK;
+}
+
+/* A film under a share of the pressures, from x on. */
+static taut_status find_led(work *w, double share, int *found)
+{
+    w->led = share;
+    w->theta = share == 0 ? 1 : 1e-3;
+    return find_here(w, found);
+}
+
+/* The first rule again, from the start. */
+static taut_status begin_again(work *w)
+{
+    memcpy(w->x, w->layout->start, 3 * w->nodes * sizeof(double));
+    taut_film_energy_free(w->energy);
+    w->energy = NULL;
+    return taut_film_energy_new(w->layout, extra_nodes[0], &w->energy);
 }
 
 /* From no pressure on; TAUT_OK: x is a film under all of it. */
@@ -399,10 +423,7 @@ static taut_status lead(work *w)
     double at = 0, step = 1;
     int found = 0;
 
-    memcpy(w->x, w->layout->start, bytes);
-    taut_film_energy_free(w->energy);
-    w->energy = NULL;
-    taut_status status = taut_film_energy_new(w->layout, extra_nodes[0], &w->energy);
+    taut_status status = begin_again(w);
     if (status == TAUT_OK) {
         status = find_led(w, 0, &found);
     }
@@ -441,6 +462,80 @@ static taut_status lead(work *w)
                                problem->cells[k].pressure, at * problem->cells[k].pressure);
 }
 
+/* ---- rims that are led ---- */
+
+static void shift(work *w, const taut_film_parting *parting, double by)
+{
+    for (size_t a = 0; a < w->nodes; a++) {
+        taut_add_scaled(by * parting->share[a], parting->way, w->x + 3 * a);
+    }
+}
+
+/* With the rims at so much of their distance, from x on, which is moved there first. */
+static taut_status find_apart(work *w, const taut_film_parting *parting, double by, double theta,
+                              int *found)
+{
+    shift(w, parting, by);
+    w->is_narrowed = 0;
+    w->theta = theta;
+    w->least_start = 1;
+    return find_here(w, found);
+}
+
+static taut_status refuse_apart(const work *w, const taut_film_parting *parting, double share,
+                                double neck)
+{
+    return taut_fail(w->error, TAUT_NO_SOLUTION, parting->slides ? "slides-away" : "collapses",
+                     "/patches", 1, share,
+                     "no film connects the two rims: led apart from where there is one, they lose "
+                     "it at %.6g of their distance, where its neck is %.3g of the shorter rim%s",
+                     share, neck,
+                     parting->slides ? "; it slides off, bring the plane nearer"
+                                     : "; bring them together");
+}
+
+/* TAUT_OK: x is near a film between the rims where they are. TAUT_NOT_CONVERGED: nothing is said of them. */
+static taut_status lead_apart(work *w, taut_film_parting *parting, taut_arena *arena)
+{
+    const size_t bytes = 3 * w->nodes * sizeof(double);
+    double share = 1, step = 0.5, neck = 1;
+    int found = 0;
+    taut_status status = taut_film_parting_spread(w->layout, arena, parting);
+
+    if (status == TAUT_OK) {
+        status = begin_again(w);
+    }
+    for (int k = 0; status == TAUT_OK && !found && k < NEARER; k++) {
+        share *= 0.5;
+        memcpy(w->x, w->layout->start, bytes);
+        status = find_apart(w, parting, share - 1, 1, &found);
+    }
+    if (status != TAUT_OK || !found) {
+        return status == TAUT_OK ? TAUT_NOT_CONVERGED : status;
+    }
+    for (int k = 0; status == TAUT_OK && share < 1 && k < LEADS && step > apart_least; k++) {
+        const double next = fmin(1, share + step);
+        memcpy(w->led_from, w->x, bytes);
+        status = find_apart(w, parting, next - share, 1e-3, &found);
+        if (found) {
+            share = next;
+        } else {
+            memcpy(w->x, w->led_from, bytes);
+            step /= 2;
+        }
+    }
+    if (status == TAUT_OK && share < 1) {
+        neck = taut_film_parting_neck(w->layout, w->x, parting->class);
+        return neck < neck_most ? refuse_apart(w, parting, share, neck) : TAUT_NOT_CONVERGED;
+    }
+    for (size_t a = 0; a < w->nodes; a++) {
+        if (parting->rim[a] >= 0 && w->energy->size[a] == 0) {
+            memcpy(w->x + 3 * a, w->layout->start + 3 * a, 3 * sizeof(double));
+        }
+    }
+    return status;
+}
+
 static taut_status check_saddle(work *w, taut_film_rest *rest)
 {
     const taut_status status = count_down(w, &rest->negative);
@@ -461,41 +556,51 @@ static taut_status find_by(work *w, taut_film_rest *rest)
     return status == TAUT_OK ? check_saddle(w, rest) : status;
 }
 
-/* In all coordinates; where these fold the net, or do not come to rest, by the method `normal` from the start again. */
-static taut_status find_either(work *w, taut_film_rest *rest)
+/* From x on: in all coordinates, unless `normal`; where these fold the net, or do not come to rest, by the method `normal`, which
+ * leaves them ever sooner. */
+static taut_status find_from(work *w, int normal, taut_film_rest *rest)
 {
-    const taut_status status = find_by(w, rest);
+    const size_t bytes = 3 * w->nodes * sizeof(double);
+    const int cells = w->layout->complex.problem->cell_count;
+    const int most = w->most;
+    double pressures[TAUT_FILM_CELLS_MAX];
+    taut_status status = TAUT_NOT_CONVERGED;
 
-    if (status != TAUT_NOT_CONVERGED || is_normal(w)) {
-        return status;
-    }
-    w->method = TAUT_FILM_NORMAL;
-    w->is_narrowed = 0;
-    memcpy(w->x, w->layout->start, 3 * w->nodes * sizeof(double));
-    w->most += w->iterations;
-    return find_by(w, rest);
-}
-
-/* The film, led to its pressure where the way from the start misses it. */
-static taut_status find_film(work *w, taut_film_rest *rest)
-{
-    taut_status status = find_either(w, rest);
-
-    if ((status == TAUT_NO_SOLUTION || status == TAUT_NOT_CONVERGED) && has_pressure(w->layout)) {
-        taut_error first = {.status = TAUT_OK};
-        if (w->error != NULL) {
-            first = *w->error;
-        }
-        const taut_status led = lead(w);
-        if (led == TAUT_NOT_CONVERGED && w->error != NULL) {
-            *w->error = first;
-        }
-        if (led != TAUT_OK) {
-            return led == TAUT_NOT_CONVERGED ? status : led;
-        }
+    memcpy(w->from, w->x, bytes);
+    memcpy(pressures, w->pressures, (size_t)cells * sizeof(double));
+    for (int k = normal; status == TAUT_NOT_CONVERGED && k < 3; k++) {
+        memcpy(w->x, w->from, bytes);
+        memcpy(w->pressures, pressures, (size_t)cells * sizeof(double));
+        w->method = k == 0 ? TAUT_FILM_FULL : TAUT_FILM_NORMAL;
+        w->gain = k == 0 ? 0 : gains_normal[k - 1];
+        w->is_narrowed = 0;
+        w->most = w->iterations + most;
         status = find_by(w, rest);
     }
     return status;
+}
+
+/* The film, led to its pressure, or with its rims apart, where the way from the start misses it. */
+static taut_status find_film(work *w, taut_film_parting *parting, taut_arena *arena,
+                             taut_film_rest *rest)
+{
+    const taut_status status =
+        find_from(w, w->layout->complex.problem->method == TAUT_FILM_NORMAL, rest);
+    const int has_rims = parting->count == 2;
+    taut_error first = {.status = TAUT_OK};
+
+    if (!(status == TAUT_NO_SOLUTION || status == TAUT_NOT_CONVERGED) ||
+        !(has_pressure(w->layout) || has_rims)) {
+        return status;
+    }
+    if (w->error != NULL) {
+        first = *w->error;
+    }
+    const taut_status led = has_rims ? lead_apart(w, parting, arena) : lead(w);
+    if (led == TAUT_NOT_CONVERGED && w->error != NULL) {
+        *w->error = first;
+    }
+    return led == TAUT_OK ? find_from(w, 1, rest) : led == TAUT_NOT_CONVERGED ? status : led;
 }
 
 taut_status taut_film_rest_find(const taut_film_layout *layout, const taut_monitor *monitor,
@@ -515,10 +620,12 @@ taut_status taut_film_rest_find(const taut_film_layout *layout, const taut_monit
               .d = taut_arena_take(arena, nodes, bytes),
               .right = taut_arena_take(arena, nodes, bytes),
               .led_from = taut_arena_take(arena, nodes, bytes),
+              .from = taut_arena_take(arena, nodes, bytes),
               .led = 1,
-              .method = problem->method,
               .aim = fmin(aim_share * tolerance, 1e-7),
               .most = problem->max_iterations > 0 ? problem->max_iterations : ITERATIONS};
+
+    taut_film_parting parting;
 
     rest->points = taut_arena_take(arena, nodes, bytes);
     w.pressures =
@@ -528,9 +635,19 @@ taut_status taut_film_rest_find(const taut_film_layout *layout, const taut_monit
         status = taut_film_pressure_check(layout, error);
     }
     if (status == TAUT_OK) {
-        status = find_film(&w, rest);
+        status = taut_film_parting_new(layout, arena, &parting);
     }
     if (status == TAUT_OK) {
+        status = taut_film_parting_check(layout, &parting, arena, error);
+    }
+    if (status == TAUT_OK) {
+        status = find_film(&w, &parting, arena, rest);
+    }
+    if (status == TAUT_OK) {
+        status = taut_film_parting_discs(layout, &parting, arena, &rest->rival);
+    }
+    if (status == TAUT_OK) {
+        rest->area = ldexp(w.value, 2 * (layout->scaling.outer + layout->scaling.inner));
         rest->unknowns = taut_sparse_rows(w.energy->sparse);
         rest->iterations = w.iterations;
         rest->method = w.method;

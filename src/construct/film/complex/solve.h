@@ -8,9 +8,11 @@
 typedef struct taut_film_rest {
     double *points; /* [nodes][3], in the user's unit */
     int unknowns, iterations;
-    double *pressures;       /* [cell_count], in the user's unit */
-    double residual;         /* largest free derivative over the largest */
-    int negative;            /* eigenvalues of the second variation below 0 */
+    double *pressures; /* [cell_count], in the user's unit */
+    double residual;   /* largest free derivative over the largest */
+    double area;       /* of a film of one tension without cables */
+    double rival;      /* of two films, one in each of two rims that bound such a film; else 0 */
+    int negative;      /* eigenvalues of the second variation below 0 */
     taut_film_method method; /* that it was found by */
 } taut_film_rest;
 
