@@ -5,6 +5,7 @@
  * keep Clairaut's constant; seeds may come in another order. Laths are cut alike, and strips bent back from their
  * flat pieces meet at the nodes.
  */
+#include "certificates.h"
 #include "check.h"
 #include "core/constants.h"
 #include "core/vec3.h"
@@ -668,6 +669,55 @@ static void test_folded(void)
     }
 }
 
+/* The largest distance of a curve from its surface at PLACES places of each span. */
+static double sampled_distance(const made_net *made, const char *name)
+{
+    enum { PLACES = 25 };
+    const taut_surface *surface = taut_model_surface(made->model, 0);
+    const taut_curve *space = space_of(made, name);
+    taut_curve *window = window_of(made, name);
+    const taut_basis *t = taut_curve_t(space);
+    double most = 0;
+    for (int i = 0; i < taut_basis_span_count(t); i++) {
+        const double *b = taut_basis_breaks(t) + i;
+        for (int k = 0; k <= PLACES; k++) {
+            const double at = k == PLACES ? b[1] : b[0] + (b[1] - b[0]) * k / PLACES;
+            double c[3], x[3], w[3];
+            taut_curve_eval(space, at, 0, c);
+            taut_curve_eval(window, at, 0, w);
+            taut_surface_eval(surface, fmin(fmax(w[0], 0), 1), fmin(fmax(w[1], 0), 1), 0, x);
+            most = fmax(most, taut_length_between(c, x));
+        }
+    }
+    taut_curve_free(window);
+    return most;
+}
+
+/* What the certificate says of all places is true of many, and hardly more than what is there. */
+static void test_bound(void)
+{
+    for (int trial = 0; trial < random_trials(TRIALS); trial++) {
+        double points[SIDE][SIDE][3];
+        random_points(points);
+        made_net made = net_at((const double(*)[SIDE][3])points, 0,
+                               trial % 2 == 0 ? "asymptotic" : "principal", 0.4, 0.6);
+        const taut_claim *claim = claim_of(made.proof, "on-surface");
+        const taut_claim *complete = claim_of(made.proof, "complete");
+        const double *p = taut_surface_points(taut_model_surface(made.model, 0));
+        double size = 0;
+        for (size_t k = 0; k < (size_t)3 * SIDE * SIDE; k++) {
+            size = fmax(size, fabs(p[k] - p[k % 3]));
+        }
+        const double seen =
+            fmax(sampled_distance(&made, "A1"), sampled_distance(&made, "B1")) / size;
+        CHECK(claim->kind == TAUT_BOUND && claim->holds == TAUT_TRUE, "trial %d", trial);
+        CHECK(seen <= claim->residual && claim->residual <= 2 * seen + 1e-11, "%g of %g", seen,
+              claim->residual);
+        CHECK(complete->kind == TAUT_EXACT && complete->holds == TAUT_TRUE, "trial %d", trial);
+        net_free(&made);
+    }
+}
+
 int main(void)
 {
     random_seed(1);
@@ -678,6 +728,7 @@ int main(void)
     test_gauss_bonnet();
     test_clairaut();
     test_order();
+    test_bound();
     test_folded();
     return check_failures != 0;
 }

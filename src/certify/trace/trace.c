@@ -5,7 +5,8 @@
  *   surface       with the problem: numbers of the surface that differ from the model's that it was
  *                 traced on (exact), or claims that do not hold of what was made first
  *   on-surface    largest distance of C(s) from S(c(s)) over the size, PLACES in each span (check); a bound where
- *                 curves are straight in the window (certify/trace/straight.h)
+ *                 curves are straight in the window (certify/trace/straight.h), and where the surface is a polynomial, or a
+ *                 quotient, of a degree that is small enough (certify/trace/compose.h)
  *   asymptotic    |k_n| / R of the curve's own tangent; its family by the sign of tau_g. This and principal are
  *                 exact, of the surface's curve over the window's line, where curves are straight there
  *   principal     |tau_g| / R; its family by k_n >= H or not
@@ -34,6 +35,8 @@
 #include "certify/common/unit.h"
 #include "certify/common/verdict.h"
 #include "certify/trace/complete.h"
+#include "certify/trace/compose.h"
+#include "certify/trace/everywhere.h"
 #include "certify/trace/isometric.h"
 #include "certify/trace/lines.h"
 #include "certify/trace/pieces.h"
@@ -67,6 +70,7 @@ typedef struct request {
     const taut_surface **surfaces; /* [lines.surface_count], scaled; the arena's */
     const taut_surface *surface;   /* the first one */
     taut_net_seams seams;          /* where they join */
+    taut_net_cells *cells;         /* their polynomials */
     int unit;
     double size;                /* of it */
     double roundest;            /* the largest R of a grid */
@@ -240,6 +244,16 @@ static void integrate(const request *r, const taut_net_line *line, found *f)
     }
 }
 
+/* How far the curve is from the surface at most, of all places. */
+static void bound_distance(const request *r, const taut_net_line *line, found *f)
+{
+    const double distance = taut_net_compose_distance(r->cells, line, r->unit) / r->size;
+    f->is_bounded &= distance <= r->tolerance;
+    if (distance <= r->tolerance) {
+        take(&f->distance, distance, taut_curve_name(line->space), 0);
+    }
+}
+
 /* What is proved of a curve that is a straight line of the window; f->is_proved and ->is_bounded say whether
  * it could be, of all so far. */
 static void prove_straight(const request *r, const taut_net_line *line, found *f)
@@ -249,7 +263,8 @@ static void prove_straight(const request *r, const taut_net_line *line, found *f
         r->lines.net == TAUT_TRACE_ASYMPTOTIC || r->lines.net == TAUT_TRACE_PRINCIPAL;
 
     if (!r->straight.is_known || !has_ways) {
-        f->is_proved = f->is_bounded = 0;
+        f->is_proved = 0;
+        bound_distance(r, line, f);
         return;
     }
     taut_net_straight_way(&r->straight, r->lines.net, line->family, way);
@@ -641,6 +656,22 @@ static taut_status add_figures(const request *r, taut_certificate *certificate)
     return status;
 }
 
+/* Exact where a net exists everywhere by proof: K < 0 on minimal surfaces of the family, or by Bernstein
+ * coefficients. */
+static taut_status add_complete(const request *r, taut_arena *arena, taut_certificate *certificate)
+{
+    const taut_trace_net net = r->lines.net;
+    int is_proved = r->straight.is_known;
+    taut_status status = TAUT_OK;
+
+    if (!is_proved && r->lines.surface_count == 1 &&
+        (net == TAUT_TRACE_ASYMPTOTIC || net == TAUT_TRACE_PRINCIPAL)) {
+        status = taut_net_everywhere(r->surface, net, &is_proved);
+    }
+    return status == TAUT_OK ? taut_net_complete_add(&r->lines, is_proved, arena, certificate)
+                             : status;
+}
+
 static taut_status prove(const request *r, taut_arena *arena, taut_certificate *certificate)
 {
     static const char *const names[] = {"asymptotic", "principal", "geodesic", "isoparametric"};
@@ -678,7 +709,7 @@ static taut_status prove(const request *r, taut_arena *arena, taut_certificate *
         status = add_spacing(r, arena, certificate);
     }
     if (status == TAUT_OK) {
-        status = taut_net_complete_add(&r->lines, r->straight.is_known, arena, certificate);
+        status = add_complete(r, arena, certificate);
     }
     if (status == TAUT_OK) {
         status = add_isometric(r, certificate);
@@ -727,7 +758,8 @@ static taut_status certify_in(taut_arena *arena, const taut_model *model,
         return status;
     }
     if (scale_surfaces(&r, arena) != TAUT_OK ||
-        taut_net_seams_new(arena, r.lines.surface_count, r.surfaces, &r.seams) != TAUT_OK) {
+        taut_net_seams_new(arena, r.lines.surface_count, r.surfaces, &r.seams) != TAUT_OK ||
+        taut_net_cells_new(arena, r.lines.surface_count, r.surfaces, &r.cells) != TAUT_OK) {
         return taut_fail_memory(error);
     }
     r.size = ldexp(r.lines.size, -r.unit);

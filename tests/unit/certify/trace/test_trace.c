@@ -1,5 +1,6 @@
 /* test_trace.c -- nets that are none: each claim fails on a model that was changed where it looks. */
 #include "certificates.h"
+#include "certify/trace/everywhere.h"
 #include "check.h"
 #include "nets.h"
 
@@ -235,8 +236,58 @@ static void test_straight(void)
     }
     made_net other = net_make("asymptotic", SURFACE, "\"seeds\": [{ \"at\": [0.3, 0.2] }]");
     CHECK(claim_of(other.proof, "asymptotic")->kind == TAUT_CHECK, "not minimal");
-    CHECK(claim_of(other.proof, "on-surface")->kind == TAUT_CHECK, "not minimal");
     net_free(&other);
+    other = net_make("geodesic", CATENOID,
+                     "\"seeds\": [{ \"at\": [0.3, 0.2], \"direction\": [1, 1] }]");
+    CHECK(claim_of(other.proof, "on-surface")->kind == TAUT_CHECK, "not a polynomial");
+    net_free(&other);
+}
+
+/* z = a x^2 + b xy + c y^2 + d x^3 over [-1, 1]^2: K < 0, R > 0, or not everywhere. */
+static void test_everywhere(void)
+{
+    const struct {
+        double a, b, c, d; /* x^2 + c y^2 has umbilics at y^2 = (c - 1)/(4 c^2) */
+        int saddle, round; /* are they everywhere? */
+    } rows[] = {{0, 1, 0, 0, 1, 1},     {1, 0, -1, 0, 1, 1},    {1, 0, 1, 0, 0, 0},
+                {1, 0, 8, 0, 0, 0},     {0, 0, 0, 0, 0, 0},     {1, 0, 0, 0, 0, 1},
+                {1, 0, -1, 0.3, 1, 1},  {1, 0, -1, 0.34, 0, 1}, {1, 0, -1, 0.32, 1, 1},
+                {-1, 0, -0.5, -1, 0, 0}};
+
+    for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+        const double heights[3][4] = {{-1, -1.0 / 3, 1.0 / 3, 1},
+                                      {1, -1.0 / 3, -1.0 / 3, 1},
+                                      {-1, 1, -1, 1}}; /* Bernstein: of x, x^2, x^3 */
+        double points[4][3][3];
+        taut_basis *bases[2] = {NULL, NULL};
+        taut_surface *surface = NULL;
+        for (int i = 0; i < 4; i++) {
+            for (int j = 0; j < 3; j++) {
+                const double y = j - 1, y2 = j == 1 ? -1 : 1;
+                points[i][j][0] = heights[0][i];
+                points[i][j][1] = y;
+                points[i][j][2] = rows[k].a * heights[1][i] + rows[k].b * heights[0][i] * y +
+                                  rows[k].c * y2 + rows[k].d * heights[2][i];
+            }
+        }
+        for (int d = 0; d < 2; d++) {
+            const taut_basis_spec spec = {.type = "bezier", .degree = 3 - d};
+            taut_basis_new(&spec, 4 - d, &bases[d], NULL);
+        }
+        taut_surface_new("s", bases[0], bases[1], points[0][0], NULL, &surface, NULL);
+        for (int net = 0; net < 2; net++) {
+            int is_proved = -1;
+            CHECK(taut_net_everywhere(surface,
+                                      net == 0 ? TAUT_TRACE_ASYMPTOTIC : TAUT_TRACE_PRINCIPAL,
+                                      &is_proved) == TAUT_OK,
+                  "row %zu", k);
+            CHECK(is_proved == (net == 0 ? rows[k].saddle : rows[k].round), "row %zu net %d: %d", k,
+                  net, is_proved);
+        }
+        taut_surface_free(surface);
+        taut_basis_free(bases[0]);
+        taut_basis_free(bases[1]);
+    }
 }
 
 /* A strip that only bends as long as its edge is told to be, and not in another width. */
@@ -354,6 +405,7 @@ int main(void)
 {
     test_straight();
     test_isometric();
+    test_everywhere();
     test_seams();
     test_moved();
     test_told();
