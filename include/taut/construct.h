@@ -60,6 +60,14 @@ typedef struct taut_make_options {
 TAUT_API taut_status taut_make(const taut_problem *problem, const taut_make_options *options,
                                taut_model **model, taut_error *error);
 
+/* A draft of the model, from one that was made or drafted of nearly the same problem a moment before: at most `steps` >= 1
+ * cheap steps, each nearer (docs/film.md), none at all where it is at rest. For a hand that drags: nothing is proved, and what
+ * taut_make says of the problem may be another thing. *model is NULL where there is no way from there, as where the bases are
+ * others, and for constructions that have no drafts: all but `film` and `plateau`.
+ * Statuses as taut_make. *model is the caller's on success, untouched on failure. */
+TAUT_API taut_status taut_draft(const taut_problem *problem, const taut_model *before, int steps,
+                                taut_model **model, taut_error *error);
+
 /* Zero means default everywhere. */
 typedef struct taut_certify_options {
     int threads;      /* 0: 1 */

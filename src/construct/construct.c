@@ -79,3 +79,32 @@ taut_status taut_make(const taut_problem *problem, const taut_make_options *opti
     *model = made;
     return TAUT_OK;
 }
+
+taut_status taut_draft(const taut_problem *problem, const taut_model *before, int steps,
+                       taut_model **model, taut_error *error)
+{
+    taut_model *made = NULL;
+
+    if (problem == NULL || before == NULL || model == NULL || steps < 1) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
+                         "an argument of taut_draft is out of its range");
+    }
+    const taut_construct_ops *ops = ops_table[problem->construct];
+    taut_status status =
+        ops->draft != NULL ? ops->draft(problem->data, before, steps, &made, error) : TAUT_OK;
+    if (status == TAUT_NO_SOLUTION || status == TAUT_NOT_CONVERGED) {
+        status = TAUT_OK; /* whether there is none taut_make says */
+    }
+    if (status == TAUT_OK && made != NULL) {
+        status = taut_model_set_unit(made, problem->unit);
+        if (status != TAUT_OK) {
+            taut_model_free(made);
+            return taut_fail(error, TAUT_INTERNAL, "fault", NULL, taut_none, taut_none,
+                             "an unknown unit");
+        }
+    }
+    if (status == TAUT_OK) {
+        *model = made;
+    }
+    return status;
+}

@@ -10,6 +10,9 @@ typedef struct taut_construct_ops {
      * curves and details. */
     taut_status (*make)(const void *data, const taut_make_options *options, taut_model **model,
                         taut_error *error);
+    /* From a model that it made a moment before, some steps; or NULL. *model stays where there is no way from there. */
+    taut_status (*draft)(const void *data, const taut_model *before, int steps, taut_model **model,
+                         taut_error *error);
     int exact;      /* nonzero: knows options->exact */
     int ends_early; /* nonzero: has its own pace (core/pace.h), and a best so far to show */
 } taut_construct_ops;

@@ -89,6 +89,43 @@ static taut_status prove_any(const void *context, void **result, taut_error *err
     return status;
 }
 
+/* ---- a draft ---- */
+
+static taut_status draft_any(const void *context, void **result, taut_error *error)
+{
+    const any_proof *p = context;
+    taut_model *model = *result;
+    const taut_status status = taut_draft(p->problem, p->model, 2, &model, error);
+    *result = model;
+    return status;
+}
+
+static void run_out_of_drafts(const char *text)
+{
+    taut_problem *problem = NULL;
+    taut_model *model = NULL;
+
+    CHECK(taut_problem_read_text(text, strlen(text), "text", &problem, NULL) == TAUT_OK, "text");
+    CHECK(taut_make(problem, NULL, &model, NULL) == TAUT_OK, "a film");
+    const any_proof context = {model, problem};
+    const fault_call drafting = {"taut_draft", draft_any, release_model, &context};
+    CHECK(fault_loop_some(&drafting, 2000) > 20, "a draft takes memory");
+    taut_model_free(model);
+    taut_problem_free(problem);
+}
+
+static const char drawn[] = "{\"taut\":1,\"construct\":\"film\",\"least\":false,"
+                            "\"u\":{\"type\":\"bspline\",\"degree\":2,\"count\":4},"
+                            "\"v\":{\"type\":\"bspline\",\"degree\":2,\"count\":4},"
+                            "\"corners\":{\"u0v0\":[-1,-1,0.5],\"u1v0\":[1,-1,-0.5],"
+                            "\"u0v1\":[-1,1,-0.5],\"u1v1\":[1,1,0.5]},"
+                            "\"edges\":{\"u0\":{\"cable\":{\"force\":2}}}}";
+static const char plate[] =
+    "{\"taut\":1,\"construct\":\"plateau\",\"least\":false,"
+    "\"u\":{\"type\":\"bezier\",\"degree\":2},\"v\":{\"type\":\"bezier\",\"degree\":2},"
+    "\"points\":[[[-1,-1,0.5],[-1,0,0],[-1,1,0]],[[0,-1,0.5],null,[0,1,0]],"
+    "[[1,-1,0],[1,0,0],[1,1,0.4]]]}";
+
 /* A cap over a square, of two sheets, one with a volume under it. */
 static const char cushion[] =
     "{\"taut\":1,\"construct\":\"film\",\"patches\":["
@@ -125,5 +162,7 @@ int main(void)
     run_out(1, 2000);
     run_out(0, 60);
     run_out_of_patches(cushion);
+    run_out_of_drafts(drawn);
+    run_out_of_drafts(plate);
     return check_failures != 0;
 }

@@ -126,19 +126,24 @@ static taut_status take_density(taut_film_work *w)
 
 taut_status taut_film_take_rule(taut_film_work *w, int rule, double factor)
 {
+    w->rule = rule;
+    return taut_film_take_nodes(w, extra_nodes[rule], factor);
+}
+
+taut_status taut_film_take_nodes(taut_film_work *w, int extra, double factor)
+{
     const taut_film_problem *problem = w->space->problem;
     int found = 0;
 
     taut_film_drop_rule(w);
     w->arena = taut_arena_new();
-    w->rule = rule;
     for (int e = 0; e < 4; e++) {
         if (w->space->ratios[e] > 0) {
             size_t first = 0, step = 0;
             int count = 0;
             taut_film_edge_points(w->space->nu, w->space->nv, e, &first, &step, &count);
-            if (taut_area_cable_new(e < 2 ? problem->v : problem->u, extra_nodes[rule] + 1, first,
-                                    step, w->arena, &w->cables[found]) != TAUT_OK) {
+            if (taut_area_cable_new(e < 2 ? problem->v : problem->u, extra + 1, first, step,
+                                    w->arena, &w->cables[found]) != TAUT_OK) {
                 return TAUT_NO_MEMORY;
             }
             if (w->space->around != NULL) {
@@ -150,10 +155,9 @@ taut_status taut_film_take_rule(taut_film_work *w, int rule, double factor)
     }
     const taut_film_ring ring = problem->ring;
     const taut_loop *around = w->space->around;
-    if (taut_area_functional_around(problem->u, problem->v,
-                                    ring == TAUT_FILM_RING_U ? around : NULL,
-                                    ring == TAUT_FILM_RING_V ? around : NULL, extra_nodes[rule],
-                                    &w->functional) != TAUT_OK) {
+    if (taut_area_functional_around(
+            problem->u, problem->v, ring == TAUT_FILM_RING_U ? around : NULL,
+            ring == TAUT_FILM_RING_V ? around : NULL, extra, &w->functional) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
     w->functional->cables = w->cables;

@@ -40,6 +40,8 @@ void taut_film_start_laws(taut_film_work *w);
 
 /* The functional of a rule, all forces `factor` times what they are. TAUT_NO_MEMORY. */
 taut_status taut_film_take_rule(taut_film_work *w, int rule, double factor);
+/* The same with so many nodes on a span beyond the functions alive there. */
+taut_status taut_film_take_nodes(taut_film_work *w, int extra, double factor);
 void taut_film_drop_rule(taut_film_work *w);
 
 /* w->net: the film that it goes to with all forces `factor` times what they are. TAUT_NOT_CONVERGED: folds,

@@ -11,6 +11,7 @@
 #include "construct/common/build.h"
 #include "construct/construct_ops.h"
 #include "construct/film/complex/complex.h"
+#include "construct/film/draft.h"
 #include "construct/film/flat.h"
 #include "construct/film/images.h"
 #include "construct/film/refine.h"
@@ -544,6 +545,27 @@ static taut_status add_cable(const taut_film_space *space, int e, const double *
     return status == TAUT_OK ? taut_construct_add_curve(model, curve, error) : status;
 }
 
+/* The surface, and each cable. */
+static taut_status add_net(const taut_film_space *space, const taut_film_solution *solution,
+                           taut_arena *arena, taut_model *model, taut_error *error)
+{
+    const taut_film_problem *problem = space->problem;
+    taut_surface *surface = NULL;
+    taut_status status =
+        taut_surface_new(problem->name != NULL ? problem->name : "film", problem->u, problem->v,
+                         solution->points, NULL, &surface, error);
+
+    if (status == TAUT_OK) {
+        status = taut_construct_add_surface(model, surface, error);
+    }
+    for (int e = 0; status == TAUT_OK && e < 4; e++) {
+        if (space->ratios[e] > 0) {
+            status = add_cable(space, e, solution->points, arena, model, error);
+        }
+    }
+    return status;
+}
+
 /* What a make is given. */
 typedef struct request {
     const taut_film_problem *problem;
@@ -589,7 +611,6 @@ static taut_status build(void *context, taut_arena *arena, taut_model *model, ta
     const taut_film_problem *problem = r->problem;
     taut_film_space space;
     taut_film_solution solution;
-    taut_surface *surface = NULL;
     taut_status status = taut_film_space_new(problem, arena, &space, error);
 
     if (status == TAUT_OK) {
@@ -600,16 +621,7 @@ static taut_status build(void *context, taut_arena *arena, taut_model *model, ta
         status = taut_film_solve(&space, r->monitor, arena, &solution, error);
     }
     if (status == TAUT_OK) {
-        status = taut_surface_new(problem->name != NULL ? problem->name : "film", problem->u,
-                                  problem->v, solution.points, NULL, &surface, error);
-    }
-    if (status == TAUT_OK) {
-        status = taut_construct_add_surface(model, surface, error);
-    }
-    for (int e = 0; status == TAUT_OK && e < 4; e++) {
-        if (space.ratios[e] > 0) {
-            status = add_cable(&space, e, solution.points, arena, model, error);
-        }
+        status = add_net(&space, &solution, arena, model, error);
     }
     if (status == TAUT_OK) {
         status = taut_film_images_add(problem, arena, model, error);
@@ -644,4 +656,75 @@ static taut_status make(const void *data, const taut_make_options *options, taut
     return taut_film_make(data, options, model, error);
 }
 
-const taut_construct_ops taut_construct_film = {.make = make};
+/* ---- drafts ---- */
+
+typedef struct draft_request {
+    const taut_film_problem *problem;
+    const taut_model *before;
+    int steps;
+} draft_request;
+
+/* What the cables of the film before drew with, as its details say; else 0. */
+static void find_forces(const taut_model *before, double forces[4])
+{
+    const taut_record *details = taut_model_details(before);
+    const taut_record *cables = details != NULL ? taut_record_get(details, "cables") : NULL;
+
+    memset(forces, 0, 4 * sizeof *forces);
+    for (size_t k = 0; cables != NULL && k < taut_record_count(cables); k++) {
+        const taut_record *cable = taut_record_at(cables, k);
+        const char *edge = taut_record_text(taut_record_get(cable, "edge"));
+        for (int e = 0; e < 4; e++) {
+            if (strcmp(edge, taut_film_edge_names[e]) == 0) {
+                forces[e] = taut_record_number(taut_record_get(cable, "force"));
+            }
+        }
+    }
+}
+
+static taut_status build_draft(void *context, taut_arena *arena, taut_model *model,
+                               taut_error *error)
+{
+    const draft_request *r = context;
+    const taut_surface *before = taut_model_surface(r->before, 0);
+    taut_film_problem begun;
+    taut_film_space space;
+    taut_film_solution solution;
+    double forces[4];
+
+    find_forces(r->before, forces);
+    if (taut_film_draft_begin(r->problem, before, arena, &begun) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    taut_status status = taut_film_space_new(&begun, arena, &space, error);
+    if (status == TAUT_OK) {
+        status = taut_film_draft(&space, before, forces, r->steps, arena, &solution, error);
+    }
+    if (status == TAUT_OK) {
+        status = add_net(&space, &solution, arena, model, error);
+    }
+    if (status != TAUT_OK) {
+        return status;
+    }
+    taut_record *details = taut_record_new();
+    describe_cables(&space, &solution, details);
+    return taut_construct_set_details(model, details, error);
+}
+
+static taut_status draft(const void *data, const taut_model *before, int steps, taut_model **model,
+                         taut_error *error)
+{
+    const taut_film_problem *problem = data;
+    draft_request r = {.problem = problem, .before = before, .steps = steps};
+    const taut_surface *surface = taut_model_surface(before, 0);
+
+    if (!taut_film_has_draft(problem) || surface == NULL || taut_surface_weights(surface) != NULL ||
+        !taut_basis_equal(taut_surface_u(surface), problem->u) ||
+        !taut_basis_equal(taut_surface_v(surface), problem->v)) {
+        return TAUT_OK;
+    }
+    const taut_status status = check_problem(problem, error);
+    return status == TAUT_OK ? taut_construct_build(build_draft, &r, model, error) : status;
+}
+
+const taut_construct_ops taut_construct_film = {.make = make, .draft = draft};

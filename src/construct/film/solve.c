@@ -239,8 +239,8 @@ static double find_energy(taut_film_work *w, const taut_film_solution *solution)
     return energy;
 }
 
-static taut_status fill_solution(taut_film_work *w, taut_arena *arena, taut_film_solution *solution,
-                                 taut_error *error)
+taut_status taut_film_fill_solution(taut_film_work *w, taut_arena *arena,
+                                    taut_film_solution *solution, taut_error *error)
 {
     const taut_film_space *space = w->space;
     const int unit = space->scaling.outer + space->scaling.inner;
@@ -307,7 +307,7 @@ taut_status taut_film_solve(const taut_film_space *space, const taut_monitor *mo
         status = check_stable(&w, error);
     }
     if (status == TAUT_OK) {
-        status = fill_solution(&w, arena, solution, error);
+        status = taut_film_fill_solution(&w, arena, solution, error);
     }
     taut_dirichlet_form_clear(&w.form);
     taut_surface_free(w.reference);

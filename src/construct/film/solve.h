@@ -2,7 +2,7 @@
 #ifndef TAUT_CONSTRUCT_FILM_SOLVE_H
 #define TAUT_CONSTRUCT_FILM_SOLVE_H
 
-#include "construct/film/space.h"
+#include "construct/film/equilibrium.h"
 #include "taut/monitor.h"
 
 typedef struct taut_film_solution {
@@ -24,5 +24,9 @@ typedef struct taut_film_solution {
  * TAUT_INTERRUPTED, TAUT_NO_MEMORY. */
 taut_status taut_film_solve(const taut_film_space *space, const taut_monitor *monitor,
                             taut_arena *arena, taut_film_solution *solution, taut_error *error);
+
+/* All but `changes` from w->net. TAUT_NO_SOLUTION: overflow; TAUT_NO_MEMORY. */
+taut_status taut_film_fill_solution(taut_film_work *w, taut_arena *arena,
+                                    taut_film_solution *solution, taut_error *error);
 
 #endif /* TAUT_CONSTRUCT_FILM_SOLVE_H */

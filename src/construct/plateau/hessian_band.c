@@ -128,6 +128,14 @@ static int number_unknowns(const taut_area_functional *functional, const taut_ma
                                 : number_lines(mask, by_rows, 0, index);
 }
 
+int taut_area_number(const taut_area_functional *functional, const taut_mask *mask, int *index,
+                     int *width)
+{
+    const int count = number_unknowns(functional, mask, index);
+    *width = half_width(functional, index);
+    return count;
+}
+
 /* Of a banded matrix of three unknowns a point, numbered along the shorter side. */
 static double half_band(const taut_area_functional *functional, const taut_mask *mask)
 {
@@ -207,8 +215,7 @@ static taut_status make_matrices(const taut_area_functional *functional, taut_ar
             return TAUT_NO_MEMORY;
         }
     }
-    hessian->unknowns = number_unknowns(functional, hessian->mask, hessian->index);
-    width = half_width(functional, hessian->index);
+    hessian->unknowns = taut_area_number(functional, hessian->mask, hessian->index, &width);
     for (size_t i = 0; hessian->allowed != NULL && i < net_size(hessian); i++) {
         const double *p = hessian->mask->allowed + 6 * i;
         if (is_leader(hessian, i) && p[0] + p[2] + p[5] < 2.5) { /* the trace is its rank */

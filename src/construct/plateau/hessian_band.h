@@ -25,6 +25,11 @@ int taut_area_hessian_pays(const taut_area_functional *functional, const taut_ma
 double taut_area_hessian_assembly_cost(const taut_area_functional *functional);
 double taut_area_hessian_factor_cost(const taut_area_functional *functional, const taut_mask *mask);
 
+/* Numbers the unknown points so that the band is narrow, index int[nu][nv], -1 at known ones; returns how many. *width: the
+ * largest distance of two that meet. */
+int taut_area_number(const taut_area_functional *functional, const taut_mask *mask, int *index,
+                     int *width);
+
 /* The mask is borrowed. TAUT_NO_MEMORY. */
 taut_status taut_area_hessian_new(const taut_area_functional *functional, const taut_mask *mask,
                                   taut_area_hessian **hessian);

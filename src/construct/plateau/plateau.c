@@ -11,6 +11,7 @@
 
 #include "construct/common/through.h"
 #include "construct/construct_ops.h"
+#include "construct/plateau/draft_model.h"
 #include "construct/plateau/refine.h"
 #include "construct/plateau/solve.h"
 #include "construct/plateau/space.h"
@@ -371,4 +372,11 @@ static taut_status make(const void *data, const taut_make_options *options, taut
     return taut_plateau_make(data, options, model, error);
 }
 
-const taut_construct_ops taut_construct_plateau = {.make = make, .ends_early = 1};
+static taut_status draft(const void *data, const taut_model *before, int steps, taut_model **model,
+                         taut_error *error)
+{
+    const taut_status status = check_problem(data, error);
+    return status == TAUT_OK ? taut_plateau_draft(data, before, steps, model, error) : status;
+}
+
+const taut_construct_ops taut_construct_plateau = {.make = make, .draft = draft, .ends_early = 1};
