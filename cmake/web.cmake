@@ -2,7 +2,7 @@
 find_program(WASM_OPT wasm-opt REQUIRED)
 # Without what nothing in a page asks for: among others flat pieces of cloth (pattern/flat), which only programs cut.
 file(GLOB_RECURSE web_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/*.c)
-list(FILTER web_sources EXCLUDE REGEX "/src/(cli|modules|page|construct/gradient)/|/io/cad/(absent|answer|cad|helper|scan|wire)|/io/(csv|dxf)/|/io/geomdl/geomdl|/io/problem/(boundary_file|film_curves|film_patches)|/film/complex/|/problem/film_(complex|cells)|/numeric/sparse|/geometry/boundary/|/io/mesh/threemf|/mesh/thicken|/pattern/flat/|/(construct|certify)/pattern/|/io/flat/(cloth|spread)|avx2|avx512|/platform/(posix|windows)")
+list(FILTER web_sources EXCLUDE REGEX "/src/(cli|modules|page|construct/gradient)/|/io/cad/(absent|answer|cad|helper|scan|wire)|/io/(csv|dxf)/|/io/geomdl/geomdl|/io/problem/(boundary_file|film_curves|film_patches)|/film/complex/|/problem/film_(complex|cells)|/numeric/(sparse|modes_lent)|/geometry/boundary/|/io/mesh/threemf|/mesh/thicken|/pattern/flat/|/(construct|certify)/pattern/|/io/flat/(cloth|spread)|avx2|avx512|/platform/(posix|windows)")
 # Nets of curves are in the studio's module, which has room for them, and not in the one that any page may load.
 option(TAUT_WEB_NETS "The module for browsers traces nets of curves" OFF)
 if(TAUT_WEB_NETS)
@@ -31,7 +31,7 @@ add_custom_command(TARGET taut_web POST_BUILD
 # Small code, but in the loops over numbers that a hand that drags waits for.
 target_compile_options(taut_web PRIVATE -Oz)
 set(loops numeric/kernel numeric/band numeric/modes geometry/grid basis/basis basis/bspline
-  measure/integrate/eight_ measure/integrate/cell construct/plateau/area certify/dirichlet/gradient_)
+  measure/integrate/eight_ measure/integrate/cell construct/plateau/area construct/plateau/draft certify/dirichlet/gradient_)
 list(JOIN loops "|" loops)
 set(loop_sources ${web_sources})
 list(FILTER loop_sources INCLUDE REGEX "/src/(${loops})")
@@ -42,5 +42,5 @@ set_property(SOURCE ${loop_sources} APPEND PROPERTY COMPILE_OPTIONS -fno-unroll-
 # Vectors where loops over numbers are. Not elsewhere, and not out of straight code: of that clang 14 makes wrong code with
 # them (a choice between two structs of two doubles, in certify/bonnet/proof.c, took the second where it was to take the first).
 set(vector_sources ${web_sources})
-list(FILTER vector_sources INCLUDE REGEX "/src/(numeric|geometry/grid)/|/plateau/area_baseline.c")
+list(FILTER vector_sources INCLUDE REGEX "/src/(numeric|geometry/grid)/|/plateau/(area_baseline|draft)\\.c")
 set_property(SOURCE ${vector_sources} APPEND PROPERTY COMPILE_OPTIONS -msimd128 -fno-slp-vectorize)

@@ -130,6 +130,16 @@ class Surface {
     if (this.taut.raw.taut_web_make(this.handle) !== 0) throw this.taut.failure();
   }
 
+  /**
+   * The model as a draft, some cheap steps from that of another surface of nearly the same problem: of `film` and `plateau`.
+   * False where there is no way from there: make() it then.
+   */
+  draft(/** @type {Surface} */ before, steps = 1) {
+    const status = this.taut.raw.taut_web_draft(this.handle, before.handle, steps);
+    if (status > 0) throw this.taut.failure();
+    return status === 0;
+  }
+
   /** Proves it: true, false, or null where a claim is undecided. */
   certify() {
     if (this.taut.raw.taut_web_certify(this.handle) !== 0) throw this.taut.failure();
@@ -153,12 +163,21 @@ class Surface {
     return { positions: all.subarray(0, 3 * nu * nv), normals: all.subarray(3 * nu * nv) };
   }
 
-  /** Mean and Gaussian curvatures at the same parameters, NaN where there is none: views that hold until the next call. */
+  /**
+   * Mean and Gaussian curvatures at the same parameters, NaN where there is none, and how far these are from isothermal, 0 to 1:
+   * views that hold until the next call.
+   */
   curvatures(/** @type {number} */ s, /** @type {number} */ nu, /** @type {number} */ nv) {
     const at = this.taut.raw.taut_web_curvatures(this.handle, s, nu, nv);
     if (at === 0) throw new Error(`no curvatures of surface ${s} with ${nu} by ${nv} points`);
-    const all = new Float32Array(this.taut.raw.memory.buffer, at, 2 * nu * nv);
-    return { mean: all.subarray(0, nu * nv), gaussian: all.subarray(nu * nv) };
+    const all = new Float32Array(this.taut.raw.memory.buffer, at, 3 * nu * nv);
+    return { mean: all.subarray(0, nu * nv), gaussian: all.subarray(nu * nv, 2 * nu * nv), isothermality: all.subarray(2 * nu * nv) };
+  }
+
+  /** How far the film is from the least area there is, per area, at the same parameters; null where no witness says so. */
+  gaps(/** @type {number} */ s, /** @type {number} */ nu, /** @type {number} */ nv) {
+    const at = this.taut.raw.taut_web_gaps(this.handle, s, nu, nv);
+    return at === 0 ? null : new Float32Array(this.taut.raw.memory.buffer, at, nu * nv);
   }
 
   get curveCount() {

@@ -157,6 +157,21 @@ static taut_status add_parts(taut_modes *modes, const taut_band *k, const taut_b
     return status;
 }
 
+/* Rounding leaves eigenvalues that are zero a little to either side; below zero they would spoil
+ * definiteness. Those that are truly negative stay, for whoever looks whether a system is definite. */
+static void clamp_values(taut_modes *modes)
+{
+    double most = 0.0;
+    for (int i = 0; i < modes->n; i++) {
+        most = fmax(most, fabs(modes->values[i]));
+    }
+    for (int i = 0; i < modes->n; i++) {
+        if (modes->values[i] < 0.0 && modes->values[i] > -0x1p-40 * most) {
+            modes->values[i] = 0.0;
+        }
+    }
+}
+
 taut_status taut_modes_new(const taut_band *k, const taut_band *m, taut_pulse *pulse,
                            taut_modes **out)
 {
@@ -176,6 +191,7 @@ taut_status taut_modes_new(const taut_band *k, const taut_band *m, taut_pulse *p
         taut_modes_free(modes);
         return status;
     }
+    clamp_values(modes);
     *out = modes;
     return TAUT_OK;
 }

@@ -34,7 +34,7 @@ typedef struct taut_modes {
     const taut_kernel *kernel;
 } taut_modes;
 
-/* Statuses as taut_eigen_band; *out untouched on failure. Cost O(n^2 width^2), 16 n^2 bytes, half
+/* Negative eigenvalues that are rounding are 0. Statuses as taut_eigen_band; *out untouched on failure. Cost O(n^2 width^2), 16 n^2 bytes, half
  * with parity. */
 taut_status taut_modes_new(const taut_band *k, const taut_band *m, taut_pulse *pulse,
                            taut_modes **out);

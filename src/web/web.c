@@ -10,6 +10,8 @@
  * What goes wrong is a status above 0, and a sentence in taut_web_error. Nothing here is kept between
  * two documents but that sentence.
  */
+#include "core/elementary/elementary.h"
+#include "measure/dual/density.h"
 #include "taut/taut.h"
 
 #include <math.h>
@@ -35,12 +37,14 @@ void taut_web_close(taut_web *web);
 int taut_web_set(taut_web *web, const char *pointer, const char *value, size_t length);
 const char *taut_web_problem(const taut_web *web);
 int taut_web_make(taut_web *web);
+int taut_web_draft(taut_web *web, const taut_web *before, int steps);
 int taut_web_certify(taut_web *web);
 int taut_web_holds(const taut_web *web);
 int taut_web_surfaces(const taut_web *web);
 const char *taut_web_name(const taut_web *web, int s);
 const float *taut_web_grid(taut_web *web, int s, int nu, int nv);
 const float *taut_web_curvatures(taut_web *web, int s, int nu, int nv);
+const float *taut_web_gaps(taut_web *web, int s, int nu, int nv);
 int taut_web_curves(const taut_web *web);
 const float *taut_web_curve(taut_web *web, int c, int count);
 int taut_web_count(const taut_web *web, int s, int direction);
@@ -129,6 +133,20 @@ int taut_web_make(taut_web *web)
     return (int)status;
 }
 
+/* The model as a draft of so many steps from another's; -1: there is no way from there. */
+int taut_web_draft(taut_web *web, const taut_web *before, int steps)
+{
+    taut_model *made = NULL;
+    const taut_status status = taut_draft(web->problem, before->model, steps, &made, &last);
+
+    if (made == NULL) {
+        return status == TAUT_OK ? -1 : (int)status;
+    }
+    taut_model_free(web->model);
+    web->model = made;
+    return 0;
+}
+
 /* Proves the model, with its problem where that was opened. */
 int taut_web_certify(taut_web *web)
 {
@@ -193,18 +211,31 @@ static void fill_parameters(const taut_basis *basis, int count, double *t)
     }
 }
 
-/* x, x_u, x_v to the position and the unit normal, 0 where there is none. */
+static double larger(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+/* x, x_u, x_v to the position and the unit normal, 0 where there is none. Over its largest part, the length is in range
+ * whatever the unit. */
 static void take_point(const double x[9], float position[3], float normal[3])
 {
-    double n[3], length = 0;
+    double n[3], size = 0, length = 0;
+
     for (int c = 0; c < 3; c++) {
         const int a = (c + 1) % 3, b = (c + 2) % 3;
         n[c] = x[3 + a] * x[6 + b] - x[3 + b] * x[6 + a];
+        size = larger(size, fabs(n[c]));
     }
-    length = hypot(hypot(n[0], n[1]), n[2]);
+    const double part = size > 0 ? 1 / size : 0;
+    for (int c = 0; c < 3; c++) {
+        n[c] = isfinite(part) ? n[c] * part : n[c] / size;
+        length += n[c] * n[c];
+    }
+    const double unit = length > 0 ? 1 / sqrt(length) : 0;
     for (int c = 0; c < 3; c++) {
         position[c] = (float)x[c];
-        normal[c] = length > 0 ? (float)(n[c] / length) : 0;
+        normal[c] = size > 0 ? (float)(n[c] * unit) : 0;
     }
 }
 
@@ -253,13 +284,13 @@ const float *taut_web_grid(taut_web *web, int s, int nu, int nv)
     return status == TAUT_OK ? web->grid : NULL;
 }
 
-/* float[2][nu][nv]: mean, then Gaussian curvature at the same parameters, NaN where there is no normal;
- * else as taut_web_grid. */
+/* float[3][nu][nv]: mean, then Gaussian curvature at the same parameters, NaN where there is no normal, then how far the
+ * parameters are from isothermal, as figures have it; else as taut_web_grid. */
 const float *taut_web_curvatures(taut_web *web, int s, int nu, int nv)
 {
     const taut_surface *surface = surface_at(web, s);
     double *u, *v;
-    void *room = take_grid(web, surface, nu, nv, 2, sizeof(taut_forms), &u, &v);
+    void *room = take_grid(web, surface, nu, nv, 3, sizeof(taut_forms), &u, &v);
 
     if (room == NULL) {
         return NULL;
@@ -270,9 +301,34 @@ const float *taut_web_curvatures(taut_web *web, int s, int nu, int nv)
     for (size_t k = 0; status == TAUT_OK && k < count; k++) {
         web->grid[k] = (float)forms[k].mean;
         web->grid[count + k] = (float)forms[k].gaussian;
+        web->grid[2 * count + k] = (float)(taut_hypot(forms[k].e - forms[k].g, 2 * forms[k].f) /
+                                           (forms[k].e + forms[k].g));
     }
     free(room);
     return status == TAUT_OK ? web->grid : NULL;
+}
+
+/* float[nu][nv]: how much area there is above what the witness in the model's details proves to be the least, per area of what
+ * it flows through, at the same parameters (measure/dual/density.h). NULL too where there is no witness. */
+const float *taut_web_gaps(taut_web *web, int s, int nu, int nv)
+{
+    const taut_surface *surface = surface_at(web, s);
+    taut_dual_density *density = NULL;
+    double *u, *v;
+    void *room = take_grid(web, surface, nu, nv, 1, 0, &u, &v);
+
+    if (room == NULL ||
+        taut_dual_density_new(surface, taut_model_details(web->model), &density) != TAUT_OK ||
+        density == NULL) {
+        free(room);
+        return NULL;
+    }
+    for (int k = 0; k < nu * nv; k++) {
+        web->grid[k] = (float)taut_dual_density_at(density, u[k / nv], v[k % nv]);
+    }
+    taut_dual_density_free(density);
+    free(room);
+    return web->grid;
 }
 
 /* The curves of the model; 0 before it is made. */

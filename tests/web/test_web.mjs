@@ -100,6 +100,38 @@ test("a point that is set moves the surface as the program would", () => {
   model.close();
 });
 
+test("a draft leads to the film that is made", () => {
+  const document = { ...JSON.parse(read("film-sail.json")), least: false };
+  const before = taut.open(JSON.stringify(document));
+  before.make();
+  document.corners.u0v0 = [-1.1, -0.9, 0.65];
+  const film = taut.open(JSON.stringify(document)), draft = taut.open(JSON.stringify(document));
+  film.make();
+  assert.equal(draft.draft(before), true);
+  assert.equal(draft.draft(draft, 40), true);
+  const points = film.points(0).points.slice(), drafted = draft.points(0).points;
+  assert.deepEqual([...drafted.subarray(0, 3)], document.corners.u0v0);
+  assert.ok(points.every((/** @type {number} */ x, /** @type {number} */ k) => Math.abs(x - drafted[k]) < 0.05)); // they slide within it
+  assert.equal(draft.curveCount, 4);
+  const other = taut.open(read("dirichlet-tent.json"));
+  assert.equal(other.draft(before), false);
+  for (const surface of [before, film, draft, other]) surface.close();
+});
+
+test("where a film is how far from least its witness says", () => {
+  const surface = taut.open(read("plateau-scherk.json"));
+  surface.make();
+  const gaps = surface.gaps(0, 9, 9);
+  assert.ok(gaps !== null && gaps.every((/** @type {number} */ gap) => gap > -1e-6 && gap < 0.01));
+  const { isothermality } = surface.curvatures(0, 9, 9);
+  assert.ok(isothermality.every((/** @type {number} */ x) => x >= 0 && x <= 1));
+  surface.close();
+  const tent = taut.open(read("dirichlet-tent.json"));
+  tent.make();
+  assert.equal(tent.gaps(0, 9, 9), null);
+  tent.close();
+});
+
 test("a grid lies on the surface", () => {
   const surface = taut.open(read("dirichlet-tent.json"));
   surface.make();

@@ -11,8 +11,8 @@
  * worked out. */
 typedef struct taut_direction {
     taut_band k, m;
-    double weight; /* su, sv */
-    taut_modes *modes;
+    double weight;           /* su, sv */
+    const taut_modes *modes; /* lent (numeric/modes_lent.h) */
 } taut_direction;
 
 struct taut_tensor_solver {

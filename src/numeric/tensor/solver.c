@@ -2,6 +2,7 @@
 
 #include "core/arena.h"
 #include "core/memory.h"
+#include "numeric/modes_lent.h"
 #include "numeric/tensor/apply.h"
 #include "numeric/tensor/internal.h"
 
@@ -43,21 +44,6 @@ static taut_status check_definite(const taut_tensor_solver *solver, const double
     return status;
 }
 
-/* Rounding leaves eigenvalues that are zero a little to either side; below zero they would spoil
- * definiteness. Those that are truly negative are left for check_definite to find. */
-static void clamp_values(taut_modes *modes)
-{
-    double most = 0.0;
-    for (int i = 0; i < modes->n; i++) {
-        most = fmax(most, fabs(modes->values[i]));
-    }
-    for (int i = 0; i < modes->n; i++) {
-        if (modes->values[i] < 0.0 && modes->values[i] > -0x1p-40 * most) {
-            modes->values[i] = 0.0;
-        }
-    }
-}
-
 /* M must be definite also where no modes are made. */
 static taut_status copy_direction(const taut_band *k, const taut_band *m, taut_direction *out)
 {
@@ -82,12 +68,7 @@ static taut_status copy_direction(const taut_band *k, const taut_band *m, taut_d
 
 static taut_status make_modes(taut_direction *direction, taut_pulse *pulse)
 {
-    const taut_status status =
-        taut_modes_new(&direction->k, &direction->m, pulse, &direction->modes);
-    if (status == TAUT_OK) {
-        clamp_values(direction->modes);
-    }
-    return status;
+    return taut_modes_lend(&direction->k, &direction->m, pulse, &direction->modes);
 }
 
 /* Modes of one direction are enough; those of the other, where it pays, make solves for boundary
@@ -155,7 +136,7 @@ void taut_tensor_solver_free(taut_tensor_solver *solver)
     for (int d = 0; d < 2; d++) {
         taut_direction *direction = &solver->direction[d];
         if (d == 0 || !solver->has_shared) {
-            taut_modes_free(direction->modes);
+            taut_modes_give_back(direction->modes);
         }
         taut_band_clear(&direction->k);
         taut_band_clear(&direction->m);
