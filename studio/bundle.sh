@@ -1,5 +1,5 @@
 #!/bin/sh
-# bundle.sh WASM VERSION PAGE -- the page of the studio, one file: scripts by esbuild, the library, three.js, the examples and the schema
+# bundle.sh WASM VERSION PAGE -- the page of the studio, one file: scripts by esbuild, the library, three.js, the examples, the schema and what helps against errors
 # as gzip in base64. @problem@ is left in it, for `taut studio`.
 set -eu
 wasm=$1 version=$2 page=$3
@@ -24,6 +24,7 @@ esbuild "$here/main.js" --bundle --minify --format=iife --target=es2021 --charse
     printf '}'
 } > "$work/examples"
 cp "$wasm" "$work/wasm"
+awk -f "$here/reasons.awk" "$root"/include/taut/*.h > "$work/reasons"
 cp "$root/docs/schema/problem.json" "$work/schema"
 cp "$root/src/page/viewer/three/three.min.js" "$work/three"
 mv "$work/worker.js" "$work/worker"
@@ -37,7 +38,7 @@ part() {
     sed '/@style@/,$d' "$here/page.html"
     cat "$here/style.css"
     sed '1,/@style@/d; /@parts@/,$d' "$here/page.html"
-    for name in wasm three worker examples schema; do
+    for name in wasm three worker examples schema reasons; do
         part $name
     done
     sed '1,/@parts@/d; /@script@/,$d' "$here/page.html"

@@ -5,8 +5,8 @@ import { Channel } from "./channel.js";
 const PATIENCE_MS = 400; // with a draft or a proof that nobody waits for any more
 
 /**
- * @typedef {{ name: string, lines: number, positions: Float32Array, normals: Float32Array, mean: Float32Array,
- *   gaussian: Float32Array, net: { nu: number, nv: number, points: Float64Array } }} Drawn
+ * @typedef {{ name: string, lines: number, positions: Float32Array, normals: Float32Array, mean: Float32Array | null,
+ *   gaussian: Float32Array | null, isothermality: Float32Array | null, net: { nu: number, nv: number, points: Float64Array } }} Drawn
  */
 
 export class Engine {
@@ -47,11 +47,13 @@ export class Engine {
    * What is to be drawn; null where a newer one was asked for and this one may be dropped.
    * @param {string} text
    * @param {boolean} mayDrop
-   * @returns {Promise<{ surfaces: Drawn[], curves: Float32Array[] } | null>}
+   * @param {number} budget  milliseconds for steps from what was drawn last, where that can be; 0: it is made
+   * @param {boolean} hasFields  with curvatures and isothermality, which take longer than the rest
+   * @returns {Promise<{ surfaces: Drawn[], curves: Float32Array[], isRough: boolean } | null>}
    */
-  async draft(text, mayDrop) {
+  async draft(text, mayDrop, budget, hasFields) {
     const start = performance.now();
-    const message = { kind: "draft", text };
+    const message = { kind: "draft", text, budget, hasFields };
     if (this.drawing.asked !== null && start - this.draftBegan > PATIENCE_MS) this.drawing.restart();
     if (this.drawing.asked === null) this.draftBegan = start;
     const reply = await (mayDrop ? this.drawing.newest(message) : this.drawing.ask(message));
@@ -65,7 +67,7 @@ export class Engine {
   /**
    * The model with its certificate, the program's bytes; null where a newer one was asked for.
    * @param {string} text
-   * @returns {Promise<{ holds: boolean | null, json: string } | null>}
+   * @returns {Promise<{ holds: boolean | null, json: string, gaps: (Float32Array | null)[] } | null>}
    */
   async proof(text) {
     const start = performance.now();

@@ -7,11 +7,15 @@ import { readable } from "./number.js";
 import { Panel } from "./panel.js";
 import { bytesOf, runPart, textOf } from "./parts.js";
 import { showProof } from "./proof.js";
+import { remedyOf } from "./remedy.js";
 import { Scene } from "./scene.js";
 import { documentOf, fragmentOf, keep, kept } from "./share.js";
 import { Studio } from "./studio.js";
 
 const EXPORTS = [["step", "STEP"], ["obj", "OBJ mesh"], ["stl", "STL mesh"], ["ply", "PLY mesh"], ["glb", "GLB mesh"], ["vtu", "VTU"], ["svg", "SVG picture"]];
+
+/** @type {Record<string, string>} Colours from 0 on, with their names. */
+const ONE_SIDED = { change: "moved", isothermality: "from isothermal", gap: "gap per area" };
 
 const at = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document.getElementById(id));
 const input = (/** @type {string} */ id) => /** @type {HTMLInputElement} */ (at(id));
@@ -20,10 +24,20 @@ const input = (/** @type {string} */ id) => /** @type {HTMLInputElement} */ (at(
 let studio;
 /** @type {Scene} */
 let scene;
+/** @type {import("./remedy.js").Remedies} */
+let remedies = {};
 
+/** What is wrong, where, and what helps: in the picture and at the member. */
 function showFault(/** @type {Panel} */ panel, /** @type {import("./studio.js").Failure | null} */ error) {
   at("fault").hidden = error === null;
-  at("fault").textContent = error === null ? "" : (error.where ? `${error.where}: ` : "") + error.message;
+  at("fault").replaceChildren();
+  if (error !== null) {
+    const construct = error.construct ?? studio?.document?.construct, remedy = remedyOf(remedies, construct, error.reason);
+    const rest = [error.where ? `at ${error.where}` : "", remedy ? `what helps: ${remedy}` : ""].filter((part) => part !== "").join(" · ");
+    const small = document.createElement("small");
+    small.textContent = rest;
+    at("fault").append(error.message, small);
+  }
   panel.mark(error);
 }
 
@@ -56,9 +70,13 @@ function showChosen(/** @type {import("./places.js").Place[]} */ places) {
 
 function showLegend() {
   at("legend").hidden = scene.colour === "none";
-  at("legend-low").textContent = scene.colour === "change" ? "moved 0" : `${scene.colour} ${readable(-scene.limit, 3)}`;
-  at("legend").classList.toggle("one-sided", scene.colour === "change");
-  at("legend-high").textContent = readable(scene.limit, 3);
+  const oneSided = ONE_SIDED[scene.colour];
+  at("legend-name").textContent = oneSided ?? scene.colour;
+  const isTold = scene.colour !== "gap" || scene.gaps.some((gap) => gap !== null);
+  at("legend").classList.toggle("untold", !isTold);
+  at("legend-low").textContent = oneSided ? "0" : readable(-scene.limit, 3);
+  at("legend").classList.toggle("one-sided", oneSided !== undefined);
+  at("legend-high").textContent = isTold ? readable(scene.limit, 3) : "no witness tells it";
 }
 
 /** @returns {import("./studio.js").Views} */
@@ -66,6 +84,7 @@ function viewsOf(/** @type {Panel} */ panel) {
   return {
     proof(certificate, isDraft) {
       showProof(at("proof"), certificate, isDraft);
+      showLegend();
       at("state").textContent = isDraft ? "draft" : "";
     },
     document(problem) {
@@ -77,6 +96,7 @@ function viewsOf(/** @type {Panel} */ panel) {
     fault: (error) => showFault(panel, error),
     chosen: showChosen,
     busy: (word) => { at("state").textContent = word; },
+    legend: showLegend,
   };
 }
 
@@ -102,7 +122,7 @@ function toggleDark() {
 
 function showColour(/** @type {string} */ colour) {
   input("colour").value = colour;
-  scene.setColour(colour);
+  studio.colour(colour);
   showLegend();
 }
 
@@ -143,8 +163,11 @@ function actionsOf(/** @type {Hand} */ hand) {
     { menu: "View", name: "Colour by H", key: "H", act: () => showColour(scene.colour === "H" ? "none" : "H") },
     { menu: "View", name: "Colour by K", key: "K", act: () => showColour(scene.colour === "K" ? "none" : "K") },
     { menu: "View", name: "Colour by what moved", key: "M", act: () => showColour(scene.colour === "change" ? "none" : "change") },
+    { menu: "View", name: "Colour by isothermality", key: "I", act: () => showColour(scene.colour === "isothermality" ? "none" : "isothermality") },
+    { menu: "View", name: "Colour by the gap to the least area", key: "G", act: () => showColour(scene.colour === "gap" ? "none" : "gap") },
     { menu: "View", name: "Reflection lines", key: "R", act: () => showLines(input("lines").value === "reflection" ? "none" : "reflection") },
     { menu: "View", name: "Height lines", key: "Z", act: () => showLines(input("lines").value === "height" ? "none" : "height") },
+    { menu: "View", name: "Curvature combs", key: "C", act: () => showLines(input("lines").value === "combs" ? "none" : "combs") },
     { menu: "View", name: "Light or dark", key: "D", act: toggleDark },
     { menu: "Help", name: "Keys", key: "?", act: () => /** @type {HTMLDialogElement} */ (at("keys")).showModal() },
   ];
@@ -195,10 +218,12 @@ function offerKept(/** @type {string | null} */ before, /** @type {any} */ given
 }
 
 async function start() {
-  const [wasm, worker, schema, examples] = await Promise.all([bytesOf("wasm"), textOf("worker"), textOf("schema"), textOf("examples"), runPart("three")]);
+  const [wasm, worker, schema, examples, reasons] = await Promise.all(
+    [bytesOf("wasm"), textOf("worker"), textOf("schema"), textOf("examples"), textOf("reasons"), runPart("three")]);
+  remedies = JSON.parse(reasons);
   const engine = new Engine(worker, wasm), before = kept();
   scene = new Scene(/** @type {HTMLCanvasElement} */ (at("canvas")));
-  const panel = new Panel(at("panel"), JSON.parse(schema), (pointer, value) => studio.set(pointer, value));
+  const panel = new Panel(at("panel"), JSON.parse(schema), (pointer, value) => studio.set(pointer, value), (pointer, value) => studio.preview([{ pointer, value }]));
   studio = new Studio(engine, scene, viewsOf(panel));
   /** @type {Hand} */
   const hand = new Hand(scene, {

@@ -67,11 +67,13 @@ export class Panel {
    * @param {HTMLElement} place
    * @param {Schema} root
    * @param {(pointer: string, value: unknown) => Promise<unknown>} change
+   * @param {(pointer: string, value: unknown) => unknown} preview  what a slider says while it is held
    */
-  constructor(place, root, change) {
+  constructor(place, root, change, preview = () => {}) {
     this.place = place;
     this.root = root;
     this.change = change;
+    this.preview = preview;
   }
 
   /** All fields anew; what had the focus has it again. */
@@ -180,7 +182,10 @@ export class Panel {
     slider.step = "any";
     slider.value = String(value);
     slider.setAttribute("aria-label", pointer);
-    slider.addEventListener("input", () => { input.value = String(Number(Number(slider.value).toPrecision(4))); });
+    slider.addEventListener("input", () => {
+      input.value = String(Number(Number(slider.value).toPrecision(4)));
+      this.preview(pointer, Number(input.value));
+    });
     slider.addEventListener("change", () => this.change(pointer, Number(input.value)).catch(() => {}));
     return slider;
   }

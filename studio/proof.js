@@ -24,12 +24,13 @@ function element(/** @type {string} */ tag, /** @type {string} */ style, /** @ty
 }
 
 function rowOf(/** @type {Claim} */ claim) {
-  const row = document.createElement("tr"), first = element("th", "", claim.claim), second = element("td", "");
+  const row = element("tr", "claim"), first = element("th", "", claim.claim), second = element("td", "");
   first.title = claim.where ? `at ${claim.where}` : "";
   first.append(document.createElement("br"), element("small", "", claim.kind));
-  const sign = ABOVE.has(claim.claim) ? "above" : "limit";
-  second.append(element("span", styleOf(claim.holds), verdictOf(claim.holds)),
-    element("small", "number", ` ${readable(claim.residual, 3)}, ${sign} ${readable(claim.limit, 3)}`));
+  const sign = ABOVE.has(claim.claim) ? "above" : "limit", line = element("span", "row");
+  const numbers = claim.residual === null ? `${sign} ${readable(claim.limit, 3)}` : `${readable(claim.residual, 3)}, ${sign} ${readable(claim.limit, 3)}`;
+  line.append(element("span", styleOf(claim.holds), verdictOf(claim.holds)), element("small", "number", numbers));
+  second.append(line);
   if (claim.limit !== null && claim.limit > 0) {
     const bar = element("span", `bar ${styleOf(claim.holds)}`), fill = document.createElement("i"), limit = document.createElement("b");
     fill.style.width = `${placeOnBar(claim.residual)}%`;

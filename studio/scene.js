@@ -1,6 +1,7 @@
 // scene.js -- what stands before the camera: surfaces, nets, the points that can be taken. Everything is drawn in a cube
 // of side 2 about the origin, so that a surface of a micrometre looks as one of a kilometre.
 // @ts-check
+import { combsOf } from "./combs.js";
 import { colourOf, lineMaterial, look, pointMaterial, surfaceMaterial } from "./shading.js";
 
 /** @typedef {import("./engine.js").Drawn} Drawn */
@@ -8,7 +9,11 @@ import { colourOf, lineMaterial, look, pointMaterial, surfaceMaterial } from "./
 /** @typedef {import("./places.js").Edge} Edge */
 
 const FIRST_VIEW = { azimuth: -55, elevation: 28 };
+const FIELDS = new Set(["H", "K", "isothermality"]);
+const MARGIN = 1.1; // of the picture about the ball that holds everything
 const NET_MOST = 4000; // points of a net that is drawn
+const COMBS = 8; // lines of a surface that have one each way, beside the last
+const COMB_LENGTH = 0.25; // of the half of the cube
 
 export class Scene {
   constructor(/** @type {HTMLCanvasElement} */ canvas) {
@@ -25,20 +30,24 @@ export class Scene {
     this.surfaces = new THREE.Group();
     this.net = new THREE.Group();
     this.curves = new THREE.Group();
+    this.combs = new THREE.Group();
     this.handles = new THREE.Group();
-    this.scene.add(this.surfaces, this.net, this.curves, this.handles);
+    this.scene.add(this.surfaces, this.net, this.curves, this.combs, this.handles);
     this.box = { centre: [0, 0, 0], half: 1 };
     this.colour = "none";
     this.limit = 0;
     this.hasNet = true;
+    this.hasCombs = false;
+    /** @type {(Float32Array | null)[]} */
+    this.gaps = []; // of what is drawn, once it is proved
     /** @type {Drawn[]} */
     this.before = []; // as it was before the change
     /** @type {Drawn[]} */
     this.drawn = [];
     /** @type {Float32Array[]} */
     this.courses = [];
-    /** @type {{ edge: any, net: any, curve: any, taken: any }} */
-    this.materials = { edge: null, net: null, curve: null, taken: null };
+    /** @type {{ edge: any, net: any, curve: any, comb: any, taken: any }} */
+    this.materials = { edge: null, net: null, curve: null, comb: null, taken: null };
     this.restyle();
     new ResizeObserver(() => { this.resize(); this.render(); }).observe(/** @type {Element} */ (canvas.parentElement));
   }
@@ -49,7 +58,9 @@ export class Scene {
     for (const [name, variable] of [["plain", "--surface"], ["ink", "--net"], ["taken", "--mark"]]) {
       /** @type {any} */ (look)[name].value = colourOf(variable);
     }
-    this.materials = { edge: lineMaterial("--ink", 2), net: lineMaterial("--net", 1), curve: lineMaterial("--mark", 2.5), taken: lineMaterial("--mark", 3) };
+    Object.values(this.materials).forEach((material) => material?.dispose());
+    this.materials = { edge: lineMaterial("--ink", 2), net: lineMaterial("--net", 1), curve: lineMaterial("--mark", 2.5),
+      comb: lineMaterial("--comb", 1), taken: lineMaterial("--mark", 3) };
     this.show(this.drawn);
     this.showCurves(this.courses);
   }
@@ -75,7 +86,7 @@ export class Scene {
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.renderer.setSize(width, height, false);
     look.pixels.value = this.renderer.getPixelRatio();
-    const half = 1.25 * Math.max(1, height / width);
+    const half = MARGIN * Math.max(1, height / width);
     Object.assign(this.camera, { top: half, bottom: -half, left: -half * width / height, right: half * width / height });
     this.camera.updateProjectionMatrix();
   }
@@ -138,11 +149,12 @@ export class Scene {
 
   /** Surfaces as they were drawn last; the same grid again only moves. */
   show(/** @type {Drawn[]} */ drawn) {
+    if (drawn !== this.drawn) this.gaps = [];
     this.drawn = drawn;
     this.clear(this.net);
     this.clear(this.surfaces);
     const fields = drawn.map((surface, s) => this.fieldOf(surface, s));
-    this.limit = limitOf(fields);
+    this.limit = this.colour === "none" ? 0 : limitOf(fields);
     look.coloured.value = this.colour === "none" ? 0 : 1;
     for (const [s, surface] of drawn.entries()) {
       const positions = this.inCube(surface.positions);
@@ -151,8 +163,29 @@ export class Scene {
       const { nu, nv, points } = surface.net;
       if (nu * nv <= NET_MOST) this.net.add(this.lines(linesOf(nu, nv), this.inCube(points), this.materials.net));
     }
-    this.net.children.forEach((/** @type {any} */ child, /** @type {number} */ k) => { child.visible = k % 2 === 0 || this.hasNet; });
+    this.net.children.forEach((/** @type {any} */ child) => { child.visible = child.material !== this.materials.net || this.hasNet; });
+    this.showCombs();
     this.draw();
+  }
+
+  /** What the witness of a film says of what is drawn. */
+  setGaps(/** @type {(Float32Array | null)[]} */ gaps) {
+    this.gaps = gaps;
+    if (this.colour === "gap") this.show(this.drawn);
+  }
+
+  /** A comb on every eighth line of a grid each way and on each curve. */
+  showCombs() {
+    this.clear(this.combs);
+    if (!this.hasCombs) return;
+    const paths = this.drawn.flatMap(({ lines: n, positions }) => {
+      const points = this.inCube(positions), every = Math.max(1, Math.floor((n - 1) / COMBS));
+      const numbers = Array.from({ length: Math.floor((n - 1) / every) + 1 }, (_, k) => k * every);
+      return numbers.flatMap((k) => [row(k, n), column(k, n, n)]).map((path) => ({ path, points }));
+    });
+    for (const course of this.courses) paths.push({ path: Array.from({ length: course.length / 3 }, (_, k) => k), points: this.inCube(course) });
+    const pairs = combsOf(paths, COMB_LENGTH);
+    if (pairs.length > 0) this.combs.add(this.segments(pairs, this.materials.comb));
   }
 
   /** What is drawn now is what changes are measured from; `isNothing`: from nothing. */
@@ -160,12 +193,25 @@ export class Scene {
     this.before = isNothing ? [] : this.drawn;
   }
 
+  /** Is it coloured by what the library has to find at each point? */
+  get needsFields() {
+    return FIELDS.has(this.colour);
+  }
+
+  get lacksFields() {
+    return this.needsFields && this.drawn.some(({ mean }) => mean === null);
+  }
+
   /** The values that a surface is coloured by. */
   fieldOf(/** @type {Drawn} */ surface, /** @type {number} */ s) {
-    if (this.colour === "K") return surface.gaussian;
-    if (this.colour !== "change") return surface.mean;
+    const none = new Float32Array(surface.positions.length / 3).fill(NaN);
+    if (this.colour === "H") return surface.mean ?? none;
+    if (this.colour === "K") return surface.gaussian ?? none;
+    if (this.colour === "isothermality") return surface.isothermality ?? none;
+    if (this.colour === "gap") return this.gaps[s] ?? none;
+    if (this.colour !== "change") return none;
     const before = this.before[s]?.positions;
-    return surface.mean.map((_, k) => before?.length !== surface.positions.length ? 0 :
+    return none.map((_, k) => before?.length !== surface.positions.length ? 0 :
       Math.hypot(...[0, 1, 2].map((c) => surface.positions[3 * k + c] - before[3 * k + c])));
   }
 
@@ -185,8 +231,13 @@ export class Scene {
     for (const path of paths) {
       for (let k = 0; k + 1 < path.length; k++) pairs.push(...points.subarray(3 * path[k], 3 * path[k] + 3), ...points.subarray(3 * path[k + 1], 3 * path[k + 1] + 3));
     }
+    return this.segments(pairs.length > 0 ? pairs : [0, 0, 0, 0, 0, 0], material);
+  }
+
+  /** Segments between pairs of points. */
+  segments(/** @type {number[]} */ pairs, /** @type {any} */ material) {
     const geometry = new THREE.LineSegmentsGeometry();
-    geometry.setPositions(pairs.length > 0 ? pairs : [0, 0, 0, 0, 0, 0]);
+    geometry.setPositions(pairs);
     return new THREE.LineSegments2(geometry, material);
   }
 
@@ -197,6 +248,7 @@ export class Scene {
     for (const points of curves) {
       this.curves.add(this.lines([Array.from({ length: points.length / 3 }, (_, k) => k)], this.inCube(points), this.materials.curve));
     }
+    this.showCombs();
     this.draw();
   }
 
@@ -259,9 +311,11 @@ export class Scene {
     this.show(this.drawn);
   }
 
-  /** Lines on the surface: "none", "reflection" of a room of bars, or "height". */
+  /** Lines on the surface: "none", "reflection" of a room of bars, "height", or "combs" of curvature. */
   setLines(/** @type {string} */ kind) {
-    look.stripes.value = ["none", "reflection", "height"].indexOf(kind);
+    look.stripes.value = Math.max(0, ["none", "reflection", "height"].indexOf(kind));
+    this.hasCombs = kind === "combs";
+    this.showCombs();
     this.draw();
   }
 

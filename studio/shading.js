@@ -93,16 +93,19 @@ export const look = {
   ink: { value: null }, taken: { value: null }, pixels: { value: 1 },
 };
 
+/** @type {{ surface: any, point: any }} One of each, as what changes is shared. */
+const materials = { surface: null, point: null };
+
 export function surfaceMaterial() {
   const { plain, coloured, stale, stripes, cut, cutAt } = look;
   cut.value ??= new THREE.Vector3(0, 0, 0);
-  return new THREE.ShaderMaterial({ vertexShader: surfaceVertex, fragmentShader: surfaceFragment, uniforms: { plain, coloured, stale, stripes, cut, cutAt },
+  return materials.surface ??= new THREE.ShaderMaterial({ vertexShader: surfaceVertex, fragmentShader: surfaceFragment, uniforms: { plain, coloured, stale, stripes, cut, cutAt },
     side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1.5, polygonOffsetUnits: 2 });
 }
 
 export function pointMaterial() {
   const { ink, taken, pixels } = look;
-  return new THREE.ShaderMaterial({ vertexShader: pointVertex, fragmentShader: pointFragment, uniforms: { ink, taken, pixels } });
+  return materials.point ??= new THREE.ShaderMaterial({ vertexShader: pointVertex, fragmentShader: pointFragment, uniforms: { ink, taken, pixels } });
 }
 
 export function lineMaterial(/** @type {string} */ colour, /** @type {number} */ width) {

@@ -5,12 +5,13 @@ import { edgesOf, freePlacesOf, placesOf } from "./places.js";
 import { withEdits, withValue } from "./pointer.js";
 
 const PROOF_FOLLOWS_MS = 60; // a proof as quick as this is made while dragging, too
+const DRAG_MS = 8, REST_MS = 100; // steps of a draft while dragging, and when the hand lets go
 
 /**
  * @typedef {import("./pointer.js").Edit} Edit
- * @typedef {{ message: string, reason?: string, where?: string }} Failure
+ * @typedef {{ message: string, reason?: string, where?: string, construct?: string }} Failure  construct: of a document that was not taken
  * @typedef {{ proof(certificate: any, isDraft: boolean): void, document(document: any): void, fault(error: Failure | null): void,
- *   chosen(places: import("./places.js").Place[]): void, busy(word: string): void }} Views  what shows the state
+ *   chosen(places: import("./places.js").Place[]): void, busy(word: string): void, legend(): void }} Views  what shows the state
  */
 
 export class Studio {
@@ -31,6 +32,10 @@ export class Studio {
     this.last = Promise.resolve();
     /** @type {any} */
     this.certificate = null;
+    /** @type {string | undefined} */
+    this.moving = undefined; // the document that a hand makes for now
+    /** @type {{ surfaces: any[], curves: Float32Array[] } | null} */
+    this.good = null; // what the document looks like
   }
 
   get document() {
@@ -51,15 +56,23 @@ export class Studio {
   /** The picture of a document; throws the library's error, and leaves the picture there was, greyed. */
   async draw(/** @type {any} */ document) {
     try {
-      const drawn = await this.engine.draft(JSON.stringify(document), false);
+      const drawn = await this.engine.draft(JSON.stringify(document), false, 0, this.scene.needsFields);
       this.scene.setStale(false);
       this.views.fault(null);
+      this.good = /** @type {any} */ (drawn);
       this.show(/** @type {any} */ (drawn));
     } catch (/** @type {any} */ error) {
+      if (this.good !== null) this.show(this.good);
       this.scene.setStale(true);
-      this.views.fault(error);
+      this.views.fault(Object.assign(error, { construct: document?.construct }));
       throw error;
     }
+  }
+
+  /** Another colour; what it needs of the surfaces is asked for where it was not before. */
+  colour(/** @type {string} */ name) {
+    this.scene.setColour(name);
+    if (this.scene.lacksFields) this.inOrder(() => this.draw(this.document).then(() => this.views.legend())).catch(() => {});
   }
 
   /** What a hand can take: the points of the document, and those that it leaves free, where they are seen. */
@@ -93,16 +106,20 @@ export class Studio {
     const reply = await this.engine.proof(text).catch(() => null);
     if (reply === null || (text !== this.text() && text !== this.moving)) return;
     this.certificate = JSON.parse(reply.json).certificate;
+    this.scene.setGaps(reply.gaps);
     this.views.proof(this.certificate, text !== this.text());
   }
 
   /** One step: the document as `next` makes it; `isOther`: another problem, whose picture is framed anew. */
   change(/** @type {(document: any) => any} */ next, isOther = false) {
     return this.inOrder(async () => {
-      const document = next(this.document);
-      if (this.moving === undefined) this.scene.remember(isOther);
-      await this.draw(document);
-      this.moving = undefined;
+      const document = next(this.document), { moving } = this;
+      if (moving === undefined) this.scene.remember(isOther);
+      try {
+        await this.draw(document);
+      } finally {
+        if (this.moving === moving) this.moving = undefined;
+      }
       this.history.push(document);
       if (isOther) {
         this.certificate = null;
@@ -147,11 +164,14 @@ export class Studio {
 
   async preview(/** @type {Edit[]} */ edits) {
     const document = withEdits(this.document, edits), text = JSON.stringify(document);
-    if (this.moving === undefined) this.scene.remember(false);
+    if (this.moving === undefined) {
+      this.scene.remember(false);
+      this.views.proof(this.certificate, true);
+    }
     this.moving = text;
     this.handOn(document);
     try {
-      const drawn = await this.engine.draft(text, true);
+      const drawn = await this.engine.draft(text, true, DRAG_MS, this.scene.needsFields);
       if (drawn === null || this.moving !== text) return;
       this.scene.setStale(false);
       this.views.fault(null);
@@ -164,7 +184,11 @@ export class Studio {
     }
   }
 
-  commit(/** @type {Edit[]} */ edits) {
+  /** What took steps to draw comes to rest in the picture before it is made. */
+  async commit(/** @type {Edit[]} */ edits) {
+    const text = JSON.stringify(withEdits(this.document, edits));
+    const drawn = await this.engine.draft(text, true, REST_MS, this.scene.needsFields).catch(() => null);
+    if (drawn?.isRough && this.moving === text) this.show(drawn);
     return this.change((document) => withEdits(document, edits)).catch(() => this.cancel(false));
   }
 

@@ -4,11 +4,13 @@
 //
 // @ts-check
 import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
 import fs from "node:fs";
 import path from "node:path";
 import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { Channel } from "../../studio/channel.js";
+import { bendAt, combsOf } from "../../studio/combs.js";
 import { alongAxis, distanceTo, editsOf, tidy } from "../../studio/hand.js";
 import { middleOf, withImages } from "../../studio/mirror.js";
 import { History } from "../../studio/history.js";
@@ -17,6 +19,7 @@ import { kindOf, membersOf, resolve, schemaOf } from "../../studio/panel.js";
 import { edgesOf, freePlacesOf, placesOf } from "../../studio/places.js";
 import { below, valueAt, withEdits, withValue } from "../../studio/pointer.js";
 import { placeOnBar, wordOf } from "../../studio/proof.js";
+import { remedyOf } from "../../studio/remedy.js";
 import { documentOf, fragmentOf } from "../../studio/share.js";
 
 const root = path.join(path.dirname(fileURLToPath(import.meta.url)), "../..");
@@ -145,4 +148,29 @@ test("a document travels in an address", async () => {
   }
   assert.equal(await documentOf("#p=***"), null);
   assert.equal(await documentOf("#else"), null);
+});
+
+test("a reason has a remedy", () => {
+  const headers = fs.readdirSync(path.join(root, "include/taut")).map((name) => path.join(root, "include/taut", name));
+  const remedies = JSON.parse(execFileSync("awk", ["-f", path.join(root, "studio/reasons.awk"), ...headers], { encoding: "utf8" }));
+  assert.match(remedyOf(remedies, "film", "cable-too-weak"), /force/);
+  assert.match(remedyOf(remedies, "harmonic-extension", "fault"), /report/);
+  assert.match(remedyOf(remedies, undefined, "syntax"), /line and column/);
+  assert.equal(remedyOf(remedies, "film", "no-such-word"), "");
+  for (const [list, words] of Object.entries(remedies)) {
+    for (const [word, remedy] of Object.entries(words)) assert.ok(/^[a-z0-9-]+$/.test(word) && remedy.length > 3, `${list} ${word}: ${remedy}`);
+  }
+});
+
+test("combs are as long as a curve bends", () => {
+  const radius = 2.5, angle = 0.1; // of a circle, whose middle is where the bend points
+  const points = Float32Array.from({ length: 63 }, (_, k) => [radius * Math.cos(angle * Math.floor(k / 3)), 0, radius * Math.sin(angle * Math.floor(k / 3))][k % 3]);
+  const bend = bendAt(points.subarray(0, 3), points.subarray(3, 6), points.subarray(6, 9));
+  assert.ok(Math.abs(Math.hypot(...bend) - 1 / radius) < 1e-5);
+  assert.ok(Math.abs(bend[0] + Math.cos(angle) / radius) < 1e-4 && bend[1] === 0);
+  const path = Array.from({ length: 21 }, (_, k) => k), pairs = combsOf([{ path, points }], 0.5);
+  assert.equal(pairs.length, 6 * (19 + 18)); // teeth, and the crest between them
+  assert.ok(Math.abs(Math.hypot(pairs[3], pairs[5]) - radius - 0.5) < 1e-3); // away from the middle
+  assert.deepEqual(combsOf([{ path, points: points.map((_, k) => Math.floor(k / 3)) }], 1), []); // a straight line has none
+  assert.deepEqual(bendAt([0, 0, 0], [0, 0, 0], [1, 0, 0]), [0, 0, 0]);
 });

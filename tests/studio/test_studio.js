@@ -104,6 +104,55 @@ async function testExamples(browser) {
     await page.close();
 }
 
+/* Where points are seen from above, which are framed in the middle of a box of the page. */
+function seenFrom(box, points) {
+    const low = [0, 1, 2].map((c) => Math.min(...points.map((p) => p[c]))), high = [0, 1, 2].map((c) => Math.max(...points.map((p) => p[c])));
+    const half = Math.hypot(...low.map((x, c) => (high[c] - x) / 2)), scale = Math.min(box[2], box[3]) / 2 / 1.1 / half;
+    return Object.assign((p) => [box[0] + box[2] / 2 + (p[0] - (low[0] + high[0]) / 2) * scale,
+        box[1] + box[3] / 2 - (p[1] - (low[1] + high[1]) / 2) * scale], { scale });
+}
+
+const canvasOf = (page) => page.evaluate('(() => { const r = document.getElementById("canvas").getBoundingClientRect(); return [r.x, r.y, r.width, r.height]; })()');
+
+/* A sail follows by drafts, says so, and is the program's when the hand lets go; where there is none, the last one stays. */
+async function testDrafts(browser) {
+    const page = await open(browser, write('sail', 'film-sail')), before = await page.evaluate('taut.problem()');
+    await page.until('document.getElementById("proof").dataset.state !== "draft"');
+    await page.evaluate('document.getElementById("canvas").focus()');
+    await page.key('3', '3');
+    const first = await snap(page, 'sail-above', '#stage');
+    const corners = Object.values(before.corners), seen = seenFrom(await canvasOf(page), corners), [x, y] = seen(before.corners.u0v0);
+    await page.mouse('mousePressed', x, y, { buttons: 1 });
+    const solves = (await page.evaluate('taut.stats()')).solves, times = [];
+    for (let k = 1; k <= 20; k++) {
+        await page.mouse('mouseMoved', x - 4 - k, y + 3 + k / 2, { buttons: 1 });
+        await page.until(`taut.stats().solves >= ${solves + k}`);
+        times.push((await page.evaluate('taut.stats()')).draft_ms);
+    }
+    times.sort((a, b) => a - b);
+    console.log('a sail of 12 x 12 points follows within ' + times[10].toFixed(0) + ' ms, the middle of 20');
+    check(await page.evaluate('document.getElementById("proof").dataset.state') === 'draft', 'a draft says so');
+    check(differs(first, await snap(page, 'sail-drag', '#stage')) > 0.01, 'the sail follows');
+    await page.mouse('mouseReleased', x - 24, y + 13);
+    await page.until(`taut.problem().corners.u0v0[0] !== ${before.corners.u0v0[0]}`);
+    await page.until('document.getElementById("proof").dataset.state !== "draft"');
+    const after = await page.evaluate('taut.problem()');
+    check(same(await page.evaluate('taut.model()'), made(after)), 'the sail is the program\'s');
+    for (const [key, name] of [['i', 'isothermality'], ['g', 'gap'], ['c', 'combs'], ['c', 'none'], ['k', 'K']]) {
+        await page.evaluate('document.getElementById("canvas").focus()');
+        const plain = await snap(page, 'sail-plain', '#stage');
+        await page.key(key);
+        check(differs(plain, await snap(page, 'sail-' + name, '#stage')) > 0.001, name + ' is seen');
+    }
+    check((await page.evaluate('document.getElementById("legend-name").textContent')) === 'K', 'the legend says what is coloured');
+    const error = await failure(page, 'taut.set("/edges/u0/cable/force", 0.2)');
+    check(error && error.reason === 'cable-too-weak', 'a cable that is too weak: ' + JSON.stringify(error));
+    check(/what helps: .*force/.test(await page.evaluate('document.getElementById("fault").textContent')), 'and what helps');
+    check(same(await page.evaluate('taut.problem()'), after), 'the sail stays');
+    quiet(page, 'drafts');
+    await page.close();
+}
+
 /* A point under a hand: where it is seen is asked of the page's own picture. */
 async function testHand(browser) {
     const page = await open(browser, write('hand', 'dirichlet-tent'));
@@ -111,12 +160,9 @@ async function testHand(browser) {
     await page.evaluate('document.getElementById("canvas").focus()');
     await page.key('3', '3'); /* from above: x to the right, y up */
     await page.settled();
-    const box = await page.evaluate('(() => { const r = document.getElementById("canvas").getBoundingClientRect(); return [r.x, r.y, r.width, r.height]; })()');
-    /* a corner of a box that is framed in the middle */
-    const flat = before.points.flat().filter((p) => p !== null);
-    const low = [0, 1, 2].map((c) => Math.min(...flat.map((p) => p[c]))), high = [0, 1, 2].map((c) => Math.max(...flat.map((p) => p[c])));
-    const half = Math.hypot(...low.map((x, c) => (high[c] - x) / 2)), scale = Math.min(box[2], box[3]) / 2 / 1.25 / half;
-    const seen = (p) => [box[0] + box[2] / 2 + (p[0] - (low[0] + high[0]) / 2) * scale, box[1] + box[3] / 2 - (p[1] - (low[1] + high[1]) / 2) * scale];
+    const box = await canvasOf(page);
+    const seen = seenFrom(box, before.points.flat().filter((p) => p !== null));
+    const scale = seen.scale;
     const [x, y] = seen(before.points[0][0]);
     await page.mouse('mouseMoved', x, y, { button: 'none' });
     await page.mouse('mousePressed', x, y, { buttons: 1 });
@@ -244,6 +290,7 @@ async function main() {
         check(fs.statSync(write('size')).size <= 1.6e6, 'the page is ' + fs.statSync(write('size')).size + ' bytes');
         await testScripts(browser);
         await testHand(browser);
+        await testDrafts(browser);
         await testShare(browser);
         await testExamples(browser);
         await testAccess(browser);
