@@ -74,6 +74,11 @@ typedef struct taut_pattern_compensation {
     double seam;
 } taut_pattern_compensation;
 
+/* Of the mounted cloth, in kN/m, with moduli that are the cloth's own: e = D^-1 s, and c = e/(1 + e) of warp and weft. */
+typedef struct taut_pattern_prestress {
+    double warp, weft;
+} taut_pattern_prestress;
+
 /* How the cloth that is left is cut at corners. */
 typedef enum taut_pattern_corner {
     TAUT_PATTERN_MITRE =
@@ -120,6 +125,8 @@ typedef struct taut_pattern_problem {
     taut_pattern_seam_length seam_length;
     taut_pattern_cloth cloth;
     taut_pattern_compensation compensation;
+    int has_prestress; /* nonzero: in place of warp and weft, what `prestress` makes of them */
+    taut_pattern_prestress prestress;
     taut_pattern_allowance allowance;
     int hem_count; /* at most 4 */
     const taut_pattern_hem *hems;

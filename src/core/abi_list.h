@@ -406,6 +406,10 @@
     X(taut_pattern_material, nu, "double") \
     X(taut_pattern_material, g, "double")
 
+#define TAUT_ABI_MEMBERS_taut_pattern_prestress(X) \
+    X(taut_pattern_prestress, warp, "double") \
+    X(taut_pattern_prestress, weft, "double")
+
 #define TAUT_ABI_MEMBERS_taut_pattern_problem(X) \
     X(taut_pattern_problem, model, "const taut_model *") \
     X(taut_pattern_problem, of, "const taut_problem *") \
@@ -415,6 +419,8 @@
     X(taut_pattern_problem, seam_length, "taut_pattern_seam_length") \
     X(taut_pattern_problem, cloth, "taut_pattern_cloth") \
     X(taut_pattern_problem, compensation, "taut_pattern_compensation") \
+    X(taut_pattern_problem, has_prestress, "int") \
+    X(taut_pattern_problem, prestress, "taut_pattern_prestress") \
     X(taut_pattern_problem, allowance, "taut_pattern_allowance") \
     X(taut_pattern_problem, hem_count, "int") \
     X(taut_pattern_problem, hems, "const taut_pattern_hem *") \
@@ -663,6 +669,7 @@
     X(taut_pattern_hem) \
     X(taut_pattern_marks) \
     X(taut_pattern_material) \
+    X(taut_pattern_prestress) \
     X(taut_pattern_problem) \
     X(taut_pattern_rule) \
     X(taut_pipe_axis) \

@@ -7,7 +7,7 @@
 /*    identifier, ending, what it holds */
 #define TAUT_FORMAT_LIST(X)                                                                        \
     X(threemf, "3mf", "mesh: bodies for printing, with unit, colours and names; --thickness")      \
-    X(csv, "csv", "table: cables of a film, laths of a net, bends of a pipe")                      \
+    X(csv, "csv", "table: cables of a film, laths of a net, cut cloth, bends of a pipe")           \
     X(dxf, "dxf", "drawing: curves on layers as lines and splines, or flat panels, 1:1")           \
     X(geomdl, "geomdl.json", "NURBS-Python's exchange JSON, within --tolerance (1e-6)")            \
     X(glb, "glb", "mesh: triangles with normals for renderers, glTF 2.0 in metres; --colour")      \

@@ -51,6 +51,21 @@ for row, lath in zip(rows, laths):
         assert row[title] == value if isinstance(value, str) else float(row[title]) == value, (title, row[title], value)
 END
 done
+# pieces of cloth
+"$TAUT" example pattern-sail > cloth.json
+run 0 make cloth.json --quiet -o cloth-made.json -o cloth.csv
+python3 - cloth-made.json cloth.csv <<'END' || complain "the table of cloth is not that of the details"
+import csv, json, sys
+pieces = json.load(open(sys.argv[1]))["details"]["pieces"]
+rows = list(csv.DictReader(open(sys.argv[2], newline="")))
+assert len(rows) == len(pieces) == 4
+for row, piece in zip(rows, pieces):
+    right, left = piece["edges"]["right"], piece["edges"]["left"]
+    wanted = {"along": piece["extent"][0], "across": piece["extent"][1], "cut_area": piece["cut_area"], "least_strain": piece["strain"]["min"],
+              "right_flat_length": right["flat_length"], "left_length": left["length"], "end_flat_length": piece["edges"]["end"]["flat_length"]}
+    assert row["name"] == piece["name"] and row["right"] == right.get("seam", "") and row["left"] == left.get("seam", ""), row
+    assert all(float(row[title]) == value for title, value in wanted.items()), (row, wanted)
+END
 printf '%s' '{ "taut": 1, "curves": [{ "t": { "type": "bezier", "degree": 1 }, "points": [[0,0,0],[1,0,0]] }], "details": { "laths": [' \
     '{ "name": "A1", "stress": 7, "nodes": [["a", 1], [], 3, [4], ["b,\"c", 1]] }, { "nodes": "none", "stress": {} }, { "nodes": [] }] } }' > strange.json
 run 0 convert strange.json -o strange.csv

@@ -227,6 +227,18 @@ static double number_of(const taut_record *object, const char *key)
     return found != NULL ? taut_record_number(found) : 0;
 }
 
+/* What a prestress s makes of warp and weft: (e_w, e_f) solves s = D e. */
+static void take_prestress(taut_cloth *cloth, const taut_pattern_material *m)
+{
+    const double s[2] = {cloth->problem->prestress.warp, cloth->problem->prestress.weft};
+    const double d = 1 - m->nu * m->nu * m->e[1] / m->e[0];
+    const double d11 = m->e[0] / d, d22 = m->e[1] / d, d12 = m->nu * m->e[1] / d;
+    const double det = d11 * d22 - d12 * d12;
+    const double e[2] = {(d22 * s[0] - d12 * s[1]) / det, (d11 * s[1] - d12 * s[0]) / det};
+    cloth->warp = 1 - 1 / (1 + e[0]);
+    cloth->weft = 1 - 1 / (1 + e[1]);
+}
+
 static void take_asked(taut_cloth *cloth, const taut_record *details)
 {
     const taut_record *told = taut_record_get(details, "cloth");
@@ -253,6 +265,9 @@ static void take_asked(taut_cloth *cloth, const taut_record *details)
         cloth->thread = cloth->problem->cloth.thread;
         cloth->strain =
             cloth->problem->strain > 0 ? cloth->problem->strain : cloth->problem->rules[0].strain;
+    }
+    if (cloth->problem != NULL && cloth->problem->has_prestress) {
+        take_prestress(cloth, &m);
     }
     const double plain[4] = {1, 1, 0, 0.5};
     memcpy(cloth->law, plain, sizeof plain);

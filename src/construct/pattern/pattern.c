@@ -97,6 +97,21 @@ static taut_status check_rule(const taut_pattern_problem *problem, taut_error *e
     return TAUT_OK;
 }
 
+/* How much smaller cloth is cut that is to be stressed so. */
+static taut_pattern_compensation compensation_of(const taut_pattern_problem *problem)
+{
+    const taut_pattern_material *m = &problem->cloth.material;
+    const double s[2] = {problem->prestress.warp, problem->prestress.weft};
+    taut_pattern_compensation c = problem->compensation;
+    if (problem->has_prestress) {
+        const double warp = (s[0] - m->nu * s[1]) / m->e[0];
+        const double weft = s[1] / m->e[1] - m->nu * s[0] / m->e[0];
+        c.warp = warp / (1 + warp);
+        c.weft = weft / (1 + weft);
+    }
+    return c;
+}
+
 static taut_status check_problem(const taut_pattern_problem *problem, taut_error *error)
 {
     const taut_pattern_compensation *c = problem != NULL ? &problem->compensation : NULL;
@@ -115,6 +130,15 @@ static taut_status check_problem(const taut_pattern_problem *problem, taut_error
     if (status == TAUT_OK) {
         status = check_range(problem->cloth.thread, -4, 4, "value", "/cloth/thread", error);
     }
+    if (status == TAUT_OK) {
+        status = check_material(&problem->cloth.material, error);
+    }
+    if (status == TAUT_OK && problem->has_prestress && !(problem->cloth.material.g > 0)) {
+        return taut_fail(error, TAUT_BAD_INPUT, "material", "/prestress", taut_none, taut_none,
+                         "found a prestress without the moduli of a material");
+    }
+    const taut_pattern_compensation shrunk =
+        status == TAUT_OK ? compensation_of(problem) : (taut_pattern_compensation){.warp = 0};
     const taut_pattern_allowance *a = &problem->allowance;
     const double lengths[4] = {a->seam, a->border, a->overlap, problem->marks.spacing};
     static const char *const left[4] = {"/allowance/seam", "/allowance/border",
@@ -125,9 +149,11 @@ static taut_status check_problem(const taut_pattern_problem *problem, taut_error
     for (int k = 0; status == TAUT_OK && k < problem->hem_count; k++) {
         status = check_range(problem->hems[k].pocket, 0, 1e300, "allowance", "/hems", error);
     }
-    const double shares[3] = {c->warp, c->weft, c->has_seam ? c->seam : 0};
-    static const char *const places[3] = {"/compensation/warp", "/compensation/weft",
-                                          "/compensation/seam"};
+    const double shares[3] = {shrunk.warp, shrunk.weft, c->has_seam ? c->seam : 0};
+    const int pressed = problem->has_prestress;
+    const char *const places[3] = {pressed ? "/prestress/0" : "/compensation/warp",
+                                   pressed ? "/prestress/1" : "/compensation/weft",
+                                   "/compensation/seam"};
     if (status == TAUT_OK) {
         status = check_range(problem->strain, 0, 1, "value", "/strain", error);
     }
@@ -137,7 +163,7 @@ static taut_status check_problem(const taut_pattern_problem *problem, taut_error
     for (int k = 0; status == TAUT_OK && k < 3; k++) {
         status = check_range(shares[k], -0.1, 0.3, "compensation", places[k], error);
     }
-    return status == TAUT_OK ? check_material(&problem->cloth.material, error) : status;
+    return status;
 }
 
 static void take_cut(request *r)
@@ -145,7 +171,7 @@ static void take_cut(request *r)
     const taut_pattern_material *m = &r->problem->cloth.material;
     r->cut = (taut_pattern_cut){.seam_length = r->problem->seam_length,
                                 .has_law = m->g > 0,
-                                .compensation = r->problem->compensation,
+                                .compensation = compensation_of(r->problem),
                                 .thread = r->problem->cloth.thread};
     if (r->cut.has_law) {
         const double d = 1 - m->nu * m->nu * m->e[1] / m->e[0], unit = m->e[0];

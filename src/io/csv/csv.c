@@ -10,6 +10,7 @@
 #include "io/format.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 /* Text with a comma, a quote or an end of line goes in quotes, its own doubled. */
@@ -77,17 +78,32 @@ static void write_list(taut_sink *sink, const taut_record *list)
     taut_sink_text(sink, quote);
 }
 
+/* What a path of members and items leads to; NULL where it leads nowhere. */
+static const taut_record *follow(const taut_record *row, const char *path)
+{
+    while (row != NULL && *path != '\0') {
+        char name[32];
+        const size_t length = strcspn(path, "/");
+        snprintf(name, sizeof name, "%.*s", (int)length, path);
+        if (is_kind(row, TAUT_RECORD_LIST)) {
+            const size_t item = (size_t)(name[0] - '0');
+            row = item < taut_record_count(row) ? taut_record_at(row, item) : NULL;
+        } else {
+            row = is_kind(row, TAUT_RECORD_OBJECT) ? taut_record_get(row, name) : NULL;
+        }
+        path += length + (path[length] == '/');
+    }
+    return row;
+}
+
 static void write_column(taut_sink *sink, const taut_csv_column *column, const taut_record *row)
 {
-    const taut_record *cell = taut_record_get(row, column->member);
+    const taut_record *cell = follow(row, column->member);
     if (column->is_list) {
         write_list(sink, cell);
-        return;
+    } else {
+        write_cell(sink, cell);
     }
-    if (column->inner != NULL) {
-        cell = is_kind(cell, TAUT_RECORD_OBJECT) ? taut_record_get(cell, column->inner) : NULL;
-    }
-    write_cell(sink, cell);
 }
 
 static void write_row(taut_sink *sink, const taut_csv_column *columns, const taut_record *row)

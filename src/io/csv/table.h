@@ -10,8 +10,7 @@
 
 /* A column: a member of each object, and how the table calls it. */
 typedef struct taut_csv_column {
-    const char *member, *title;
-    const char *inner; /* not NULL: a member of that member, which is an object */
+    const char *member, *title; /* "a/b/0": members of members, and items of lists */
     int is_list; /* nonzero: of a list of lists the texts they begin with, with spaces between */
 } taut_csv_column;
 

@@ -14,8 +14,8 @@
 #include <string.h>
 
 static const char *const members[] = {
-    "pattern",   "of",   "surface", "seams",  "seam_length", "cloth", "compensation",
-    "allowance", "hems", "marks",   "strain", "untrim",      NULL};
+    "pattern",   "of",        "surface", "seams", "seam_length", "cloth",  "compensation",
+    "prestress", "allowance", "hems",    "marks", "strain",      "untrim", NULL};
 static const char *const patterns[] = {"cloth", NULL};
 static const char *const lengths[] = {"shared", "true", NULL};
 static const char *const edges[] = {"u0", "u1", "v0", "v1", NULL};
@@ -232,6 +232,30 @@ static taut_status read_compensation(const taut_json *at, void *into, taut_error
     return in.status;
 }
 
+/* In place of warp and weft. */
+static void read_prestress(taut_reader *document, taut_pattern_problem *data)
+{
+    const taut_json at = taut_json_member(document->object, "prestress");
+    const taut_json shares = taut_json_member(document->object, "compensation");
+    const taut_json warp = taut_json_member(&shares, "warp"),
+                    weft = taut_json_member(&shares, "weft");
+
+    data->has_prestress = taut_reader_has(document, "prestress");
+    if (document->status != TAUT_OK || !data->has_prestress) {
+        return;
+    }
+    double stress[2] = {0, 0};
+    taut_reader_numbers(document, "prestress", 2, stress);
+    data->prestress = (taut_pattern_prestress){stress[0], stress[1]};
+    if (document->status == TAUT_OK && taut_reader_has(document, "compensation") &&
+        (taut_json_kind_at(&warp) != TAUT_JSON_MISSING ||
+         taut_json_kind_at(&weft) != TAUT_JSON_MISSING)) {
+        document->status = taut_json_fail(
+            &at, document->error, "conflict", taut_none, taut_none,
+            "found a prestress beside the compensation of warp or weft, expected one of them");
+    }
+}
+
 /* ---- what is left beyond seams ---- */
 
 static taut_status read_left(const taut_json *at, void *into, taut_error *error)
@@ -344,6 +368,7 @@ static void pattern_read(taut_reader *document, taut_problem *problem, void *int
     data->seam_length = (taut_pattern_seam_length)word;
     taut_reader_optional(document, "cloth", read_cloth, &data->cloth);
     taut_reader_optional(document, "compensation", read_compensation, &data->compensation);
+    read_prestress(document, data);
     taut_reader_optional(document, "allowance", read_allowance, &data->allowance);
     read_hems(document, problem->arena, data);
     read_marks(document, data);

@@ -280,6 +280,21 @@ static void test_allowance(void)
     CHECK(areas[1] < areas[0] && areas[2] != areas[0], "%g, %g, %g", areas[0], areas[1], areas[2]);
 }
 
+/* A prestress is the compensation that its strains make. */
+static void test_prestress(void)
+{
+    made_cloth made =
+        cloth_make(SADDLE, "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }], "
+                           "\"cloth\": { \"material\": \"pvc-pes\" }, \"prestress\": [20, 10]");
+    CHECK(made.status == TAUT_OK, "%s", made.error.message);
+    check_holds(&made, "prestress");
+    const taut_record *told = taut_record_get(taut_model_details(made.model), "compensation");
+    const double e[2] = {(20 - 0.2 * 10) / 1000, 10.0 / 700 - 0.2 * 20 / 1000};
+    CHECK_NEAR(taut_record_number(taut_record_get(told, "warp")), e[0] / (1 + e[0]), 1e-16, "warp");
+    CHECK_NEAR(taut_record_number(taut_record_get(told, "weft")), e[1] / (1 + e[1]), 1e-16, "weft");
+    cloth_free(&made);
+}
+
 static void test_refusals(void)
 {
     static const struct {
@@ -321,6 +336,14 @@ static void test_refusals(void)
         {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }], \"hems\": [{ \"edge\": "
          "\"x\", \"pocket\": 1 }]",
          "edge", "/hems/0/edge", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }], \"prestress\": [1, 1]",
+         "material", "/prestress", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }], \"prestress\": [900, 1], "
+         "\"cloth\": { \"material\": \"pvc-pes\" }",
+         "compensation", "/prestress/0", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }], \"prestress\": [1, 1], "
+         "\"compensation\": { \"weft\": 0.1 }, \"cloth\": { \"material\": \"pvc-pes\" }",
+         "conflict", "/prestress", TAUT_BAD_INPUT},
         {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"strain\": 2 }]", "value", "/seams/0/strain",
          TAUT_BAD_INPUT},
         {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"strain\": 1e-9 }]", "strain",
@@ -381,6 +404,7 @@ int main(void)
     test_orientation();
     test_material();
     test_allowance();
+    test_prestress();
     test_refusals();
     test_sizes();
     return check_failures != 0;

@@ -1,0 +1,137 @@
+/* test_cloth.c -- random strips of random surfaces: every claim of the certificate holds, seams are equal to 1e-9, no strain is below what
+ * curvature alone says that none avoids, and pieces that are mounted again by the inverse of their flattening meet along their seams, at
+ * their marks. */
+#include "certificates.h"
+#include "check.h"
+#include "cloths.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { ROUNDS = 16, PLACES = 16 };
+
+/* Four by four points over a square of side 2, up to `height` up or down, edges bent by up to a tenth. */
+static void surface_of(double height, char *text, size_t room)
+{
+    size_t n =
+        (size_t)snprintf(text, room,
+                         "{ \"taut\": 1, \"surfaces\": [{ \"name\": \"s\", \"u\": { \"type\": "
+                         "\"bezier\", \"degree\": 3 }, \"v\": { \"type\": \"bezier\", "
+                         "\"degree\": 3 }, \"points\": [");
+    for (int i = 0; i < 4; i++) {
+        n += (size_t)snprintf(text + n, room - n, "%s[", i > 0 ? ", " : "");
+        for (int k = 0; k < 4; k++) {
+            n += (size_t)snprintf(text + n, room - n, "%s[%.17g, %.17g, %.17g]", k > 0 ? ", " : "",
+                                  -1 + 2.0 * i / 3 + random_in(-0.1, 0.1),
+                                  -1 + 2.0 * k / 3 + random_in(-0.1, 0.1),
+                                  random_in(-height, height));
+        }
+        n += (size_t)snprintf(text + n, room - n, "]");
+    }
+    snprintf(text + n, room - n, "] }] }");
+}
+
+/* The (s, t) of a flat place, by Newton's method from another one. */
+static void find(const taut_surface *flat, const double y[2], double at[2])
+{
+    for (int round = 0; round < 30; round++) {
+        double x[3][3];
+        taut_surface_eval(flat, at[0], at[1], 1, x[0]);
+        const double gap[2] = {y[0] - x[0][0], y[1] - x[0][1]};
+        const double det = x[1][0] * x[2][1] - x[1][1] * x[2][0];
+        at[0] = fmin(fmax(at[0] + (gap[0] * x[2][1] - gap[1] * x[2][0]) / det, 0), 1);
+        at[1] = fmin(fmax(at[1] + (x[1][0] * gap[1] - x[1][1] * gap[0]) / det, 0), 1);
+    }
+}
+
+static const taut_surface *surface_named(const taut_model *model, const char *name)
+{
+    for (int i = 0; i < taut_model_surface_count(model); i++) {
+        if (strcmp(taut_surface_name(taut_model_surface(model, i)), name) == 0) {
+            return taut_model_surface(model, i);
+        }
+    }
+    return NULL;
+}
+
+static const taut_curve *curve_named(const taut_model *model, const char *name)
+{
+    for (int i = 0; i < taut_model_curve_count(model); i++) {
+        if (strcmp(taut_curve_name(taut_model_curve(model, i)), name) == 0) {
+            return taut_model_curve(model, i);
+        }
+    }
+    return NULL;
+}
+
+/* Along each seam: the lines that are sewn, one on either piece, put back on their pieces, are at one and the same share of the seam. */
+static void check_sewn(const made_cloth *made, const char *what)
+{
+    const taut_record *details = taut_model_details(made->model);
+    const taut_record *pieces = taut_record_get(details, "pieces");
+    double worst = 0;
+    for (size_t p = 0; p < taut_record_count(pieces); p++) {
+        const taut_record *piece = taut_record_at(pieces, p);
+        const char *name = taut_record_text(taut_record_get(piece, "name"));
+        for (int side = 0; side < 2; side++) {
+            char line[64];
+            snprintf(line, sizeof line, "%s.%s", name, side == 0 ? "right" : "left");
+            const taut_curve *sewn = curve_named(made->model, line);
+            const taut_surface *flat = surface_named(made->model, name);
+            for (int k = 0; sewn != NULL && flat != NULL && k <= PLACES; k++) {
+                const double s = (double)k / PLACES;
+                double y[3], at[2] = {s, side};
+                taut_curve_eval(sewn, s, 0, y);
+                find(flat, y, at);
+                worst = fmax(worst, fmax(fabs(at[0] - s), fabs(at[1] - side)));
+            }
+        }
+    }
+    CHECK(worst < 1e-7, "%s: a place of a seam comes back %g of it away", what, worst);
+}
+
+static void check_cloth(const made_cloth *made, const char *what)
+{
+    for (int k = 0; k < taut_certificate_claim_count(made->proof); k++) {
+        const taut_claim *claim = taut_certificate_claim(made->proof, k);
+        CHECK(claim->holds == TAUT_TRUE, "%s: %s %g at %s", what, claim->claim, claim->residual,
+              claim->where);
+    }
+    const double least = figure_of(made->proof, "unavoidable_strain");
+    const double most =
+        fmax(figure_of(made->proof, "max_strain"), -figure_of(made->proof, "min_strain"));
+    CHECK(most >= least, "%s: strained by %g, and %g cannot be avoided", what, most, least);
+    check_sewn(made, what);
+}
+
+int main(void)
+{
+    static const char *const edges[] = {"\"v0\", \"v1\"", "\"v1\", \"v0\"", "\"u0\", \"u1\"",
+                                        "\"u1\", \"u0\""};
+    const int trials = random_trials(ROUNDS);
+    int made_count = 0;
+    for (int round = 0; round < trials; round++) {
+        random_seed((uint64_t)round + 1);
+        char surface[4096], members[512];
+        surface_of(0.35, surface, sizeof surface);
+        const double warp = random_in(0, 0.03), left = random_in(0.01, 0.05);
+        snprintf(
+            members, sizeof members,
+            "\"seams\": [{ \"across\": [%s], \"count\": %d }], \"seam_length\": \"%s\", "
+            "\"compensation\": { \"warp\": %.17g, \"weft\": 0.01 }, \"allowance\": { \"seam\": "
+            "%.17g, \"border\": 0.03 }, \"marks\": { \"spacing\": 0.2 }",
+            edges[round % 4], random_int(2, 5), round % 3 == 2 ? "true" : "shared",
+            round % 2 == 0 ? 0 : warp, left);
+        made_cloth made = cloth_make(surface, members);
+        CHECK(made.status == TAUT_OK || made.status == TAUT_NO_SOLUTION, "%d: %s", round,
+              made.error.message);
+        if (made.status == TAUT_OK) {
+            made_count++;
+            check_cloth(&made, members);
+        }
+        cloth_free(&made);
+    }
+    CHECK(2 * made_count > trials, "%d of %d were made", made_count, trials);
+    return check_failures != 0;
+}
