@@ -173,8 +173,8 @@ TAUT_API taut_status taut_trace_make(const taut_trace_problem *problem,
                                      taut_error *error);
 
 /* The laths of a finished net in space, as details tell them: strips of degree 5 x 1, named A1-strip and so on,
- * `solid` nonzero: the six faces of solids of their thickness; and their curves. TAUT_NO_SOLUTION, reasons
- * "width" (the model has none), "missing" (a thickness) and "developable"; TAUT_BAD_INPUT, reason "value". */
+ * `solid` nonzero: the six faces of solids of their thickness; its panels, bilinear patches P1, P2, ...; and the
+ * curves. TAUT_NO_SOLUTION, reasons "width" (the model has neither), "missing" (a thickness) and "developable"; TAUT_BAD_INPUT, reason "value". */
 TAUT_API taut_status taut_trace_strips(const taut_model *model, int solid, taut_model **strips,
                                        taut_error *error);
 

@@ -1,10 +1,11 @@
-/* strips.c -- the laths of a finished net as surfaces in space.
+/* strips.c -- the laths and the panels of a finished net as surfaces in space.
  *
  *     of each curve, at the means of its basis's knots: n from the surface at the window's place, T from the
  *     curve, and what a strip of its kind goes along, d, and across, e: unit but for a ruling's skew
  *     d and e as splines on the curve's basis through those values: a totally positive matrix, factored
  *     without pivots ([PieglTiller1997] 9.2.1)
  *     the strip C + h d, |h| <= w/2, of degree 5 x 1; a solid's six faces C + h d + z e, |z| <= t/2
+ *     a panel: the bilinear patch through its four nodes
  */
 #include "taut/trace.h"
 
@@ -306,6 +307,34 @@ static taut_status add_lath(const request *r, const lath *l, const taut_basis *l
     return status;
 }
 
+/* Corners of details go round; P1, P2, ... in their order. How many there are: *count. */
+static taut_status add_panels(const request *r, const taut_basis *linear, taut_model *model,
+                              int *count, taut_error *error)
+{
+    const taut_record *panels = taut_record_get(taut_model_details(r->model), "panels");
+    static const size_t corners[4] = {0, 3, 1, 2}; /* of rows u0v0, u0v1, u1v0, u1v1 */
+    taut_status status = TAUT_OK;
+
+    for (size_t k = 0; status == TAUT_OK && k < taut_record_count(panels); k++) {
+        const taut_record *list = taut_record_get(taut_record_at(panels, k), "points");
+        double points[4][3];
+        char name[24];
+        taut_surface *surface = NULL;
+        for (size_t i = 0; i < 4; i++) {
+            for (size_t c = 0; c < 3; c++) {
+                points[i][c] =
+                    taut_record_number(taut_record_at(taut_record_at(list, corners[i]), c));
+            }
+        }
+        snprintf(name, sizeof name, "P%d", ++*count);
+        status = taut_surface_new(name, linear, linear, points[0], NULL, &surface, error);
+        if (status == TAUT_OK) {
+            status = taut_construct_add_surface(model, surface, error);
+        }
+    }
+    return status;
+}
+
 static taut_status build(void *context, taut_arena *arena, taut_model *model, taut_error *error)
 {
     static const taut_basis_spec spec = {.type = "bezier", .degree = 1};
@@ -320,15 +349,20 @@ static taut_status build(void *context, taut_arena *arena, taut_model *model, ta
     if (status == TAUT_OK && taut_model_set_unit(model, taut_model_unit(r->model)) != TAUT_OK) {
         return taut_fail_memory(error);
     }
+    if (status == TAUT_OK) {
+        status = add_panels(r, linear, model, &count, error);
+    }
+    const int has_panels = count > 0;
     for (int i = 0; status == TAUT_OK && i < taut_model_curve_count(r->model); i++) {
         const taut_curve *curve = taut_model_curve(r->model, i);
         taut_curve *copy = NULL;
         lath l;
-        if (!read_lath(r->model, curve, &l)) {
+        const int is_lath = read_lath(r->model, curve, &l);
+        if (!is_lath && !has_panels) {
             continue;
         }
         count++;
-        status = add_lath(r, &l, linear, arena, model, error);
+        status = is_lath ? add_lath(r, &l, linear, arena, model, error) : TAUT_OK;
         if (status == TAUT_OK) {
             status = taut_curve_copy(curve, &copy) == TAUT_OK
                          ? taut_construct_add_curve(model, copy, error)
@@ -337,7 +371,7 @@ static taut_status build(void *context, taut_arena *arena, taut_model *model, ta
     }
     if (status == TAUT_OK && count == 0) {
         return taut_fail(error, TAUT_NO_SOLUTION, "width", "/laths/width", taut_none, taut_none,
-                         "the model has no laths with a width, and so no strips");
+                         "the model has no laths with a width and no panels, and so no strips");
     }
     return status;
 }

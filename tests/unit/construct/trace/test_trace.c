@@ -377,6 +377,32 @@ static void check_panels(const taut_record *details)
     CHECK(most == taut_record_number(taut_record_get(details, "max_planarity")), "the largest");
 }
 
+/* In space each panel is a patch through its nodes, as they go round. */
+static void check_patches(const taut_model *model, const taut_record *panels)
+{
+    static const double ways[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    taut_model *patches = NULL;
+    taut_error error = {.status = TAUT_OK};
+    CHECK(taut_trace_strips(model, 0, &patches, &error) == TAUT_OK, "%s", error.message);
+    CHECK((size_t)taut_model_surface_count(patches) == taut_record_count(panels), "%d",
+          taut_model_surface_count(patches));
+    CHECK(taut_model_curve_count(patches) == taut_model_curve_count(model), "%d",
+          taut_model_curve_count(patches));
+    for (size_t i = 0; i < taut_record_count(panels); i++) {
+        const taut_record *points = taut_record_get(taut_record_at(panels, i), "points");
+        const taut_surface *patch = taut_model_surface(patches, (int)i);
+        for (size_t k = 0; k < 4; k++) {
+            double x[3];
+            taut_surface_eval(patch, ways[k][0], ways[k][1], 0, x);
+            for (size_t c = 0; c < 3; c++) {
+                CHECK(x[c] == taut_record_number(taut_record_at(taut_record_at(points, k), c)),
+                      "panel %zu corner %zu", i, k);
+            }
+        }
+    }
+    taut_model_free(patches);
+}
+
 static void test_panels(void)
 {
     const struct {
@@ -400,6 +426,7 @@ static void test_panels(void)
         CHECK_NEAR(taut_record_number(taut_record_get(details, "max_planarity")), rows[k].planarity,
                    1e-12, "row %zu", k);
         check_panels(details);
+        check_patches(made.model, taut_record_get(details, "panels"));
         net_free(&made);
     }
 }
