@@ -239,6 +239,38 @@ static taut_status put_curve(taut_json_out *out, const taut_page_model *p,
     return TAUT_OK;
 }
 
+/* The nodes of a net that has all its curves here: names, and points beside them. */
+static taut_status put_nodes(taut_json_out *out, const taut_page_model *p)
+{
+    const taut_record *details = taut_model_details(p->model);
+    const taut_record *nodes = taut_record_get(details, "nodes");
+    const int is_net = p->curve_count > 0 && taut_record_get(details, "trace") != NULL;
+    const size_t all = is_net ? taut_record_count(nodes) : 0;
+    const size_t count = all < TAUT_PAGE_NODES ? all : TAUT_PAGE_NODES;
+    const scratch room = scratch_of(p->arena, 3 * count + 3);
+
+    if (room.shorts == NULL || room.text == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    taut_json_key(out, "nodes");
+    taut_json_open(out, '{');
+    taut_json_key(out, "names");
+    taut_json_open(out, '[');
+    for (size_t k = 0; k < count; k++) {
+        const taut_record *node = taut_record_at(nodes, k), *at = taut_record_get(node, "point");
+        double point[3];
+        taut_json_put_text(out, taut_record_text(taut_record_get(node, "node")));
+        for (size_t c = 0; c < 3; c++) {
+            point[c] = taut_record_number(taut_record_at(at, c));
+        }
+        taut_page_point(&p->box, point, room.shorts + 3 * k);
+    }
+    taut_json_close(out, ']');
+    put_shorts(out, "points", 3 * count, room.shorts, room.text);
+    taut_json_close(out, '}');
+    return TAUT_OK;
+}
+
 /* What the page does not show, in sentences for people. */
 static void put_dropped(taut_json_out *out, const taut_page_model *p)
 {
@@ -386,6 +418,9 @@ static taut_status put_page(const taut_page_model *p, char **text, size_t *lengt
         status = put_curve(&out, p, &p->curves[i]);
     }
     taut_json_close(&out, ']');
+    if (status == TAUT_OK) {
+        status = put_nodes(&out, p);
+    }
     taut_json_close(&out, '}');
     ended = taut_json_out_finish(&out);
     if (status == TAUT_OK && ended == TAUT_OK) {

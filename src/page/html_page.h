@@ -58,7 +58,7 @@ void taut_page_point(const taut_camera *box, const double point[3], int16_t pack
 /* ---- of a model (html_page.c) ---- */
 
 /* Pieces a curve is drawn in at the least, and points that are kept of its polygon. */
-enum { TAUT_PAGE_ALONG = 96 };
+enum { TAUT_PAGE_ALONG = 96, TAUT_PAGE_NODES = 4000 };
 
 typedef struct taut_page_curve {
     const taut_curve *curve;

@@ -408,6 +408,25 @@ async function testFarNet(browser) {
     await page.close();
 }
 
+/* A net: its nodes are points, and say their names under the pointer; its curves theirs beside them. */
+async function testNodes(browser) {
+    const made = path.join(folder, 'net.json');
+    fs.writeFileSync(made, execFileSync(taut, ['example', 'trace-principal']));
+    execFileSync(taut, ['make', made, '-o', path.join(folder, 'net-made.json'), '--quiet']);
+    const net = JSON.parse(fs.readFileSync(path.join(folder, 'net-made.json')));
+    const page = await Page.open(browser, makePage('nodes', net, '--view', '0,90'), 900, 600);
+    await page.until(drawn);
+    /* seen from above, one is in the middle of the canvas */
+    const middle = net.details.nodes.find((node) => Math.hypot(...node.at) < 1e-6);
+    const [x, y] = await page.evaluate('(() => { const b = document.getElementById("canvas").getBoundingClientRect();' +
+        ' return [b.left + b.width / 2, b.top + b.height / 2]; })()');
+    await page.mouse('mouseMoved', x + 1, y + 1, { button: 'none', buttons: 0 });
+    await page.until('document.getElementById("hover").textContent === "' + middle.node + '"');
+    snap(await page.picture(), 'nodes');
+    quiet(page, 'the page of a net');
+    await page.close();
+}
+
 async function main() {
     testPlaces();
     const browser = new Browser(process.env.CHROMIUM || 'chromium');
@@ -421,6 +440,7 @@ async function main() {
         await testPhone(browser);
         await testLarge(browser);
         await testFarNet(browser);
+        await testNodes(browser);
     } finally {
         await browser.close();
     }

@@ -84,6 +84,13 @@ void main() {
     });
 }
 
+/* Round points, smaller where there are many. */
+function pointsObject(points, count) {
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute('position', new THREE.BufferAttribute(points, 3));
+    return new THREE.Points(geometry, pointMaterial(count));
+}
+
 /* A net of nu by nv points, a polygon when nu is 1, or nothing where it is left out. */
 function netObject(net) {
     const points = unpackPoints(net.points);
@@ -100,9 +107,7 @@ function netObject(net) {
     }
     group.add(lineObject(pairs, 'net', net.nu * net.nv <= 100 ? 1.2 : 0.9));
     if (net.nu * net.nv <= 1200) {
-        const geometry = new THREE.BufferGeometry();
-        geometry.setAttribute('position', new THREE.BufferAttribute(points, 3));
-        group.add(new THREE.Points(geometry, pointMaterial(net.nu * net.nv)));
+        group.add(pointsObject(points, net.nu * net.nv));
     }
     return group;
 }

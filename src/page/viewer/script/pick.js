@@ -158,12 +158,28 @@ function pickAt(x, y) {
     }
 }
 
-/* The name of what is under the pointer, beside it. */
+/* The name of the node nearest to (x, y), or ''. */
+function pickNode(x, y) {
+    let best = NEAR;
+    let name = '';
+    const seen = stage.nodes.visible ? project(unpackPoints(model.nodes.points), stage.nodes.position) : [];
+    for (let k = 0; k < seen.length; k += 3) {
+        const far = Math.hypot(x - seen[k], y - seen[k + 1]);
+        if (far < best) {
+            best = far;
+            name = model.nodes.names[k / 3];
+        }
+    }
+    return name;
+}
+
+/* The name of what is under the pointer, beside it: a node's, a curve's, a surface's. */
 function hover(x, y) {
     const note = document.getElementById('hover');
-    const curve = pickCurve(x, y);
-    const found = curve < 0 ? pick(x, y) : null;
-    const name = curve >= 0 ? curveLabel(model.curves[curve], curve) : found ? model.surfaces[found.index].name || 'surface ' + (found.index + 1) : '';
+    const node = pickNode(x, y);
+    const curve = node === '' ? pickCurve(x, y) : -1;
+    const found = node === '' && curve < 0 ? pick(x, y) : null;
+    const name = node !== '' ? node : curve >= 0 ? curveLabel(model.curves[curve], curve) : found ? model.surfaces[found.index].name || 'surface ' + (found.index + 1) : '';
     note.hidden = name === '';
     note.textContent = name;
     note.style.left = Math.min(x + 14, canvas.clientWidth - note.offsetWidth - 4) + 'px';

@@ -7,6 +7,7 @@ const stage = {
     orbit: null,
     surfaces: [],  /* by index: { mesh, outline, net, panels, group }, made when first shown */
     curves: new THREE.Group(),
+    nodes: new THREE.Group(), /* where curves of a net cross */
     marks: new THREE.Group(), /* points and lines that say where: of a pick, of a claim (marks.js) */
     reach: [1, 1], /* of what is shown from the start, to the right and up from the middle */
     centre: new THREE.Vector3(),
@@ -176,6 +177,7 @@ function refresh() {
     });
     cut();
     stage.curves.visible = shown.layout === 'together';
+    stage.nodes.visible = stage.curves.visible;
     stage.curves.children.forEach((group, i) => {
         group.visible = !shown.hidden.has('curve ' + i);
         group.children[1].visible = shown.net;
@@ -257,7 +259,10 @@ function setStage() {
         group.add(curveObject(curve), netObject(curve.net));
         stage.curves.add(group);
     });
-    stage.scene.add(stage.curves, stage.marks);
+    if (model.nodes.names.length > 0) {
+        stage.nodes.add(pointsObject(unpackPoints(model.nodes.points), 251));
+    }
+    stage.scene.add(stage.curves, stage.nodes, stage.marks);
     new ResizeObserver(() => {
         resize();
         render(); /* now: the canvas is white since its size was set, and this frame is about to be shown */
