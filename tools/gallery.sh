@@ -32,9 +32,14 @@ member() { # member NAME FILE: the string that follows it first
 for name in $("$taut" example); do
     "$taut" example "$name" > "$work/problem.json"
     construct=$(member construct "$work/problem.json")
-    # made at once, so that the certificate is a fresh one; exit 1: a claim does not hold, as the example says
+    # made at once, so that the certificate is a fresh one; where a claim does not hold, as the example says, the model alone is written
     # shellcheck disable=SC2046
-    "$taut" make "$work/problem.json" --quiet -o "$gallery/$name.png" -o "$pages/$name.html" --width 600 $(words "$name") || [ $? = 1 ]
+    "$taut" make "$work/problem.json" --quiet -o "$gallery/$name.png" -o "$pages/$name.html" --width 600 $(words "$name") || {
+        [ $? = 1 ]
+        "$taut" make "$work/problem.json" --quiet -o "$work/model.json" || [ $? = 1 ]
+        "$taut" convert "$work/model.json" -o "$gallery/$name.png" --width 600 $(words "$name")
+        "$taut" view "$work/model.json" "$work/problem.json" -o "$pages/$name.html"
+    }
     echo "$construct $name" >> "$work/list"
 done
 

@@ -196,6 +196,34 @@ static taut_status add_all(figure *f)
     return status;
 }
 
+/* What comes after the last dot: of "front.u0", u0. */
+static const char *own_name(const char *name)
+{
+    const char *dot = strrchr(name, '.');
+    return dot != NULL && dot[1] != '\0' ? dot + 1 : name;
+}
+
+/* Of one thing its name; of more, of which the first and the last are given, what they have in common: the names after the dot
+ * where those are alike, "S1 ... 4" where they are numbered. */
+static void name_row(const named *r, char *name, size_t room)
+{
+    const int is_part = strcmp(own_name(r->first), r->first) != 0 &&
+                        strcmp(own_name(r->last), r->last) != 0 && r->count > 1;
+    const char *first = is_part ? own_name(r->first) : r->first;
+    const char *last = is_part ? own_name(r->last) : r->last;
+    const size_t stem = strcspn(last, "0123456789");
+    const int is_numbered = strncmp(first, last, stem) == 0 && stem > 0 &&
+                            last[stem + strspn(last + stem, "0123456789")] == '\0';
+
+    if (r->count == 1 || strcmp(first, last) == 0) {
+        snprintf(name, room, "%.400s", first);
+    } else if (r->count == 2 || is_part) {
+        snprintf(name, room, "%.200s, %.200s", first, last);
+    } else {
+        snprintf(name, room, "%.200s \xe2\x80\xa6 %.200s", first, is_numbered ? last + stem : last);
+    }
+}
+
 static void draw_names(const figure *f, const taut_legend *legend)
 {
     named rows[TAUT_LEGEND_ROWS];
@@ -203,15 +231,7 @@ static void draw_names(const figure *f, const taut_legend *legend)
     for (int row = 0; row < shown; row++) {
         const named *r = &rows[row];
         char name[512];
-        const size_t stem = strcspn(r->last, "0123456789");
-        const char *number = strncmp(r->first, r->last, stem) == 0 ? r->last + stem : "";
-        if (r->count == 2) {
-            snprintf(name, sizeof name, "%.200s, %.200s", r->first, r->last);
-        } else if (r->count > 2) {
-            snprintf(name, sizeof name, "%.200s %s %.200s", r->first, "\xe2\x80\xa6", number);
-        } else {
-            snprintf(name, sizeof name, "%.400s", r->first);
-        }
+        name_row(r, name, sizeof name);
         taut_legend_name(legend, row,
                          r->is_curve ? taut_colour_curve(r->colour) : taut_colour_plain(r->colour),
                          r->is_curve, name);

@@ -36,6 +36,29 @@ printf '{ "taut": 1, "construct": "dirichlet", "boundary": { "file": "plain.dxf"
 run 0 make problem.json --quiet -o made.json
 run 0 certify made.json problem.json
 
+# A spline on uniform knots, as others write closed ones: a parabola between the middles of its polygon, the same curve on ours.
+spline() { # spline KNOTS...: quadratic, three points
+    printf '  0\nSECTION\n  2\nENTITIES\n  0\nSPLINE\n  8\nfree\n 71\n2\n'
+    printf ' 40\n%s\n' "$@"
+    printf ' 10\n%s\n 20\n%s\n 30\n%s\n' 0 0 0 2 4 0 4 0 2
+    printf '  0\nENDSEC\n  0\nEOF\n'
+}
+spline 0 1 2 3 4 5 > uniform.dxf
+run 0 convert uniform.dxf -o uniform.json
+tr -d ' \n' < uniform.json > one.txt
+contains one.txt '"knots":\[2,2,2,3,3,3\]'
+contains one.txt '"points":\[\[1,2,0\],\[2,4,0\],\[3,2,1\]\]'
+for knots in '0 1 2 2 4 5' '0 1 2 1 4 5' '0 1 3 2 4 5'; do # no parameters, or none in order
+    # shellcheck disable=SC2086
+    { spline $knots | sed '/ENDSEC/,$d' | sed '$d'; sed 1,4d plain.dxf; } > broken.dxf
+    run 0 boundary broken.dxf
+    contains err.txt 'a spline of broken knots is left out \(1\)'
+done
+printf '  0\nSECTION\n  2\nENTITIES\n  0\nSPLINE\n 71\n3\n 11\n0\n 21\n0\n 31\n0\n' > fit.dxf
+sed 1,4d plain.dxf >> fit.dxf
+run 0 boundary fit.dxf
+contains err.txt 'a spline by its fit points alone \(save its control points\) is left out \(1\)'
+
 # What taut writes: names, knots and points, bit for bit.
 cat > odd.json <<'JSON'
 { "taut": 1, "unit": "ft", "curves": [

@@ -14,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { DEPTH_MAX = 16, VISITS_MAX = 1000000, KINDS_MAX = 40, KIND_ROOM = 32, NOTE_ROOM = 160 };
+enum { DEPTH_MAX = 16, VISITS_MAX = 1000000, KINDS_MAX = 40, KIND_ROOM = 64, NOTE_ROOM = 160 };
 static const char binary_mark[] = "AutoCAD Binary DXF";
 
 /* What is left out, and how often. */

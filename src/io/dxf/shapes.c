@@ -5,6 +5,7 @@
  * with the weights 1, cos(A / 2), 1. A round polyline has its straight pieces in degree 2 as well.
  */
 #include "io/dxf/shapes.h"
+#include "io/dxf/clamp.h"
 
 #include "core/constants.h"
 #include "core/elementary/elementary.h"
@@ -432,17 +433,6 @@ static taut_status numbers_of(taut_dxf_pairs pairs, int code, size_t room, doubl
     return status;
 }
 
-static int is_clamped(const taut_dxf_curve *curve)
-{
-    const size_t p = (size_t)curve->degree, n = curve->count;
-    for (size_t k = 1; k <= p; k++) {
-        if (curve->knots[k] != curve->knots[0] || curve->knots[n + k] != curve->knots[n]) {
-            return 0;
-        }
-    }
-    return curve->knots[n] > curve->knots[0];
-}
-
 static taut_status spline_shape(taut_dxf_pairs pairs, taut_arena *arena, taut_dxf_curve *curve,
                                 const char **why, taut_error *error)
 {
@@ -476,14 +466,12 @@ static taut_status spline_shape(taut_dxf_pairs pairs, taut_arena *arena, taut_dx
     }
     curve->count = counts[0];
     if (counts[0] == 0) {
-        *why = "a spline by its fit points alone";
+        *why = "a spline by its fit points alone (save its control points)";
     } else if (counts[1] != counts[0] || counts[2] != counts[0] ||
                (weights != 0 && weights != counts[0]) ||
                knots != counts[0] + (size_t)curve->degree + 1 ||
                counts[0] <= (size_t)curve->degree) {
         *why = "a spline of numbers that do not go together";
-    } else if (!is_clamped(curve)) {
-        *why = "a spline whose knots do not end in its points";
     }
     for (size_t i = 0; *why == NULL && i < curve->count; i++) {
         const double w = weights > 0 ? weight[i] : 1;
@@ -492,7 +480,10 @@ static taut_status spline_shape(taut_dxf_pairs pairs, taut_arena *arena, taut_dx
         }
         curve->points[i][3] = w;
     }
-    return TAUT_OK;
+    if (*why == NULL && !taut_dxf_clamp(curve, arena)) {
+        *why = "a spline of broken knots";
+    }
+    return taut_arena_status(arena) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 }
 
 taut_status taut_dxf_shape(taut_dxf_pairs pairs, taut_arena *arena, taut_dxf_curve *curve,
