@@ -218,7 +218,8 @@ static void name_row(const named *r, char *name, size_t room)
     if (r->count == 1 || strcmp(first, last) == 0) {
         snprintf(name, room, "%.400s", first);
     } else if (r->count == 2 || is_part) {
-        snprintf(name, room, "%.200s, %.200s", first, last);
+        const int is_long = strlen(first) + strlen(last) > 10;
+        snprintf(name, room, "%.200s, %.200s", first, is_numbered && is_long ? last + stem : last);
     } else {
         snprintf(name, room, "%.200s \xe2\x80\xa6 %.200s", first, is_numbered ? last + stem : last);
     }

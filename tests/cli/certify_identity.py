@@ -10,7 +10,7 @@ from program import complain, example, finish, load, run, save
 NAMES = ["asymptotic-low", "asymptotic-ruled", "biharmonic-c1", "biharmonic-rows", "bonnet-enneper", "bonnet-figure-1a",
          "bonnet-helicoid", "dirichlet-hammock", "dirichlet-tent", "dirichlet-through", "film-sail", "harmonic-derivative", "harmonic-even",
          "harmonic-extension", "harmonic-neighbour", "harmonic-rows", "pattern-cylinder", "pipe-elbow", "pipe-g2", "pipe-paper", "pipe-run",
-         "pipe-run-coil", "plateau-bicubic", "plateau-curves", "plateau-mast", "trace-principal"]
+         "pipe-run-coil", "pipe-run-wall", "plateau-bicubic", "plateau-curves", "plateau-mast", "trace-principal"]
 EXAMPLES = [line.split()[0] for line in run("example")[1].splitlines() if line.strip()]
 FLAT = {"u": {"type": "bezier", "degree": 1}, "v": {"type": "bezier", "degree": 1},
         "points": [[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 0]]]}

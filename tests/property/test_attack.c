@@ -220,6 +220,26 @@ static void run_joint(edit_model *edit, double amount, int way)
     move_at(&edit->surface[1], 1, 1, amount, way);
 }
 
+/* The middle points of a piece: of its arc, where it has three rings. */
+static void run_middle(edit_model *edit, double amount, int way)
+{
+    for (int j = 0; j < edit->surface[1].nv; j++) {
+        move_at(&edit->surface[1], edit->surface[1].nu / 2, j, amount, way);
+    }
+}
+
+static void inner_joint(edit_model *edit, double amount, int way)
+{
+    move_at(named(edit, "inner-blend1"), 1, 1, amount, way);
+}
+
+static void inner_middle(edit_model *edit, double amount, int way)
+{
+    for (int j = 0; j < named(edit, "inner-blend1")->nv; j++) {
+        move_at(named(edit, "inner-blend1"), 1, j, amount, way);
+    }
+}
+
 static void run_curvature(edit_model *edit, double amount, int way)
 {
     move_at(&edit->surface[1], 2, 1, amount, way + 2);
@@ -407,6 +427,10 @@ static const attack_row rows[] = {
     {"pipe", "curvatures", "pipe-run-harness", run_curvature, ONE_WAY | OPEN},
     {"pipe", "bend_radius", "pipe-run-coil", shrink, ONE_WAY | ALONE | OPEN},
     {"pipe", "caps", "pipe-run-coil", cap, ONE_WAY | OPEN},
+    {"pipe", "joints", "pipe-run-arcs", run_joint, ONE_WAY | OPEN},
+    {"pipe", "tube", "pipe-run-arcs", run_middle, OPEN},
+    {"pipe", "inner_joints", "pipe-run-wall", inner_joint, ONE_WAY | OPEN},
+    {"pipe", "inner_tube", "pipe-run-wall", inner_middle, OPEN},
     {"dirichlet", "identity", "dirichlet-bicubic", other_unit, 0},
     {"film", "identity", "film-sail", other_unit, 0},
     {"plateau", "identity", "plateau-bicubic", other_unit, 0},

@@ -11,8 +11,10 @@
 #include "draw/parts.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 enum { WIDTH = 800, HEIGHT = 600 };
+static const double PI = 3.141592653589793;
 
 static taut_surface *saddle(void)
 {
@@ -133,6 +135,65 @@ static void test_stripes(void)
     taut_surface_free(surface);
 }
 
+/* The pieces that are painted over cell (i, j) of a sheet; the far side of the cell on the page. */
+static int pieces_over(const taut_sheet *s, int i, int j, const taut_camera *camera,
+                       taut_arena *arena, taut_scene *scene, double *side)
+{
+    const taut_ink ink = {100, 120, 140};
+    double points[4][3], *page = NULL;
+    taut_sheet cell = *s;
+    cell.u.count = cell.v.count = 2;
+    cell.points = points[0];
+    cell.stripes = s->stripes + 4 * (i * (s->v.count - 1) + j);
+    for (int k = 0; k < 4; k++) {
+        memcpy(points[k], s->points + 3 * ((i + k / 2) * s->v.count + j + k % 2), sizeof points[k]);
+    }
+    scene->cell_count = 0;
+    CHECK(taut_parts_cells(&cell, camera, ink, 1, arena, scene, &page) == TAUT_OK, "cells");
+    *side = hypot(page[9] - page[6], page[10] - page[7]);
+    return (int)scene->cell_count - 1;
+}
+
+/* The cone over a parabola: normals fan out at its point, where all lamps come together. Where they are nearer to each other
+ * than 8 units of the page none is drawn, so that nothing scribbles; farther out they are. */
+static void test_fan(void)
+{
+    static const double points[6][3] = {{0, 0, 1},  {0, 0, 1}, {0, 0, 1},
+                                        {-1, 0, 0}, {0, 2, 0}, {1, 0, 0}};
+    const taut_write_options options = {.reflections = 24, .divide = 60};
+    taut_surface *surface =
+        shape_surface(shape_bezier(1, 0, 1), shape_bezier(2, 0, 1), &points[0][0], NULL);
+    taut_arena *arena = taut_arena_new();
+    taut_sheet s = {.surface = NULL};
+    taut_scene scene;
+    taut_camera camera;
+    int crowded = 0, drawn = 0;
+
+    CHECK(taut_sheet_new(surface, 3600, 10000, &options, arena, &s) == TAUT_OK, "sheet");
+    camera_on(&s, 20, 60, WIDTH, HEIGHT, &camera);
+    CHECK(taut_sheet_stripes(&options, &camera, arena, &s) == TAUT_OK, "stripes");
+    CHECK(taut_scene_init(&scene, WIDTH, HEIGHT, arena) == TAUT_OK, "scene");
+    for (int i = 0; i + 1 < s.u.count; i++) {
+        for (int j = 0; j + 1 < s.v.count;
+             j++) { /* turns from lamp to lamp along the far side of a cell */
+            const double *phase = s.stripes + 4 * (i * (s.v.count - 1) + j);
+            const double turns = fabs(remainder(phase[2] - phase[1], 2 * PI)) / (2 * PI);
+            double length = 0;
+            const int pieces = pieces_over(&s, i, j, &camera, arena, &scene, &length);
+            if (length < 7.99 * turns && length > 0.5) { /* what is smaller is no line */
+                CHECK(pieces == 0, "%d pieces over cell %d %d, lamps %g apart", pieces, i, j,
+                      length / turns);
+                crowded++;
+            }
+            drawn += pieces;
+        }
+    }
+    CHECK(crowded > 100 && drawn > 100, "%d crowded cells, %d pieces", crowded, drawn);
+    taut_scene_clear(&scene);
+    taut_arena_free(arena);
+    taut_surface_free(surface);
+}
+
 /* A parallel of the cylinder of radius r bends by 1/r toward the axis, so that a comb of scale c is
  * the circle of radius r + c / r; the generators do not bend. */
 static void test_combs(void)
@@ -203,6 +264,7 @@ int main(void)
     test_values();
     test_isolines();
     test_stripes();
+    test_fan();
     test_combs();
     test_arrows();
     return check_failures != 0;
