@@ -100,6 +100,27 @@ PY
         contains freecad.txt '^LOOK True 1 True '
         near "$(sed -n 's/^LOOK True 1 True //p' freecad.txt)" "$(figure $name.json)" 3e-4 "$name.step, FreeCAD" # its mesh's: shape.Volume has gmsh's rule
     done
+    # arcs are thickened inwards and outwards from their caps, and offset, as tori and cylinders are: pi ((a + t)^2 - a^2) L
+    run 0 make "$SOURCE/examples/pipe-run-arcs.json" --quiet -o arcs.step -o arcs.json
+    cat > look.py <<PY
+import Part
+shape = Part.Shape()
+shape.read("$PWD/arcs.step")
+solid = shape.Solids[0]
+caps = [face for face in solid.Faces if isinstance(face.Surface, Part.Plane)]
+for thickness in (-2.0, 2.0):
+    made = solid.makeThickness(caps, thickness, 1e-4)
+    print("THICK", made.isValid(), len(made.Solids), repr(made.Volume))
+offset = solid.makeOffsetShape(1.0, 1e-4)
+print("OFFSET", offset.isValid(), repr(offset.Volume))
+PY
+    freecadcmd look.py > freecad.txt 2>&1
+    run_length=$(tr -d ' \n' < arcs.json | sed -n 's/.*"length":\([-0-9.e]*\),.*/\1/p')
+    contains freecad.txt '^THICK True 1 '
+    near "$(sed -n 's/^THICK True 1 //p' freecad.txt | head -n 1)" "$(awk -v l="$run_length" 'BEGIN { printf "%.17g", atan2(0, -1) * (400 - 324) * l }')" 1e-9 "arcs.step thickened inwards, FreeCAD"
+    near "$(sed -n 's/^THICK True 1 //p' freecad.txt | tail -n 1)" "$(awk -v l="$run_length" 'BEGIN { printf "%.17g", atan2(0, -1) * (484 - 400) * l }')" 1e-9 "arcs.step thickened outwards, FreeCAD"
+    # an offset has its caps 1 farther out, and rounds its two rims: between none of their corner and all of it
+    near "$(sed -n 's/^OFFSET True //p' freecad.txt)" "$(awk -v l="$run_length" 'BEGIN { printf "%.17g", atan2(0, -1) * 441 * (l + 2) }')" 1e-4 "arcs.step offset, FreeCAD"
     # an open pipe shows its outside: in each face the normal points away from the middle of the ring through it
     cat > look.py <<PY
 import Part
