@@ -42,6 +42,13 @@ refused 3 'kind' pattern sail.json --across v0,v1 --count 2 -o none.json
 run 0 schema pattern
 contains out.txt '#/\$defs/pattern'
 
+# A ring is cut along its closing line, and says so.
+"$TAUT" example film-ring > ring.json
+run 0 make ring.json --quiet -o ring-made.json
+run 0 pattern ring-made.json --across v0,v1 --count 4 --allowance 0.02 -o ring-cloth.json
+contains ring-cloth.json 'ring: u0 and u1 are one line of the surface'
+refused 4 'no-geodesic' pattern ring-made.json --across u0,u1 --count 4 -o none.json
+
 # Drawings, as another program reads them.
 if python_with ezdxf; then
     "$PYTHON" "$SOURCE/tests/cli/read_cloth.py" made.json made.dxf made.svg > read.txt || complain "$(cat read.txt)"

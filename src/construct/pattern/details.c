@@ -9,6 +9,8 @@
 #include <stdio.h>
 #include <string.h>
 
+/* Compensations of cloth as it is made. */
+static const double usual[2] = {-0.01, 0.08};
 /* Of a seam's length: no mark is so near to its end. */
 static const double mark_share = 1e-6;
 
@@ -280,6 +282,29 @@ static void describe_cloth(const taut_pattern_problem *problem, const taut_patte
     taut_record_add_number(compensation, "weft", cut->compensation.weft);
 }
 
+static void add_warnings(const taut_pattern_told *told, taut_record *details)
+{
+    static const char *const rings[] = {"ring: u0 and u1 are one line of the surface, and the "
+                                        "edges cut along it are not made equal",
+                                        "ring: v0 and v1 are one line of the surface, and the "
+                                        "edges cut along it are not made equal"};
+    static const char *const shares[] = {
+        "compensation: the warp's is outside [-0.01, 0.08], which is unusual",
+        "compensation: the weft's is outside [-0.01, 0.08], which is unusual"};
+    const double c[2] = {told->cut->compensation.warp, told->cut->compensation.weft};
+    taut_record *warnings = taut_record_add_list(details, "warnings");
+    for (int k = 0; k < 2; k++) {
+        if (told->is_ring[k]) {
+            taut_record_add_text(warnings, NULL, rings[k]);
+        }
+    }
+    for (int k = 0; k < 2; k++) {
+        if (!(c[k] >= usual[0]) || !(c[k] <= usual[1])) {
+            taut_record_add_text(warnings, NULL, shares[k]);
+        }
+    }
+}
+
 void taut_pattern_describe(const taut_pattern_told *told, taut_record *details)
 {
     const taut_pattern_layout *layout = told->layout;
@@ -311,5 +336,5 @@ void taut_pattern_describe(const taut_pattern_told *told, taut_record *details)
         taut_construct_add_stretch(domain, layout->sides[k].name, NULL, layout->sides[k].part.basis,
                                    layout->sides[k].part.window);
     }
-    taut_record_add_list(details, "warnings");
+    add_warnings(told, details);
 }

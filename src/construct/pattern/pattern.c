@@ -40,7 +40,8 @@ typedef struct made_pieces {
     taut_pattern_margin *margins;
     double widest; /* extent across of a cut piece, in the carrier's unit */
     int widest_piece;
-    double strain; /* the largest of all principal ones */
+    double strain;  /* the largest of all principal ones */
+    int is_ring[2]; /* u0 and u1, v0 and v1 are one line */
 } made_pieces;
 
 /* ---- what is asked for ---- */
@@ -303,7 +304,7 @@ static taut_status fit(const request *r, const taut_carrier *carrier, const wish
 
     while (count <= TAUT_PATTERN_PIECES_MAX) {
         taut_arena *own = taut_arena_new();
-        made_pieces one;
+        made_pieces one = {.is_ring = {made->is_ring[0], made->is_ring[1]}};
         taut_status status = own != NULL ? make_strips(r, carrier, count, crew, own, &one, error)
                                          : taut_fail_memory(error);
         if (status != TAUT_OK &&
@@ -482,7 +483,7 @@ static taut_status fill(const request *r, const taut_model *of, const made_piece
         return taut_fail_memory(error);
     }
     const taut_pattern_told told = {&made->layout, &r->cut, r->problem, made->outlines,
-                                    made->margins, &roll,   gap_of(r)};
+                                    made->margins, &roll,   gap_of(r),  made->is_ring};
     taut_pattern_describe(&told, details);
     if (r->problem->of != NULL) {
         taut_construct_describe_of(r->problem->of, of, details);
@@ -523,6 +524,11 @@ static taut_status build(void *context, taut_arena *arena, taut_model *model, ta
         return taut_fail_memory(error);
     }
     status = check_carrier(carrier, error);
+    memcpy(made.is_ring, carrier->wraps, sizeof made.is_ring);
+    for (int k = 0; k < 4; k++) { /* pieces do not go on across it */
+        carrier->wraps[k / 2] = 0;
+        carrier->seams[k] = NULL;
+    }
     if (status == TAUT_OK) {
         status = cut_pieces(r, carrier, arena, &made, error);
     }

@@ -39,6 +39,10 @@ static taut_status take_lath(const taut_carrier *carrier, const taut_lath *lath,
         }
         memcpy(window + 3 * k, parts[0].window + 2 * k, 2 * sizeof(double));
     }
+    for (size_t d = 0; d < 2; d++) { /* on its border exactly */
+        parts[0].window[d] = window[d] = side->ends[0][d];
+        parts[0].window[2 * (points - 1) + d] = window[3 * (points - 1) + d] = side->ends[1][d];
+    }
     status = taut_curve_new(NULL, parts[0].basis, window, NULL, &curve, error);
     if (status != TAUT_OK) {
         return status;
