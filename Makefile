@@ -2,7 +2,7 @@
 # No logic here: what is built is in CMakeLists.txt, what is installed in tools/deps.sh.
 TAUT = build/release/bin/taut
 
-.PHONY: demo test build deps gallery bench bench-dirichlet bench-documents bench-elementary bench-evaluate bench-plateau format check mutants reproduction reference site release install deb wasm studio \
+.PHONY: demo test build deps gallery bench bench-dirichlet bench-documents bench-elementary bench-evaluate bench-make bench-plateau format check mutants reproduction reference site release install deb wasm studio \
   python bench-python plugins windows clean help
 
 demo: build
@@ -49,9 +49,9 @@ release:
 gallery: build
 	@tools/gallery.sh $(TAUT)
 
-bench: bench-dirichlet bench-documents bench-elementary bench-evaluate bench-plateau
+bench: bench-dirichlet bench-documents bench-elementary bench-evaluate bench-make bench-plateau
 
-bench-dirichlet bench-documents bench-elementary bench-evaluate bench-plateau:
+bench-dirichlet bench-documents bench-elementary bench-evaluate bench-make bench-plateau:
 	@tools/deps.sh build bench
 	@cmake --preset bench
 	@cmake --build --preset bench --target $@

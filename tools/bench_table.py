@@ -79,20 +79,33 @@ def evaluate():
 
 def summary():
     """A few ratios for the README."""
-    solve, grid = load("dirichlet"), load("evaluate")
+    solve, grid, whole = load("dirichlet"), load("evaluate"), load("make")
     by = {r["n"]: r for r in solve["rows"]}
     taut, sisl = grid["rows"][0], next(r for r in grid["rows"] if "s1506" in r["name"])
-    rows = [[f"Dirichlet, {n} x {n} points, from knots to surface", "LAPACK, fast diagonalisation",
-             digits(by[n]["over_lapack"], 2)] for n in (100, 400, 1600)]
+    rows = [[f"{r['name']}, from file to file, with its proof", r["peer"], digits(r["peer_ms"] / r["whole_ms"], 2)]
+            for r in whole["rows"] if "peer" in r]
+    rows += [[f"Dirichlet, {n} x {n} points, from knots to surface", "LAPACK, fast diagonalisation",
+              digits(by[n]["over_lapack"], 2)] for n in (100, 400, 1600)]
     rows += [
         ["rational bicubic surface on a grid, position", "SISL s1506",
          digits(taut["position"] / sisl["position"], 2)],
         ["the same with first and second derivatives", "SISL s1506",
          digits(taut["second"] / sisl["second"], 2)]]
-    return origin(solve) + ":\n\n" + table(["", "beside", "faster by"], rows)
+    return (f"From file to file: {origin(whole)}; the others: {origin(solve)}.\n\n"
+            + table(["", "beside", "faster by"], rows))
 
 
-TABLES = {"dirichlet": dirichlet, "making": making, "evaluate": evaluate, "summary": summary}
+def processes():
+    """Whole processes of all constructions."""
+    bench = load("make")
+    head = ["document", "`taut make`, ms", "read", "made", "proved", "written", "beside", "ms", "faster by"]
+    rows = [[r["name"], digits(r["whole_ms"]), *(f"{100 * r[part]:.0f} %" for part in ("read", "made", "proved", "written")),
+             r.get("peer", ""), digits(r["peer_ms"]) if "peer" in r else "",
+             digits(r["peer_ms"] / r["whole_ms"], 2) if "peer" in r else ""] for r in bench["rows"]]
+    return origin(bench) + ", CPU time.\n\n" + table(head, rows)
+
+
+TABLES = {"dirichlet": dirichlet, "processes": processes, "making": making, "evaluate": evaluate, "summary": summary}
 
 
 def record(name):
