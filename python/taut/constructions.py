@@ -369,9 +369,9 @@ def pattern(*, pattern: Literal["cloth"], of: Union[str, Mapping[str, Any]], sea
         unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, surface: str | None = None,
         seam_length: Literal["shared", "true"] | None = None, cloth: Mapping[str, Any] | None = None,
         untrim: bool | None = None, compensation: Mapping[str, float] | None = None,
-        allowance: Mapping[str, Any] | None = None, hems: Sequence[Any] | None = None,
-        marks: Mapping[str, Any] | None = None, strain: float | None = None, tolerance: float | None = None,
-        threads: int | None = None, progress: Progress | None = None, strict: bool = False) -> Model:
+        prestress: npt.ArrayLike | None = None, allowance: Mapping[str, Any] | None = None,
+        hems: Sequence[Any] | None = None, marks: Mapping[str, Any] | None = None, strain: float | None = None,
+        tolerance: float | None = None, threads: int | None = None, progress: Progress | None = None, strict: bool = False) -> Model:
     """Flat pieces of cloth that are sewn together to a surface.
 
     pattern                what it is cut of
@@ -385,14 +385,15 @@ def pattern(*, pattern: Literal["cloth"], of: Union[str, Mapping[str, Any]], sea
     untrim                 STEP, IGES: trimmed faces of the file in of are read as the whole surfaces under them; false
                            if not given
     compensation           the shares by which the cloth is cut smaller than it is mounted
+    prestress              of warp and weft, in kN/m, in place of their compensation: e = D^-1 s, c = e/(1 + e)
     allowance              cloth that is left beyond the lines to sew
     hems                   borders that are folded over
     marks                  marks that meet when a seam is sewn
     strain                 claimed: no principal strain is larger; above 0
     """
     said: dict[str, Any] = {"pattern": pattern, "of": of, "seams": seams, "unit": unit, "surface": surface,
-        "seam_length": seam_length, "cloth": cloth, "untrim": untrim, "compensation": compensation, "allowance": allowance,
-        "hems": hems, "marks": marks, "strain": strain}
+        "seam_length": seam_length, "cloth": cloth, "untrim": untrim, "compensation": compensation, "prestress": prestress,
+        "allowance": allowance, "hems": hems, "marks": marks, "strain": strain}
     return made_of("pattern", said, None, tolerance=tolerance, threads=threads, progress=progress, strict=strict)
 
 
