@@ -52,6 +52,6 @@ for page in "$SOURCE"/docs/tutorial/[1-9]*.md; do
     done
     lessons=$((lessons + 1))
 done
-[ $lessons = 6 ] || complain "$lessons lessons"
-[ $commands -ge 19 ] || complain "only $commands commands"
+[ $lessons = 7 ] || complain "$lessons lessons"
+[ $commands -ge 29 ] || complain "only $commands commands"
 finish
