@@ -1,6 +1,7 @@
 # test_film_peer.sh -- the sail of film-sail against Surface Evolver: steps downhill on three refinements, then Newton's on quadratic
 # elements and on elements of degree 4. What is left is Evolver's own: its sail has more energy than the least of the splines, by
-# 6e-9 of it, and at a minimum area and lengths are off by about the root of that.
+# 6e-9 of it, and at a minimum area and lengths are off by about the root of that. Then a unit of Neovius' surface, between lines and
+# mirrors, on four refinements.
 . "$SOURCE/tests/cli/cli.sh"
 
 command -v evolver > /dev/null || skip 'Surface Evolver' 'tools/deps.sh check'
@@ -37,5 +38,18 @@ print("apart by", apart, file=sys.stderr)
 assert 0 < apart[0] < 8e-9, apart
 assert abs(apart[1]) < 1.2e-6, apart
 assert abs(apart[2]) < 1.4e-7, apart
+END
+
+cp "$SOURCE/tests/cli/film-neovius.fe" neovius.fe
+sed -e '/^M 2$/i r\n{ g 10; V; u; V } 20' -e 's/^printf.*/printf "%.15g\\n", total_area/' commands > neovius
+evolver -x -fneovius neovius.fe > evolver.txt 2>&1 || complain "Evolver failed: $(tail -n 3 evolver.txt)"
+"$TAUT" example film-neovius > neovius.json
+run 0 make neovius.json --quiet -o model.json
+python3 - model.json evolver.txt <<'END' || complain "Evolver has another surface of Neovius"
+import json, re, sys
+area = json.load(open(sys.argv[1]))["certificate"]["figures"]["area"]
+found = float([line for line in open(sys.argv[2], errors="replace") if re.fullmatch(r"[\d.]+\s*", line)][-1])
+print("apart by", found / area - 1, file=sys.stderr)
+assert abs(found / area - 1) < 1e-10, found / area - 1
 END
 finish

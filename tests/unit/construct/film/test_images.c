@@ -1,5 +1,6 @@
 /* test_images.c -- films repeated by mirrors, turns and translations: Schwarz's D and P, and what is refused. */
 #include "check.h"
+#include "cli/embedded_files.h"
 
 #include "taut/taut.h"
 
@@ -103,6 +104,41 @@ static void test_schwarz_d(void)
     taut_problem_free(problem);
 }
 
+/* The example's model; its area. */
+static double area_of_example(const char *name, taut_model **model)
+{
+    taut_problem *problem = NULL;
+    taut_certificate *certificate = NULL;
+    const taut_embedded *found = taut_examples;
+    while (strcmp(found->name, name) != 0) {
+        found++;
+    }
+    *model = make(found->text, &problem, &certificate);
+    const double area = area_of(certificate);
+    CHECK(taut_certificate_holds(certificate) != TAUT_FALSE, "%s holds", name);
+    taut_certificate_free(certificate);
+    taut_problem_free(problem);
+    return area;
+}
+
+/* Neovius' surface between Schwarz's lines: Surface Evolver's area of a quad (tests/cli/test_film_peer.sh). The gyroid bends from D:
+ * (1 + k^2) / (16 k) of a quad in a cell of side 1, k the area of the quad of D. */
+static void test_neovius_and_gyroid(void)
+{
+    const double k = 1.279261571171006466;
+    taut_model *model = NULL;
+
+    CHECK_NEAR(area_of_example("film-neovius.json", &model), 0.0731349610814478, 1e-12, "Neovius");
+    CHECK(taut_model_surface_count(model) == 48 && count_shared(model) == 144,
+          "72 edges inside: %d", count_shared(model));
+    taut_model_free(model);
+    CHECK_NEAR(area_of_example("film-gyroid.json", &model), (1 + k * k) / (16 * k), 2e-12,
+               "gyroid");
+    CHECK(taut_model_surface_count(model) == 24 && count_shared(model) == 62, "31 edges inside: %d",
+          count_shared(model));
+    taut_model_free(model);
+}
+
 /* 3 K(1/2) / K(sqrt 3 / 2) a^2 in a cube of side a: 24 quads. */
 static void test_schwarz_p(void)
 {
@@ -192,6 +228,7 @@ int main(void)
 {
     test_schwarz_d();
     test_schwarz_p();
+    test_neovius_and_gyroid();
     test_refused();
     return check_failures != 0;
 }
