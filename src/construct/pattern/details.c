@@ -282,6 +282,22 @@ static void describe_cloth(const taut_pattern_problem *problem, const taut_patte
     taut_record_add_number(compensation, "weft", cut->compensation.weft);
 }
 
+/* Where cloth that is to be stressed is compressed by more than it is cut smaller either way. */
+static void add_slack(const taut_pattern_told *told, taut_record *warnings)
+{
+    const double c = fmax(told->cut->compensation.warp, told->cut->compensation.weft);
+    for (int k = 0; c > 0 && k < told->layout->piece_count; k++) {
+        const taut_pattern_strains all = taut_pattern_strains_of(&told->layout->pieces[k]);
+        char text[128];
+        if (-all.low > c) {
+            snprintf(text, sizeof text,
+                     "slack: %s is compressed by %.6g at (%.6g, %.6g), and cut smaller by %.6g",
+                     told->layout->pieces[k].name, -all.low, all.at_low[0], all.at_low[1], c);
+            taut_record_add_text(warnings, NULL, text);
+        }
+    }
+}
+
 static void add_warnings(const taut_pattern_told *told, taut_record *details)
 {
     static const char *const rings[] = {"ring: u0 and u1 are one line of the surface, and the "
@@ -303,6 +319,7 @@ static void add_warnings(const taut_pattern_told *told, taut_record *details)
             taut_record_add_text(warnings, NULL, shares[k]);
         }
     }
+    add_slack(told, warnings);
 }
 
 void taut_pattern_describe(const taut_pattern_told *told, taut_record *details)

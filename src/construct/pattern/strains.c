@@ -26,7 +26,11 @@ taut_pattern_strains taut_pattern_strains_of(const taut_pattern_piece *piece)
             taut_pattern_piece_metric(piece, s, t, g);
             taut_flat_at(flat, s, t, y);
             taut_flat_strain(flat, g, (const double(*)[2])y, strain, cloth);
-            all.low = fmin(all.low, strain[1]);
+            if (strain[1] < all.low) {
+                all.low = strain[1];
+                all.at_low[0] = s;
+                all.at_low[1] = t;
+            }
             all.high = fmax(all.high, strain[0]);
             widen(all.warp, cloth[0]);
             widen(all.weft, cloth[1]);

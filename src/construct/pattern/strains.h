@@ -6,6 +6,7 @@
 
 typedef struct taut_pattern_strains {
     double low, high, at[2]; /* principal ones; at: of the larger one, in (s, t) */
+    double at_low[2];
     double warp[2], weft[2], shear;
 } taut_pattern_strains;
 

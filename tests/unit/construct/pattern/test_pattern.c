@@ -295,6 +295,28 @@ static void test_prestress(void)
     cloth_free(&made);
 }
 
+/* What is unusual: cloth that stays slack, and cloth that is cut a fifth smaller. */
+static void test_warnings(void)
+{
+    static const char *const words[] = {"", "slack: P", "compensation: the warp"};
+    static const double shares[] = {0.02, 0.001, 0.2};
+    for (size_t k = 0; k < 3; k++) {
+        char members[256];
+        snprintf(members, sizeof members,
+                 "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 3 }], \"compensation\": { "
+                 "\"warp\": %g, \"weft\": 0.001 }",
+                 shares[k]);
+        made_cloth made = cloth_make(SADDLE, members);
+        CHECK(made.status == TAUT_OK, "%s", made.error.message);
+        const taut_record *told = taut_record_get(taut_model_details(made.model), "warnings");
+        const char *first =
+            taut_record_count(told) > 0 ? taut_record_text(taut_record_at(told, 0)) : "";
+        CHECK(strncmp(first, words[k], strlen(words[k])) == 0 && (k > 0 || first[0] == '\0'),
+              "%s: %s", members, first);
+        cloth_free(&made);
+    }
+}
+
 static void test_refusals(void)
 {
     static const struct {
@@ -405,6 +427,7 @@ int main(void)
     test_material();
     test_allowance();
     test_prestress();
+    test_warnings();
     test_refusals();
     test_sizes();
     return check_failures != 0;
