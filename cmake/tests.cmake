@@ -153,7 +153,7 @@ endif()
 # The page of `taut studio`, where the toolchain for WebAssembly is.
 if(NOT TAUT_SANITIZE) # one page, the same bytes
   add_test(NAME studio/page COMMAND sh ${CMAKE_SOURCE_DIR}/tests/studio/test_studio.sh)
-  set_tests_properties(studio/page PROPERTIES TIMEOUT 400 SKIP_RETURN_CODE 77
+  set_tests_properties(studio/page PROPERTIES TIMEOUT 900 SKIP_RETURN_CODE 77
     ENVIRONMENT "TAUT=${CMAKE_BINARY_DIR}/bin/taut;STUDIO=${TAUT_MODULE_DIR}/taut-studio.so;SOURCE=${CMAKE_SOURCE_DIR}")
 endif()
 

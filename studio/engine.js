@@ -12,7 +12,7 @@ const PATIENCE_MS = 400; // with a draft or a proof that nobody waits for any mo
 export class Engine {
   /**
    * @param {string} source  the worker's script
-   * @param {ArrayBuffer} wasm
+   * @param {WebAssembly.Module} wasm  compiled once, for all workers
    */
   constructor(source, wasm) {
     const address = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
@@ -27,7 +27,7 @@ export class Engine {
   /**
    * A worker that answers once it has loaded the library: the answer to that first message is not passed on.
    * @param {string} address
-   * @param {ArrayBuffer} wasm
+   * @param {WebAssembly.Module} wasm
    * @returns {import("./channel.js").WorkerLike}
    */
   startWorker(address, wasm) {

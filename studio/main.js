@@ -219,7 +219,7 @@ function offerKept(/** @type {string | null} */ before, /** @type {any} */ given
 
 async function start() {
   const [wasm, worker, schema, examples, reasons] = await Promise.all(
-    [bytesOf("wasm"), textOf("worker"), textOf("schema"), textOf("examples"), textOf("reasons"), runPart("three")]);
+    [bytesOf("wasm").then((bytes) => WebAssembly.compile(bytes)), textOf("worker"), textOf("schema"), textOf("examples"), textOf("reasons"), runPart("three")]);
   remedies = JSON.parse(reasons);
   const engine = new Engine(worker, wasm), before = kept();
   scene = new Scene(/** @type {HTMLCanvasElement} */ (at("canvas")));

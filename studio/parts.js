@@ -4,7 +4,8 @@
 /** @returns {Promise<ArrayBuffer>} */
 export async function bytesOf(/** @type {string} */ name) {
   const packed = /** @type {HTMLElement} */ (document.getElementById("part-" + name)).textContent ?? "";
-  const bytes = Uint8Array.from(atob(packed), (letter) => letter.charCodeAt(0));
+  const letters = atob(packed), bytes = new Uint8Array(letters.length);
+  for (let k = 0; k < letters.length; k++) bytes[k] = letters.charCodeAt(k);
   return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
 }
 

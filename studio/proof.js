@@ -4,8 +4,6 @@ import { readable } from "./number.js";
 
 /** @typedef {{ claim: string, kind: string, residual: number | null, limit: number | null, holds: boolean | null, where?: string }} Claim */
 
-const ABOVE = new Set(["regular", "stable", "graph", "embedded", "tube"]); // claims that want a residual above the limit
-
 /** Where a residual and its limit stand between 1e-17 and 1, in parts of a hundred. */
 export function placeOnBar(/** @type {number | null} */ x) {
   if (x === null || !(Math.abs(x) > 0)) return 0;
@@ -15,6 +13,10 @@ export function placeOnBar(/** @type {number | null} */ x) {
 /** "holds", "fails" or "undecided". */
 export const verdictOf = (/** @type {boolean | null} */ holds) => holds === true ? "holds" : holds === false ? "fails" : "undecided";
 const styleOf = (/** @type {boolean | null} */ holds) => holds === true ? "holds" : holds === false ? "fails" : "open";
+
+/** Does the claim want its residual at the limit or above, as `stable` and `regular` do? */
+export const wantsMore = (/** @type {Claim} */ { holds, residual, limit }) =>
+  residual !== null && limit !== null && (holds === true ? residual > limit : holds === false && residual < limit);
 
 function element(/** @type {string} */ tag, /** @type {string} */ style, /** @type {string} */ text = "") {
   const made = document.createElement(tag);
@@ -27,7 +29,7 @@ function rowOf(/** @type {Claim} */ claim) {
   const row = element("tr", "claim"), first = element("th", "", claim.claim), second = element("td", "");
   first.title = claim.where ? `at ${claim.where}` : "";
   first.append(document.createElement("br"), element("small", "", claim.kind));
-  const sign = ABOVE.has(claim.claim) ? "above" : "limit", line = element("span", "row");
+  const sign = wantsMore(claim) ? "at least" : "limit", line = element("span", "row");
   const numbers = claim.residual === null ? `${sign} ${readable(claim.limit, 3)}` : `${readable(claim.residual, 3)}, ${sign} ${readable(claim.limit, 3)}`;
   line.append(element("span", styleOf(claim.holds), verdictOf(claim.holds)), element("small", "number", numbers));
   second.append(line);

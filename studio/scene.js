@@ -59,7 +59,7 @@ export class Scene {
       /** @type {any} */ (look)[name].value = colourOf(variable);
     }
     Object.values(this.materials).forEach((material) => material?.dispose());
-    this.materials = { edge: lineMaterial("--ink", 2), net: lineMaterial("--net", 1), curve: lineMaterial("--mark", 2.5),
+    this.materials = { edge: lineMaterial("--ink", 2), net: lineMaterial("--net", 1), curve: lineMaterial("--mark", 2.5, true),
       comb: lineMaterial("--comb", 1), taken: lineMaterial("--mark", 3) };
     this.show(this.drawn);
     this.showCurves(this.courses);

@@ -108,8 +108,9 @@ export function pointMaterial() {
   return materials.point ??= new THREE.ShaderMaterial({ vertexShader: pointVertex, fragmentShader: pointFragment, uniforms: { ink, taken, pixels } });
 }
 
-export function lineMaterial(/** @type {string} */ colour, /** @type {number} */ width) {
-  const material = new THREE.LineMaterial({ linewidth: width });
+/** isAbove: before another line in the same place, as a cable is before the edge that it draws. */
+export function lineMaterial(/** @type {string} */ colour, /** @type {number} */ width, isAbove = false) {
+  const material = new THREE.LineMaterial({ linewidth: width, polygonOffset: isAbove, polygonOffsetFactor: -2, polygonOffsetUnits: -16 });
   const ink = colourOf(colour);
   material.color.setRGB(ink.x, ink.y, ink.z); // as it is to be seen: not turned to linear light
   return material;

@@ -9,6 +9,7 @@
 #     sanitize   all tests with addresses and undefined behaviour watched
 #     windows    all C tests under wine, and every example
 #     wasm       every example in the WebAssembly module, byte for byte
+#     studio     ten thousand random gestures in the studio, without a complaint, and what they leave behind in memory
 #     fuzz       every fuzz target, NIGHTLY_FUZZ seconds in all (3600)
 #     mutants    every mutant that was made by hand
 #     generated  mutants made by rule, for NIGHTLY_GENERATED seconds (7200)
@@ -17,7 +18,7 @@
 #     forge      forgeries of models against the judge from outside, seed NIGHTLY_SEED (the day)
 set -u
 cd "$(dirname "$0")/.." || exit 1
-all="compilers musl aarch64 sanitize windows wasm fuzz mutants generated plugins layouts forge"
+all="compilers musl aarch64 sanitize windows wasm studio fuzz mutants generated plugins layouts forge"
 page=docs/nightly.md logs=build/nightly
 for name in "$@"; do
     case " $all " in *" $name "*) ;; *)
@@ -50,6 +51,11 @@ do_wasm() {
     tools/deps.sh wasm && cmake --preset wasm > /dev/null && cmake --build --preset wasm -j "$jobs" &&
         node --test tests/web/test_web.mjs
 }
+do_studio() {
+    tools/deps.sh wasm && tools/deps.sh browser && cmake --preset release > /dev/null &&
+        cmake --build --preset release -j "$jobs" --target taut --target studio &&
+        GESTURES="${NIGHTLY_GESTURES:-10000}" ONLY=gestures node tests/studio/test_studio.js "$native" "$(mktemp -d)" -
+}
 do_fuzz() {
     tools/deps.sh check && cmake --preset sanitize > /dev/null && cmake --build --preset sanitize -j "$jobs" &&
         tools/fuzz.sh "${NIGHTLY_FUZZ:-3600}"
@@ -62,7 +68,7 @@ do_forge() { tools/forge_night.sh "${NIGHTLY_SEED:-$(date +%j)}" "${NIGHTLY_SEED
 
 # What a step says of itself: of tests how many, of examples how many.
 told() { # told LOG
-    grep -hE '^[0-9]+ of [0-9]+ examples|tests passed, |^# (pass|fail) |^[0-9]+ (passed|failed)|mutants tried|^seed [0-9]|^[0-9]+ films, ' "$1" | tail -n 3 |
+    grep -hE '^[0-9]+ of [0-9]+ examples|tests passed, |^# (pass|fail) |^[0-9]+ (passed|failed)|mutants tried|^seed [0-9]|^[0-9]+ films, |^after [0-9]+ gestures' "$1" | tail -n 3 |
         tr '\n|' ' /' | sed 's/  */ /g; s/ $//'
 }
 

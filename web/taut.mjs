@@ -51,11 +51,11 @@ function host(/** @type {{memory: WebAssembly.Memory | null}} */ held) {
 }
 
 /**
- * @param {BufferSource} bytes
+ * @param {BufferSource | WebAssembly.Module} bytes  of taut.wasm, or that compiled
  */
 export async function load(bytes) {
   const held = { memory: /** @type {WebAssembly.Memory | null} */ (null) };
-  const module = await WebAssembly.compile(bytes);
+  const module = bytes instanceof WebAssembly.Module ? bytes : await WebAssembly.compile(bytes);
   const calls = host(held);
   const imports = Object.fromEntries(WebAssembly.Module.imports(module).map(({ name }) => [name, calls[name]]));
   const instance = await WebAssembly.instantiate(module, { wasi_snapshot_preview1: imports });

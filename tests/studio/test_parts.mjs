@@ -18,7 +18,7 @@ import { readable } from "../../studio/number.js";
 import { kindOf, membersOf, resolve, schemaOf } from "../../studio/panel.js";
 import { edgesOf, freePlacesOf, placesOf } from "../../studio/places.js";
 import { below, valueAt, withEdits, withValue } from "../../studio/pointer.js";
-import { placeOnBar, wordOf } from "../../studio/proof.js";
+import { placeOnBar, wantsMore, wordOf } from "../../studio/proof.js";
 import { remedyOf } from "../../studio/remedy.js";
 import { documentOf, fragmentOf } from "../../studio/share.js";
 
@@ -125,6 +125,13 @@ test("only bounds and exact claims are proved", () => {
   assert.equal(wordOf(whole(false, [claim("bound", false)]), false), "fails");
   assert.equal(wordOf(whole(null, [claim("bound", null)]), false), "undecided");
   assert.equal(wordOf(whole(true, []), true), "draft");
+});
+
+test("claims that hold above their limit say so", () => {
+  const claim = { claim: "stable", kind: "check" };
+  assert.ok(wantsMore({ ...claim, holds: true, residual: 5, limit: 1e-6 }) && wantsMore({ ...claim, holds: false, residual: 1e-9, limit: 1e-6 }));
+  assert.ok(!wantsMore({ ...claim, holds: true, residual: 0.1, limit: 1 }) && !wantsMore({ ...claim, holds: null, residual: 2, limit: 1 }));
+  assert.ok(!wantsMore({ ...claim, holds: true, residual: null, limit: 1 }));
 });
 
 test("every construction of the examples has fields", () => {

@@ -118,18 +118,13 @@ test("a draft leads to the film that is made", () => {
   for (const surface of [before, film, draft, other]) surface.close();
 });
 
-test("where a film is how far from least its witness says", () => {
+test("how far parameters are from isothermal comes with curvatures", () => {
   const surface = taut.open(read("plateau-scherk.json"));
   surface.make();
-  const gaps = surface.gaps(0, 9, 9);
-  assert.ok(gaps !== null && gaps.every((/** @type {number} */ gap) => gap > -1e-6 && gap < 0.01));
   const { isothermality } = surface.curvatures(0, 9, 9);
   assert.ok(isothermality.every((/** @type {number} */ x) => x >= 0 && x <= 1));
+  assert.equal(surface.gaps(0, 9, 9), null); // the studio's module alone has them
   surface.close();
-  const tent = taut.open(read("dirichlet-tent.json"));
-  tent.make();
-  assert.equal(tent.gaps(0, 9, 9), null);
-  tent.close();
 });
 
 test("a grid lies on the surface", () => {
