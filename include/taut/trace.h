@@ -178,6 +178,91 @@ TAUT_API taut_status taut_trace_make(const taut_trace_problem *problem,
 TAUT_API taut_status taut_trace_strips(const taut_model *model, int solid, taut_model **strips,
                                        taut_error *error);
 
+/* ---- what a finished net says, as structs: of details, which belong to the model ---- */
+
+/* The value at the seed, the largest absolute one, and the length at which it is. */
+typedef struct taut_trace_bending {
+    double seed, most, most_at;
+} taut_trace_bending;
+
+/* A curve, and what is cut for it. What there is not is NaN; lengths in the model's unit. */
+typedef struct taut_trace_lath {
+    const char *name, *family; /* "A1", "+" */
+    const char *from_word,
+        *to_word; /* where it ends: "edge u0", "parabolic", ... (docs/trace.md) */
+    double seed[2], from[2], to[2];
+    double length, twist, turn; /* int |tau_g| ds, int |k_g| ds */
+    taut_trace_bending k_n, k_g, tau_g;
+    int steps, node_count;
+    double width, thickness, least_radius, edge_length, mean_stretch, cut_length;
+    double pattern_end[3]; /* x, y, angle */
+    double use;            /* of its strength */
+} taut_trace_lath;
+
+/* A crossing. */
+typedef struct taut_trace_node {
+    const char *name; /* "A3B5" */
+    double at[2], point[3], normal[3];
+    double angle;               /* acute, radians */
+    double tau, mean_curvature; /* sqrt(-K), or 0; H */
+    double s[2];                /* the lengths on both curves */
+    double slot, slot_twisted;  /* widths of slots over the thickness; NaN where there are none */
+    int is_on_border;
+} taut_trace_node;
+
+/* A flat piece on its sheet. */
+typedef struct taut_trace_piece {
+    const char *name, *lath; /* "A3/1" of "A3" */
+    int sheet;               /* from 1 */
+    int point_count, slot_count;
+} taut_trace_piece;
+
+/* How many there are; 0 of a model that is no net. */
+TAUT_API int taut_trace_lath_count(const taut_model *net);
+TAUT_API int taut_trace_node_count(const taut_model *net);
+TAUT_API int taut_trace_piece_count(const taut_model *net);
+
+/* One of them, i from 0. TAUT_BAD_ARGUMENT: there is none. */
+TAUT_API taut_status taut_trace_lath_at(const taut_model *net, int i, taut_trace_lath *lath,
+                                        taut_error *error);
+TAUT_API taut_status taut_trace_node_at(const taut_model *net, int i, taut_trace_node *node,
+                                        taut_error *error);
+/* A piece, and its outline, double outline[point_count][2], counter-clockwise or not, closed by its first
+ * point; NULL: the struct alone, to ask for its size. room: for so many points; TAUT_BAD_ARGUMENT where it
+ * is too small. */
+TAUT_API taut_status taut_trace_pattern(const taut_model *net, int i, int room, double *outline,
+                                        taut_trace_piece *piece, taut_error *error);
+
+/* ---- one curve, step by step ---- */
+
+/* A place of a curve that is followed. */
+typedef struct taut_trace_step {
+    double s;     /* length from the seed */
+    double at[2]; /* u, v */
+    double point[3], tangent[3], normal[3];
+    double k_n, k_g, tau_g;
+} taut_trace_step;
+
+/* Is handed the seed and then the end of every step; nonzero: enough. */
+typedef int taut_trace_sink(void *context, const taut_trace_step *step);
+
+/* How a curve that was followed ended. */
+typedef struct taut_trace_end {
+    const char *word; /* "edge", "corner", "parabolic", ..., "length", or "sink": it had enough */
+    double at[2], length;
+    int steps;
+} taut_trace_end;
+
+/* Follows the curve of a family, 1 or 2, through `at`, one way: that of the direction `way` of the window, du, dv
+ * (of a geodesic its own, of other nets whichever of both ways is nearer to it); at most `max_length` long (0: 20
+ * times the size). The steps are those of taut_trace_make, [HairerNorsettWanner1993] II.5, each to 1e-12 of the
+ * size. end: or NULL. TAUT_BAD_ARGUMENT; TAUT_BAD_INPUT, reasons "outside", "direction", "value"; TAUT_NO_SOLUTION,
+ * reasons "elliptic", "flat", "singular", "crease", "extreme-size"; TAUT_NOT_CONVERGED, reason "stalled". */
+TAUT_API taut_status taut_trace_follow(const taut_surface *surface, taut_trace_net net, int family,
+                                       const double at[2], const double way[2], double max_length,
+                                       taut_trace_sink *sink, void *context, taut_trace_end *end,
+                                       taut_error *error);
+
 /* The certificate: claims on-surface, asymptotic (principal, geodesic, isoparametric), length, ends,
  * nodes, complete, right-angled, pattern, and with the problem `surface`, spacing, isometric. docs/trace.md
  * says what each is held against. */

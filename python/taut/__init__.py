@@ -18,7 +18,8 @@ from .making import certify, make, read
 from .measuring import join, measure, pieces, refine, split, to_nurbs, to_unit
 from .model import Certificate, Claim, Mesh, Model
 from .sweeps import map
+from .tracing import follow
 
 __all__ = ["Basis", "Certificate", "CheckFailed", "Claim", "Curve", "Error", "FileError", "FilmGradient", "InputError", "Mesh", "Model", "NoSolution",
-           "NotConverged", "Surface", "bezier", "bspline", "c_bezier", "c_bspline", "ce_bezier", "certify", "film_gradient", "gradient", "h_bezier", "h_bspline",
+           "NotConverged", "Surface", "bezier", "bspline", "c_bezier", "c_bspline", "ce_bezier", "certify", "film_gradient", "follow", "gradient", "h_bezier", "h_bspline",
            "join", "make", "map", "measure", "pieces", "read", "refine", "split", "to_nurbs", "to_unit", *_constructions]

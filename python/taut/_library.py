@@ -53,6 +53,18 @@ class MeshOptions(Structure):
                 ("thickness", c_double)]
 
 
+class TraceStep(Structure):
+    _fields_ = [("s", c_double), ("at", c_double * 2), ("point", c_double * 3), ("tangent", c_double * 3), ("normal", c_double * 3),
+                ("k_n", c_double), ("k_g", c_double), ("tau_g", c_double)]
+
+
+class TraceEnd(Structure):
+    _fields_ = [("word", c_char_p), ("at", c_double * 2), ("length", c_double), ("steps", c_int)]
+
+
+TRACE_SINK = ctypes.CFUNCTYPE(c_int, c_void_p, POINTER(TraceStep))
+
+
 class BasisSpec(Structure):
     _fields_ = [("type", c_char_p), ("degree", c_int), ("count", c_int), ("knot_count", c_int), ("knots", c_void_p),
                 ("alpha", c_double), ("beta", c_double), ("gamma", c_double), ("segments", c_int), ("has_range", c_int),
@@ -118,7 +130,7 @@ SIGNATURES = {
     "taut_mesh_normals": "p:p", "taut_mesh_parameters": "p:p", "taut_mesh_quad_count": "z:p", "taut_mesh_quads": "p:p",
     "taut_mesh_triangles": "p:p", "taut_mesh_welded": "p:p", "taut_mesh_group_count": "i:p", "taut_mesh_group_at": "p:pi",
     "taut_dirichlet_make": "i:pppp", "taut_dirichlet_certify": "i:ppppp",
-    "taut_gradient": "i:ppppp", "taut_gradient_of_film": "i:ppppp",
+    "taut_trace_follow": "i:piippdpppp", "taut_gradient": "i:ppppp", "taut_gradient_of_film": "i:ppppp",
 }
 _TYPES = {"p": c_void_p, "s": c_char_p, "i": c_int, "d": c_double, "z": c_size_t, "-": None}
 
@@ -140,7 +152,7 @@ LAYOUTS: dict[str, type[Structure]] = {
     "taut_error": ErrorStruct, "taut_monitor": MonitorStruct, "taut_make_options": MakeOptions, "taut_certify_options": CertifyOptions,
     "taut_measure_options": MeasureOptions, "taut_write_options": WriteOptions, "taut_mesh_options": MeshOptions,
     "taut_basis_spec": BasisSpec, "taut_claim": ClaimStruct, "taut_dirichlet_problem": DirichletProblem, "taut_gradient_request": GradientRequest,
-    "taut_film_gradient_request": FilmGradientRequest, "taut_film_slopes": FilmSlopes,
+    "taut_trace_step": TraceStep, "taut_trace_end": TraceEnd, "taut_film_gradient_request": FilmGradientRequest, "taut_film_slopes": FilmSlopes,
 }
 sizes: dict[str, int] = {}  # of all public structs, in bytes
 

@@ -538,6 +538,42 @@
     X(taut_through, v, "double") \
     X(taut_through, point, "double[3]")
 
+#define TAUT_ABI_MEMBERS_taut_trace_bending(X) \
+    X(taut_trace_bending, seed, "double") \
+    X(taut_trace_bending, most, "double") \
+    X(taut_trace_bending, most_at, "double")
+
+#define TAUT_ABI_MEMBERS_taut_trace_end(X) \
+    X(taut_trace_end, word, "const char *") \
+    X(taut_trace_end, at, "double[2]") \
+    X(taut_trace_end, length, "double") \
+    X(taut_trace_end, steps, "int")
+
+#define TAUT_ABI_MEMBERS_taut_trace_lath(X) \
+    X(taut_trace_lath, name, "const char *") \
+    X(taut_trace_lath, family, "const char *") \
+    X(taut_trace_lath, from_word, "const char *") \
+    X(taut_trace_lath, to_word, "const char *") \
+    X(taut_trace_lath, seed, "double[2]") \
+    X(taut_trace_lath, from, "double[2]") \
+    X(taut_trace_lath, to, "double[2]") \
+    X(taut_trace_lath, length, "double") \
+    X(taut_trace_lath, twist, "double") \
+    X(taut_trace_lath, turn, "double") \
+    X(taut_trace_lath, k_n, "taut_trace_bending") \
+    X(taut_trace_lath, k_g, "taut_trace_bending") \
+    X(taut_trace_lath, tau_g, "taut_trace_bending") \
+    X(taut_trace_lath, steps, "int") \
+    X(taut_trace_lath, node_count, "int") \
+    X(taut_trace_lath, width, "double") \
+    X(taut_trace_lath, thickness, "double") \
+    X(taut_trace_lath, least_radius, "double") \
+    X(taut_trace_lath, edge_length, "double") \
+    X(taut_trace_lath, mean_stretch, "double") \
+    X(taut_trace_lath, cut_length, "double") \
+    X(taut_trace_lath, pattern_end, "double[3]") \
+    X(taut_trace_lath, use, "double")
+
 #define TAUT_ABI_MEMBERS_taut_trace_laths(X) \
     X(taut_trace_laths, strip, "taut_trace_strip") \
     X(taut_trace_laths, width, "double") \
@@ -551,6 +587,26 @@
     X(taut_trace_material, e, "double") \
     X(taut_trace_material, g, "double") \
     X(taut_trace_material, strength, "double")
+
+#define TAUT_ABI_MEMBERS_taut_trace_node(X) \
+    X(taut_trace_node, name, "const char *") \
+    X(taut_trace_node, at, "double[2]") \
+    X(taut_trace_node, point, "double[3]") \
+    X(taut_trace_node, normal, "double[3]") \
+    X(taut_trace_node, angle, "double") \
+    X(taut_trace_node, tau, "double") \
+    X(taut_trace_node, mean_curvature, "double") \
+    X(taut_trace_node, s, "double[2]") \
+    X(taut_trace_node, slot, "double") \
+    X(taut_trace_node, slot_twisted, "double") \
+    X(taut_trace_node, is_on_border, "int")
+
+#define TAUT_ABI_MEMBERS_taut_trace_piece(X) \
+    X(taut_trace_piece, name, "const char *") \
+    X(taut_trace_piece, lath, "const char *") \
+    X(taut_trace_piece, sheet, "int") \
+    X(taut_trace_piece, point_count, "int") \
+    X(taut_trace_piece, slot_count, "int")
 
 #define TAUT_ABI_MEMBERS_taut_trace_problem(X) \
     X(taut_trace_problem, model, "const taut_model *") \
@@ -587,6 +643,16 @@
     X(taut_trace_sheet, size, "double[2]") \
     X(taut_trace_sheet, has_gap, "int") \
     X(taut_trace_sheet, gap, "double")
+
+#define TAUT_ABI_MEMBERS_taut_trace_step(X) \
+    X(taut_trace_step, s, "double") \
+    X(taut_trace_step, at, "double[2]") \
+    X(taut_trace_step, point, "double[3]") \
+    X(taut_trace_step, tangent, "double[3]") \
+    X(taut_trace_step, normal, "double[3]") \
+    X(taut_trace_step, k_n, "double") \
+    X(taut_trace_step, k_g, "double") \
+    X(taut_trace_step, tau_g, "double")
 
 #define TAUT_ABI_MEMBERS_taut_write_options(X) \
     X(taut_write_options, tolerance, "double") \
@@ -685,11 +751,17 @@
     X(taut_read_options) \
     X(taut_surface_measure) \
     X(taut_through) \
+    X(taut_trace_bending) \
+    X(taut_trace_end) \
+    X(taut_trace_lath) \
     X(taut_trace_laths) \
     X(taut_trace_material) \
+    X(taut_trace_node) \
+    X(taut_trace_piece) \
     X(taut_trace_problem) \
     X(taut_trace_seed) \
     X(taut_trace_sheet) \
+    X(taut_trace_step) \
     X(taut_write_options)
 
 #define TAUT_ABI_VALUES_taut_asymptotic_given(X) \

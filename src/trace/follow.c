@@ -229,6 +229,14 @@ int taut_walk_station(taut_linefield_kind kind, const taut_walk_state *state, ta
     return 1;
 }
 
+const char *taut_walk_end_word(taut_walk_end end)
+{
+    static const char *const words[] = {"none",   "edge",    "corner",  "parabolic", "envelope",
+                                        "flat",   "umbilic", "closed",  "crease",    "singular",
+                                        "length", "seed",    "stalled", "sink"};
+    return words[end];
+}
+
 /* ---- a curve ---- */
 
 typedef struct follower {
@@ -241,6 +249,17 @@ typedef struct follower {
     double h;
     double seed_x[3], seed_tangent[3];
 } follower;
+
+static void end_at(follower *f, taut_walk_end end, const taut_walk_state *state)
+{
+    if (f->walk->end == TAUT_END_SINK) { /* whatever is there too */
+        return;
+    }
+    f->walk->end = end;
+    f->walk->end_at[0] = state->y[TAUT_WALK_U];
+    f->walk->end_at[1] = state->y[TAUT_WALK_V];
+    f->walk->end_on = state->on;
+}
 
 static taut_status add_piece(follower *f, const taut_walk_state *to, int near_parabolic)
 {
@@ -262,6 +281,10 @@ static taut_status add_piece(follower *f, const taut_walk_state *to, int near_pa
         (taut_piece){.start = f->state, .h = to->s - f->state.s, .near_parabolic = near_parabolic};
     taut_walk_station(f->kind, &f->state, &piece->from);
     taut_walk_station(f->kind, to, &piece->to);
+    if (f->options->sink != NULL && walk->end != TAUT_END_SINK &&
+        f->options->sink(f->options->context, piece)) {
+        end_at(f, TAUT_END_SINK, to);
+    }
     return TAUT_OK;
 }
 
@@ -379,14 +402,6 @@ static void hold_on_breaks(const follower *f, taut_walk_state *end)
             }
         }
     }
-}
-
-static void end_at(follower *f, taut_walk_end end, const taut_walk_state *state)
-{
-    f->walk->end = end;
-    f->walk->end_at[0] = state->y[TAUT_WALK_U];
-    f->walk->end_at[1] = state->y[TAUT_WALK_V];
-    f->walk->end_on = state->on;
 }
 
 /* Is the other coordinate at a border of the window too? Then it is set to it. */

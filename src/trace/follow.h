@@ -36,7 +36,8 @@ typedef enum taut_walk_end {
     TAUT_END_SINGULAR,
     TAUT_END_LENGTH,
     TAUT_END_SEED, /* followed one way only */
-    TAUT_END_STALLED
+    TAUT_END_STALLED,
+    TAUT_END_SINK /* who was handed its steps had enough */
 } taut_walk_end;
 
 /* Where a curve is: a place of a cell, and which way it goes in space. */
@@ -89,6 +90,8 @@ typedef struct taut_follow_options {
     double max_length;           /* in the carrier's unit */
     const taut_monitor *monitor; /* asked at every step, or NULL */
     double done;                 /* what it is told: the share before this curve */
+    int (*sink)(void *context, const taut_piece *piece); /* or NULL; nonzero: enough */
+    void *context;
 } taut_follow_options;
 
 /* The state at a seed that goes in the direction `along` in space: of the two the one with
@@ -96,6 +99,9 @@ typedef struct taut_follow_options {
 taut_linefield_fault taut_walk_start(const taut_carrier *carrier, taut_linefield_kind kind,
                                      const double at[2], const int span[2], const double along[3],
                                      taut_walk_state *state);
+
+/* "edge", "parabolic", ... */
+const char *taut_walk_end_word(taut_walk_end end);
 
 /* A state on a border of its window that goes out of it, moved to where the curve goes on across a seam
  * (trace/seam.h), at a corner across several; 0 where it ends, and then `state` is as it was. */

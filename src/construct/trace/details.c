@@ -48,13 +48,10 @@ static void sum_segment(const taut_net *net, const taut_lath *lath, const taut_s
 
 static void add_ended(const taut_lath *lath, int end, taut_record *list)
 {
-    static const char *const words[] = {"none",   "edge",    "corner", "parabolic", "envelope",
-                                        "flat",   "umbilic", "closed", "crease",    "singular",
-                                        "length", "seed",    "stalled"};
     char text[32];
     const int *e = lath->edges[end];
 
-    snprintf(text, sizeof text, "%s", words[lath->ended[end]]);
+    snprintf(text, sizeof text, "%s", taut_walk_end_word(lath->ended[end]));
     if (lath->ended[end] == TAUT_END_EDGE) {
         snprintf(text, sizeof text, "edge %s", edges[e[0]]);
     } else if (lath->ended[end] == TAUT_END_CORNER) {
