@@ -1,6 +1,7 @@
 """What to change, by the word of an error: written by tools/python_reasons.py from the lists in include/taut."""
 
 REMEDIES = {
+    'allowance': 'leave less there: the message says how much',
     'along': 'seed it on another edge',
     'arc-frame': 'leave "elbow" out, or keep the corners in one plane',
     'area-gap': 'raise the degree, or tolerance_area',
@@ -154,6 +155,7 @@ REMEDIES = {
     'stalled': 'seed elsewhere',
     'start': 'give a model of the same surface, held in the same places',
     'straight-edge': 'put the legs on the chord and within it, or give curvatures',
+    'strain': 'allow more strain: halving the width of strips quarters it',
     'surface': "name one of the model's surfaces",
     'syntax': 'correct it at the line and column',
     'tangent-lost': 'take more',
