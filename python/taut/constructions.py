@@ -138,10 +138,11 @@ def film(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None, v: 
         corners: Mapping[str, Union[npt.ArrayLike, None, Mapping[str, npt.ArrayLike], Mapping[str, Any]]] | None = None,
         edges: Mapping[str, Union[Literal["fixed"], Mapping[str, Union[CurveLike, Union[Mapping[str, npt.ArrayLike], Mapping[str, Mapping[str, Any]]]]], Mapping[str, Any], Mapping[str, Mapping[str, npt.ArrayLike]], Mapping[str, None]]] | None = None,
         seams: Sequence[Any] | None = None, patches: Sequence[Any] | None = None, cells: Sequence[Any] | None = None,
-        curves: Sequence[Any] | None = None, degree: int | None = None, count: int | None = None,
-        images: Sequence[Any] | None = None, tension: float | None = None, force_density: npt.ArrayLike | None = None,
-        prestress: npt.ArrayLike | None = None, reference: SurfaceLike | None = None, updates: int | None = None,
-        tolerance: float | None = None, max_iterations: int | None = None, equilibrium: float | None = None,
+        curves: Sequence[Any] | None = None, boundary: Union[str, Mapping[str, Any]] | None = None,
+        degree: int | None = None, count: int | None = None, images: Sequence[Any] | None = None,
+        tension: float | None = None, force_density: npt.ArrayLike | None = None, prestress: npt.ArrayLike | None = None,
+        reference: SurfaceLike | None = None, updates: int | None = None, tolerance: float | None = None,
+        max_iterations: int | None = None, equilibrium: float | None = None,
         method: Literal["full", "normal"] | None = None, accept: Literal["minimum", "stationary"] | None = None,
         least: bool | None = None, start: Mapping[str, Any] | None = None, refine: int | None = None,
         known: npt.ArrayLike | None = None, threads: int | None = None, progress: Progress | None = None,
@@ -161,7 +162,9 @@ def film(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None, v: 
     patches                in place of u, v, corners, edges and tension: a film of many patches
     cells                  what sides of the film bound, each under a pressure or of a volume
     curves                 in place of patches: curves that go round, in their order, each run either way
-    degree                 of the patches between curves; at least 2; 4 if not given
+    boundary               in place of curves: those of a file, 3 to 12 that go round, in any order; or a file and which
+                           of its curves and edges
+    degree                 of the patches between curves, those of a boundary too; at least 2; 4 if not given
     count                  of their points either way; at least 3; 12 if not given
     images                 each in turn adds its images of all surfaces so far
     tension                of the film: a force per length; above 0; 1 if not given
@@ -182,10 +185,11 @@ def film(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None, v: 
     known                  (nu, nv) of truth values: which points are given
     """
     said: dict[str, Any] = {"points": points, "u": u, "v": v, "unit": unit, "name": name, "corners": corners,
-        "edges": edges, "seams": seams, "patches": patches, "cells": cells, "curves": curves, "degree": degree,
-        "count": count, "images": images, "tension": tension, "force_density": force_density, "prestress": prestress,
-        "reference": reference, "updates": updates, "tolerance": tolerance, "max_iterations": max_iterations,
-        "equilibrium": equilibrium, "method": method, "accept": accept, "least": least, "start": start, "refine": refine}
+        "edges": edges, "seams": seams, "patches": patches, "cells": cells, "curves": curves, "boundary": boundary,
+        "degree": degree, "count": count, "images": images, "tension": tension, "force_density": force_density,
+        "prestress": prestress, "reference": reference, "updates": updates, "tolerance": tolerance,
+        "max_iterations": max_iterations, "equilibrium": equilibrium, "method": method, "accept": accept, "least": least,
+        "start": start, "refine": refine}
     return made_of("film", said, known, threads=threads, progress=progress, strict=strict)
 
 

@@ -86,10 +86,30 @@ film 3 'type /edges/u0/fixed/line/1' '"edges": { "u0": { "fixed": { "line": [[0,
 film 3 'type /edges/u0/fixed/line found null expected two points' '"edges": { "u0": { "fixed": { "line": null } } }'
 film 3 'conflict /edges/u0/fixed found 2 expected 1' '"edges": { "u0": { "fixed": { "arc": [], "line": [] } } }'
 film 3 'unknown-member /edges/u0/fixed/t' '"edges": { "u0": { "fixed": { "arc": [], "t": {} } } }'
-for member in '"cables": []' '"boundary": "x.step"'; do
-    name=$(printf '%s' "$member" | sed 's/"\([a-z_]*\)".*/\1/')
-    film 3 "not-yet /$name" "$member"
-done
+film 3 'not-yet /cables' '"cables": []'
+# curves of a file, in any order and run either way: two quads of Schwarz's D
+python3 - <<'END'
+import json
+points = [[1, 1, 0], [0, 1, 1], [1, 0, 1], [0, 0, 0], [0, 1, -1], [1, 0, -1]]
+curves = [{"name": "c%d" % k, "t": {"type": "bezier", "degree": 1},
+           "points": [points[k], points[(k + 1) % 6]][:: -1 if k % 3 == 1 else 1]} for k in (3, 0, 5, 1, 4, 2)]
+json.dump({"taut": 1, "curves": curves, "surfaces": []}, open("curves.json", "w"))
+END
+between() { # between EXIT MEMBERS
+    echo "{ \"taut\": 1, \"construct\": \"film\", \"degree\": 5, \"count\": 9, $2 }" > between.json
+    run "$1" make between.json -o between-model.json
+}
+between 0 '"boundary": "curves.json"'
+contains err.txt 'energy +2.5585231424'
+between 3 '"boundary": { "file": "curves.json", "edges": ["c0", "c1", "c2"] }'
+contains err.txt '/boundary: curve . ends'
+between 3 '"boundary": { "file": "curves.json", "edges": ["c0", 2] }'
+contains err.txt '/boundary/edges: '
+between 3 '"boundary": "curves.json", "curves": []'
+contains err.txt '/boundary: found "boundary" beside "curves"'
+between 3 '"boundary": "curves.json", "patches": []'
+contains err.txt '/boundary: found "boundary" beside "patches"'
+between 5 '"boundary": "nothing.json"'
 # threads
 film 0 '' '"force_density": [1, 1]'
 contains err.txt 'least +holds'

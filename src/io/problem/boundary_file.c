@@ -130,13 +130,13 @@ static taut_status find_named(const taut_json *at, const taut_model *listed, int
                                          count);
 }
 
-/* Those that "edges" picks by number, from 1, or name: four or more, or one that closes. */
-static taut_status take_picked(const taut_json *edges, const taut_model *listed, taut_arena *arena,
-                               loop *all, taut_error *error)
+/* Those that "edges" picks by number, from 1, or name: `least` or more, or one that closes. */
+static taut_status take_picked(const taut_json *edges, const taut_model *listed, int least,
+                               taut_arena *arena, loop *all, taut_error *error)
 {
     size_t count = 0;
     const int one = taut_json_kind_at(edges) == TAUT_JSON_ARRAY && taut_json_count_at(edges) == 1;
-    taut_status status = taut_json_array(edges, one ? 1 : TAUT_SIDES, PICKS_MAX,
+    taut_status status = taut_json_array(edges, one ? 1 : (size_t)least, PICKS_MAX,
                                          "curves or edges, by number or name", &count, error);
     status = status == TAUT_OK ? take_room(arena, (int)count, all, error) : status;
     for (size_t i = 0; i < count && status == TAUT_OK; i++) {
@@ -186,8 +186,9 @@ static taut_status order_sides(const boundary_source *source, const taut_model *
 
     if (source->picks) {
         status = blame_file(source->at, &found, taut_model_boundary(model, &listed, &found), error);
-        status =
-            status == TAUT_OK ? take_picked(&source->edges, listed, arena, &all, error) : status;
+        status = status == TAUT_OK
+                     ? take_picked(&source->edges, listed, TAUT_SIDES, arena, &all, error)
+                     : status;
     } else {
         status = take_all(source->at, model, arena, &all, error);
     }
@@ -219,34 +220,87 @@ static taut_status convert_unit(const taut_json *at, taut_problem *problem, taut
     return taut_problem_note(problem, note) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 }
 
-/* The four sides out of the file that "boundary" names (any that taut reads, beside the problem's
- * own document), all of its curves or those that are picked, in order and closed; the caller's. */
-static taut_status read_sides(const taut_json *at, taut_problem *problem,
-                              taut_curve *sides[TAUT_SIDES], taut_error *error)
+/* The model of the file that "boundary" names (any that taut reads, beside the problem's own document), in the document's unit; the
+ * caller's. */
+static taut_status open_source(const taut_json *at, taut_problem *problem, boundary_source *source,
+                               taut_model **model, taut_error *error)
 {
     taut_error found = {.status = TAUT_OK};
-    taut_model *model = NULL;
-    boundary_source source;
     char path[PATH_ROOM];
-    taut_status status = find_source(at, &source, error);
+    taut_status status = find_source(at, source, error);
 
     if (status == TAUT_OK) {
-        status = find_path(&source.file, problem, path, error);
+        status = find_path(&source->file, problem, path, error);
     }
     if (status != TAUT_OK) {
         return status;
     }
-    const taut_read_options whole = {.untrim = !source.picks}; /* else no faces are asked for */
-    status = taut_model_read_with(path, &whole, &model, &found);
-    if (status != TAUT_OK) {
-        return blame_file(at, &found, status, error);
-    }
-    status = convert_unit(&source.file, problem, &model, error);
+    const taut_read_options whole = {.untrim = !source->picks}; /* else no faces are asked for */
+    status = taut_model_read_with(path, &whole, model, &found);
+    return status == TAUT_OK ? convert_unit(&source->file, problem, model, error)
+                             : blame_file(at, &found, status, error);
+}
+
+/* The four sides out of the file, all of its curves or those that are picked, in order and closed; the caller's. */
+static taut_status read_sides(const taut_json *at, taut_problem *problem,
+                              taut_curve *sides[TAUT_SIDES], taut_error *error)
+{
+    taut_model *model = NULL;
+    boundary_source source;
+    taut_status status = open_source(at, problem, &source, &model, error);
+
     if (status == TAUT_OK) {
         status = order_sides(&source, model, problem->arena, sides, error);
     }
     taut_model_free(model);
     return status;
+}
+
+static taut_status keep_all(const loop *all, taut_arena *arena, const taut_curve **curves,
+                            taut_error *error)
+{
+    for (int k = 0; k < all->count; k++) {
+        taut_curve *copy = NULL;
+        if (taut_curve_copy(all->curves[k], &copy) != TAUT_OK || !taut_keep_curve(arena, copy)) {
+            return taut_fail_memory(error);
+        }
+        curves[k] = copy;
+    }
+    return TAUT_OK;
+}
+
+void taut_boundary_file_curves(taut_reader *document, taut_problem *problem, int least, int most,
+                               const taut_curve **curves, int *count)
+{
+    const taut_json at = taut_json_member(document->object, "boundary");
+    taut_error found = {.status = TAUT_OK}, *const error = document->error;
+    taut_model *model = NULL, *listed = NULL;
+    boundary_source source;
+    loop all = {.count = 0};
+
+    if (document->status != TAUT_OK) {
+        return;
+    }
+    taut_status status = open_source(&at, problem, &source, &model, error);
+    if (status == TAUT_OK && source.picks) {
+        status = blame_file(&at, &found, taut_model_boundary(model, &listed, &found), error);
+        status = status == TAUT_OK
+                     ? take_picked(&source.edges, listed, least, problem->arena, &all, error)
+                     : status;
+    } else if (status == TAUT_OK) {
+        status = take_all(&at, model, problem->arena, &all, error);
+    }
+    if (status == TAUT_OK && (all.count < least || all.count > most)) {
+        status = taut_json_fail(&at, error, "size", all.count, all.count < least ? least : most,
+                                "found %d curves in that file, expected %d to %d: `taut boundary` "
+                                "lists what \"edges\" may pick",
+                                all.count, least, most);
+    }
+    status = status == TAUT_OK ? keep_all(&all, problem->arena, curves, error) : status;
+    *count = all.count;
+    taut_model_free(listed);
+    taut_model_free(model);
+    document->status = status;
 }
 
 /* Along one direction. */

@@ -1,5 +1,5 @@
 /* boundary_file.h -- what the file gives that the member "boundary" names: a net, or four Bezier curves
- * (io/problem/boundary_document.h). */
+ * (io/problem/boundary_document.h), or its curves as they are. */
 #ifndef TAUT_IO_PROBLEM_BOUNDARY_FILE_H
 #define TAUT_IO_PROBLEM_BOUNDARY_FILE_H
 
@@ -14,5 +14,9 @@ void taut_boundary_file_net(taut_reader *document, taut_problem *problem, taut_n
 void taut_boundary_file_bezier(taut_reader *document, taut_problem *problem,
                                const char *const *others, int agree,
                                const taut_curve *sides[TAUT_SIDES]);
+/* All curves of the file, or those that "edges" picks, in no order: `least` to `most` of them, in the document's unit; the arena owns
+ * them. */
+void taut_boundary_file_curves(taut_reader *document, taut_problem *problem, int least, int most,
+                               const taut_curve **curves, int *count);
 
 #endif /* TAUT_IO_PROBLEM_BOUNDARY_FILE_H */

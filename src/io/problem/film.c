@@ -44,7 +44,7 @@ static const char *const members[] = {
     "least",         "patches",   "curves",    "boundary", "degree",         "count",
     "seams",         "cables",    "cells",     "images",   "start",          "refine",
     "force_density", "prestress", "reference", "updates",  "through",        NULL};
-static const char *const not_yet[] = {"boundary", "cables", NULL};
+static const char *const not_yet[] = {"cables", NULL};
 static const char *const corner_members[] = {"u0v0", "u1v0", "u0v1", "u1v1", NULL};
 static const char *const edge_members[] = {"u0", "u1", "v0", "v1", NULL};
 static const char *const kind_members[] = {"fixed",  "cable", "plane", "slide",
@@ -746,7 +746,8 @@ static void refuse_without_curves(taut_reader *document)
 
     for (int k = 0; document->status == TAUT_OK && theirs[k] != NULL; k++) {
         const taut_json at = taut_json_member(document->object, theirs[k]);
-        if (at.value != NULL && !taut_reader_has(document, "curves")) {
+        if (at.value != NULL && !taut_reader_has(document, "curves") &&
+            !taut_reader_has(document, "boundary")) {
             document->status =
                 taut_json_fail(&at, document->error, "conflict", 1, 0,
                                "found \"%s\" without \"curves\": bases have their own", theirs[k]);
@@ -763,7 +764,7 @@ static void film_read(taut_reader *document, taut_problem *problem, void *into)
     if (taut_reader_has(document, "patches")) {
         static const taut_film_patch_readers readers = {read_one, read_film_tension, read_cable};
         taut_film_document_patches(document, problem, &readers, data);
-    } else if (taut_reader_has(document, "curves")) {
+    } else if (taut_reader_has(document, "curves") || taut_reader_has(document, "boundary")) {
         taut_member_name(document, problem->arena, &data->name);
         check_name(document, data->name);
         read_film_tension(document, data);

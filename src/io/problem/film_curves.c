@@ -3,6 +3,7 @@
 #include "core/fail.h"
 #include "core/vec3.h"
 #include "geometry/keep.h"
+#include "io/problem/boundary_file.h"
 #include "taut/operations.h"
 
 #include <math.h>
@@ -10,15 +11,17 @@
 #include <string.h>
 
 enum { DEGREE = 4, COUNT = 12, DEGREE_MOST = 10, COUNT_MOST = 100 };
-static const double gap_closed = 1e-9; /* of the size */
-static const char *const strangers[] = {"corners", "edges",         "points",    "patches",
-                                        "seams",   "start",         "u",         "v",
-                                        "refine",  "force_density", "prestress", NULL};
+static const double gap_closed = 1e-9;              /* of the size */
+static const char *const strangers[] = {"boundary", /* beside "curves" */
+                                        "corners",  "edges",         "points",    "patches",
+                                        "seams",    "start",         "u",         "v",
+                                        "refine",   "force_density", "prestress", NULL};
 
 typedef struct reading {
     taut_problem *problem;
     taut_film_curve_read *read;
     taut_reader *document;
+    const char *member; /* that they come from */
     int count;
     const taut_curve *curves[TAUT_FILM_CURVES_MAX];
 } reading;
@@ -77,6 +80,32 @@ static double size_of(const reading *r)
     return size;
 }
 
+/* Curves of a file in the order in which they meet: each is followed by the one with an end nearest to its own. */
+static void arrange(reading *r)
+{
+    int end = 1;
+
+    for (int k = 1; k < r->count; k++) {
+        int nearest = k;
+        double least = INFINITY;
+        int other = 0;
+        for (int j = k; j < r->count; j++) {
+            for (int e = 0; e < 2; e++) {
+                const double away = distance(r->curves[k - 1], end, r->curves[j], e);
+                if (away < least) {
+                    least = away;
+                    nearest = j;
+                    other = e;
+                }
+            }
+        }
+        const taut_curve *next = r->curves[nearest];
+        r->curves[nearest] = r->curves[k];
+        r->curves[k] = next;
+        end = 1 - other;
+    }
+}
+
 /* Every curve begins where the one before it ends; the first as the second meets it. */
 static taut_status run_round(reading *r, taut_error *error)
 {
@@ -97,7 +126,7 @@ static taut_status run_round(reading *r, taut_error *error)
         const int next = (k + 1) % r->count;
         const double away = distance(c[k], 1, c[next], 0);
         if (!(away <= gap)) {
-            const taut_json at = taut_json_member(r->document->object, "curves");
+            const taut_json at = taut_json_member(r->document->object, r->member);
             status = taut_json_fail(&at, error, "curve-ends", away, gap,
                                     "curve %d ends %.3g away from where curve %d begins: expected "
                                     "curves that go round, in their order",
@@ -187,23 +216,32 @@ static taut_status make_round(reading *r, const taut_basis *basis, taut_film_pro
 void taut_film_document_curves(taut_reader *document, taut_problem *problem,
                                taut_film_curve_read *read, taut_film_problem *data)
 {
+    const int is_file = !taut_reader_has(document, "curves");
     const taut_json at = taut_json_member(document->object, "curves");
-    reading r = {.problem = problem, .read = read, .document = document};
+    reading r = {.problem = problem,
+                 .read = read,
+                 .document = document,
+                 .member = is_file ? "boundary" : "curves"};
     taut_basis_spec spec = {.type = "bspline", .degree = DEGREE, .count = COUNT};
     taut_basis *basis = NULL;
 
-    for (int k = 0; document->status == TAUT_OK && strangers[k] != NULL; k++) {
+    for (int k = is_file; document->status == TAUT_OK && strangers[k] != NULL; k++) {
         const taut_json other = taut_json_member(document->object, strangers[k]);
         if (other.value != NULL) {
             document->status =
                 taut_json_fail(&other, document->error, "conflict", 2, 1,
-                               "found \"%s\" beside \"curves\": leave it out", strangers[k]);
+                               "found \"%s\" beside \"%s\": leave it out", strangers[k], r.member);
         }
     }
     taut_reader_optional_integer(document, "degree", 2, DEGREE_MOST, &spec.degree);
     spec.count = spec.count > spec.degree ? spec.count : spec.degree + 1;
     taut_reader_optional_integer(document, "count", spec.degree + 1, COUNT_MOST, &spec.count);
-    if (document->status == TAUT_OK) {
+    if (is_file) {
+        taut_boundary_file_curves(document, problem, 3, TAUT_FILM_CURVES_MAX, r.curves, &r.count);
+        if (document->status == TAUT_OK) {
+            arrange(&r);
+        }
+    } else if (document->status == TAUT_OK) {
         document->status =
             taut_json_each(&at, 3, TAUT_FILM_CURVES_MAX, "curves", read_curve, &r, document->error);
     }

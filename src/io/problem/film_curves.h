@@ -11,7 +11,7 @@ enum { TAUT_FILM_CURVES_MAX = 12 };
 typedef void taut_film_curve_read(taut_reader *document, const taut_json *at, taut_arena *arena,
                                   const taut_curve **curve);
 
-/* "curves", with "degree" and "count". Four curves are the edges of the film, whose bases, and name, have been read. Else
+/* "curves", or those of the file that "boundary" names, with "degree" and "count". Four curves are the edges of the film, whose bases, and name, have been read. Else
  *
  *     patch k    from the corner where curve k begins to the centre: its v0 the first half of curve k, its u0 the second half of
  *                the curve before, run backwards

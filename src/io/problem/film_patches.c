@@ -21,10 +21,11 @@ static const char *const seam_members[] = {"edges", "cable", "plane", NULL};
 static const char *const cell_members[] = {"name", "sides", "pressure", "volume", "from", NULL};
 static const char *const edge_names[4] = {"u0", "u1", "v0", "v1"};
 static const char *const corner_names[4] = {"u0v0", "u1v0", "u0v1", "u1v1"};
+enum { CONFLICTS = 9 }; /* of these, by patches or in their place; the rest is not there yet */
 static const char *const of_patches[] = {
-    "u",      "v",     "corners",       "edges",     "points",    "tension",
-    "name",   "start", "force_density", "prestress", "reference", "updates",
-    "refine", NULL};
+    "curves",    "boundary", "u",      "v",     "corners",       "edges",
+    "points",    "tension",  "name",   "start", "force_density", "prestress",
+    "reference", "updates",  "refine", NULL};
 
 /* What is being read. */
 typedef struct reading {
@@ -158,12 +159,12 @@ void taut_film_document_patches(taut_reader *document, taut_problem *problem,
     for (int k = 0; document->status == TAUT_OK && of_patches[k] != NULL; k++) {
         const taut_json at = taut_json_member(document->object, of_patches[k]);
         if (at.value != NULL) {
-            document->status =
-                taut_json_fail(&at, document->error, k < 7 ? "conflict" : "not-yet", 2, 1,
-                               k < 7 ? "found \"%s\" beside \"patches\": give it to each patch"
-                                     : "found \"%s\", which films of many patches cannot have in "
-                                       "this version: leave it out",
-                               of_patches[k]);
+            document->status = taut_json_fail(
+                &at, document->error, k < CONFLICTS ? "conflict" : "not-yet", 2, 1,
+                k < CONFLICTS ? "found \"%s\" beside \"patches\": give it to each patch"
+                              : "found \"%s\", which films of many patches cannot have in "
+                                "this version: leave it out",
+                of_patches[k]);
         }
     }
     r.patches = taut_arena_take(problem->arena, TAUT_FILM_PATCHES_MAX, sizeof *r.patches);
