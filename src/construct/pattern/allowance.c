@@ -19,6 +19,8 @@ enum {
 static const double off_most = 1e-7, least_turn = 1e-3, straight_on = 1e-6, no_length = 1e-9;
 /* A corner is cut off so many allowances away from it. */
 static const double mitre_most = 2, square_most = 1;
+/* Of allowances, over the surface's size. */
+static const double least_size = 1e-6, most_size = 10;
 /* Of the parameters of an edge, for its corners. */
 static const double corner_share = 0.0625;
 
@@ -452,6 +454,17 @@ taut_status taut_pattern_leave(const taut_pattern_piece *piece, const taut_patte
     }
     if (!(b.width > 0)) {
         return TAUT_OK;
+    }
+    for (int e = 0; e < TAUT_FLAT_EDGES; e++) {
+        const double width = margin->width[e], size = piece->carrier->size;
+        if (width > 0 && (!(width >= least_size * size) || !(width <= most_size * size))) {
+            return taut_fail(error, TAUT_BAD_INPUT, "allowance", "/allowance",
+                             ldexp(width, piece->carrier->scale),
+                             ldexp(most_size * size, piece->carrier->scale),
+                             "found an allowance of %.6g, expected 0, or from a millionth of the "
+                             "surface's size to ten times it",
+                             ldexp(width, piece->carrier->scale));
+        }
     }
     for (int e = 0; e < TAUT_FLAT_EDGES; e++) {
         double at = 0;

@@ -23,7 +23,8 @@ int taut_pattern_border_of(const taut_pattern_problem *problem, const taut_patte
                            int piece, int edge);
 taut_pattern_margin taut_pattern_margin_of(const taut_pattern_problem *problem,
                                            const taut_pattern_layout *layout, int piece);
-/* Moves outline->cut out, and its bounds. TAUT_NO_MEMORY; TAUT_NO_SOLUTION, reason "allowance". */
+/* Moves outline->cut out, and its bounds. TAUT_NO_MEMORY; TAUT_BAD_INPUT and TAUT_NO_SOLUTION, reason
+ * "allowance". */
 taut_status taut_pattern_leave(const taut_pattern_piece *piece, const taut_pattern_margin *margin,
                                taut_pattern_corner corner, taut_arena *arena,
                                taut_pattern_outline *outline, taut_error *error);

@@ -348,6 +348,15 @@ static void test_refusals(void)
          "\"border\": -9 }",
          "allowance", "/allowance/border", TAUT_BAD_INPUT},
         {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }], \"allowance\": { "
+         "\"border\": 1e300 }",
+         "allowance", "/allowance", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }], \"allowance\": { "
+         "\"seam\": 1e-300 }",
+         "allowance", "/allowance", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }], \"allowance\": { "
+         "\"border\": 1e-7 }",
+         "allowance", "/allowance", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }], \"allowance\": { "
          "\"seam\": 1, \"overlap\": 1 }",
          "conflict", "/allowance/overlap", TAUT_BAD_INPUT},
         {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }], \"marks\": {}", "missing",
