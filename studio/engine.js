@@ -19,6 +19,9 @@ export class Engine {
     const start = () => this.startWorker(address, wasm);
     this.drawing = new Channel(start);
     this.proving = new Channel(start);
+    this.start = start;
+    /** @type {Channel | null} */
+    this.making = null; // films, which take long: opened when there is the first
     this.stats = { solves: 0, draft_ms: 0, final_ms: 0 };
     this.draftBegan = 0;
     this.proofBegan = 0;
@@ -62,6 +65,28 @@ export class Engine {
     this.stats.solves++;
     this.stats.draft_ms = performance.now() - start;
     return reply;
+  }
+
+  /**
+   * A film made as a whole, which may take seconds, beside the worker that drafts; null where it was given up.
+   * @param {string} text
+   * @param {boolean} hasFields
+   * @returns {Promise<{ surfaces: Drawn[], curves: Float32Array[], isRough: boolean } | null>}
+   */
+  async film(text, hasFields) {
+    const start = performance.now();
+    this.making ??= new Channel(this.start);
+    const reply = await this.making.newest({ kind: "draft", text, budget: 0, hasFields, hasModel: true });
+    if (reply === null) return null;
+    await this.drawing.ask({ kind: "base", text: reply.model }); // drafts go on from it
+    this.stats.solves++;
+    this.stats.draft_ms = performance.now() - start;
+    return reply;
+  }
+
+  /** A newer film is on the way: the one that is being made is not waited for. */
+  giveUpFilm() {
+    this.making?.restart();
   }
 
   /**

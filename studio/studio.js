@@ -5,6 +5,7 @@ import { edgesOf, freePlacesOf, placesOf } from "./places.js";
 import { withEdits, withValue } from "./pointer.js";
 
 const PROOF_FOLLOWS_MS = 60; // a proof as quick as this is made while dragging, too
+const FILMS = new Set(["film", "plateau"]); // which have drafts, and may take seconds to make
 const DRAG_MS = 8, REST_MS = 100; // steps of a draft while dragging, and when the hand lets go
 
 /**
@@ -56,11 +57,13 @@ export class Studio {
   /** The picture of a document; throws the library's error, and leaves the picture there was, greyed. */
   async draw(/** @type {any} */ document) {
     try {
-      const drawn = await this.engine.draft(JSON.stringify(document), false, 0, this.scene.needsFields);
+      const text = JSON.stringify(document), { needsFields } = this.scene;
+      const drawn = FILMS.has(document?.construct) ? await this.engine.film(text, needsFields) : await this.engine.draft(text, false, 0, needsFields);
+      if (drawn === null) return; // a hand drags on, from the draft there is
       this.scene.setStale(false);
       this.views.fault(null);
-      this.good = /** @type {any} */ (drawn);
-      this.show(/** @type {any} */ (drawn));
+      this.good = drawn;
+      this.show(drawn);
     } catch (/** @type {any} */ error) {
       if (this.good !== null) this.show(this.good);
       this.scene.setStale(true);
@@ -103,7 +106,10 @@ export class Studio {
   /** Shows the certificate once it is there, if it is still wanted. */
   async prove(/** @type {string} */ text) {
     this.views.proof(this.certificate, true);
-    const reply = await this.engine.proof(text).catch(() => null);
+    const reply = await this.engine.proof(text).catch((error) => {
+      if (text === this.text() && this.moving === undefined) this.views.fault(error);
+      return null;
+    });
     if (reply === null || (text !== this.text() && text !== this.moving)) return;
     this.certificate = JSON.parse(reply.json).certificate;
     this.scene.setGaps(reply.gaps);
@@ -165,6 +171,7 @@ export class Studio {
   async preview(/** @type {Edit[]} */ edits) {
     const document = withEdits(this.document, edits), text = JSON.stringify(document);
     if (this.moving === undefined) {
+      this.engine.giveUpFilm();
       this.scene.remember(false);
       this.views.proof(this.certificate, true);
     }

@@ -102,10 +102,16 @@ const answers = {
     return {};
   },
   /** budget: milliseconds for a draft, where there is one; 0: the model is made. Then `isRough` is false. hasFields: with curvatures. */
-  draft({ text, budget, hasFields }) {
+  draft({ text, budget, hasFields, hasModel }) {
     const rough = budget > 0 ? roughly(text, budget) : null;
     const surface = showing(rough ?? modelOf(seenOf(text)));
-    return { surfaces: draft(surface, hasFields), curves: curvesOf(surface), isRough: rough !== null };
+    const model = hasModel ? surface.write("json") : "";
+    return { surfaces: draft(surface, hasFields), curves: curvesOf(surface), isRough: rough !== null, model };
+  },
+  /** A model that another worker made: drafts begin from it. */
+  base({ text }) {
+    showing(library.open(text));
+    return {};
   },
   proof({ text }) {
     const surface = modelOf(text);

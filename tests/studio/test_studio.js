@@ -141,8 +141,16 @@ async function testDrafts(browser) {
     check(await page.evaluate('document.getElementById("proof").dataset.state') === 'draft', 'a draft says so');
     check(differs(first, await snap(page, 'sail-drag', '#stage')) > 0.01, 'the sail follows');
     await page.mouse('mouseReleased', x - 24, y + 13);
+    /* taken again before the film is made: that is given up, and the next follows */
+    const [x2, y2] = [x - 24, y + 13];
+    await page.mouse('mousePressed', x2, y2, { buttons: 1 });
+    await page.mouse('mouseMoved', x2 + 6, y2, { buttons: 1 });
+    await page.mouse('mouseMoved', x2 + 10, y2 - 2, { buttons: 1 });
+    await page.mouse('mouseReleased', x2 + 10, y2 - 2);
     await page.until(`taut.problem().corners.u0v0[0] !== ${before.corners.u0v0[0]}`);
+    await page.evaluate('taut.model().then(() => true)');
     await page.until('document.getElementById("proof").dataset.state !== "draft"');
+    check(await page.evaluate('document.getElementById("fault").hidden'), 'nothing is wrong with the sail');
     const after = await page.evaluate('taut.problem()');
     check(same(await page.evaluate('taut.model()'), made(after)), 'the sail is the program\'s');
     for (const [key, name] of [['i', 'isothermality'], ['g', 'gap'], ['c', 'combs'], ['c', 'none'], ['k', 'K']]) {
