@@ -5,6 +5,7 @@
 #include "trace/bending.h"
 #include "trace/panel.h"
 #include "trace/singular.h"
+#include "trace/straight.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -290,14 +291,58 @@ static double mean_share(const taut_net *net)
     return sum / net->carrier_count;
 }
 
-/* The largest sum of a curve's estimated errors: how far it may be from the one through its seed. */
-static double drift_of(const taut_net *net)
+/* How far an end of a curve, its first (0) or its last one, is from where the curve ends that is followed at a hundredth of the
+ * tolerance. */
+static double drift_at(const taut_net *net, const taut_lath *lath, int end, taut_arena *arena)
+{
+    const taut_linefield_kind kind = {net->problem->net, lath->family};
+    const taut_carrier *carrier = lath->at_seed.on;
+    const double sign = end == 1 ? 1 : -1, *t = lath->seed_tangent;
+    const double along[3] = {sign * t[0], sign * t[1], sign * t[2]};
+    const double length = end == 1 ? lath->length - lath->seed_s : lath->seed_s;
+    const double *there =
+        end == 1 ? lath->segments[lath->count - 1].to.x : lath->segments[0].from.x;
+    taut_follow_options options = net->options.follow;
+    taut_walk *walk = taut_arena_take(arena, 1, sizeof *walk);
+    taut_walk_state state;
+    int span[2];
+
+    options.tolerance /= 100;
+    options.monitor = NULL; /* as long as the net took, which is done */
+    if (lath->ended[end] == TAUT_END_SEED || lath->ended[end] == TAUT_END_LENGTH) {
+        options.max_length = length; /* it does not end by itself */
+    }
+    taut_carrier_cell(carrier, lath->seed, NULL, span);
+    if (walk == NULL || !(length > 0) || taut_straight_way(carrier, kind) != NULL ||
+        taut_walk_start(carrier, kind, lath->seed, span, along, &state) != TAUT_LINEFIELD_FINE) {
+        return 0;
+    }
+    taut_carrier_cell(carrier, lath->seed, state.y + TAUT_WALK_A, span);
+    if (taut_walk_start(carrier, kind, lath->seed, span, along, &state) != TAUT_LINEFIELD_FINE ||
+        taut_follow(kind, &state, &options, arena, walk) != TAUT_OK || walk->count == 0) {
+        return 0;
+    }
+    return taut_length_between(walk->pieces[walk->count - 1].to.x, there);
+}
+
+/* The largest: how far a curve may be from the one through its seed. */
+static taut_status drift_of(const taut_net *net, double *drift)
 {
     double most = 0;
     for (int k = 0; k < net->count; k++) {
-        most = fmax(most, net->laths[k].drift);
+        const taut_lath *lath = &net->laths[k];
+        taut_arena *arena = taut_arena_new();
+        for (int end = 0; arena != NULL && end < 2; end++) {
+            most = fmax(most, drift_at(net, lath, end, arena));
+        }
+        const taut_status status = arena != NULL ? taut_arena_status(arena) : TAUT_NO_MEMORY;
+        taut_arena_free(arena);
+        if (status != TAUT_OK) {
+            return status;
+        }
     }
-    return ldexp(most, net->carrier->scale);
+    *drift = ldexp(most, net->carrier->scale);
+    return TAUT_OK;
 }
 
 static void describe_singular(const taut_net *net, taut_record *details)
@@ -447,9 +492,11 @@ taut_status taut_trace_describe(const taut_net *net, const taut_strip *strips, t
         describe_node(net, &net->nodes.list[k], nodes);
     }
     taut_record_add_number(details, "hyperbolic_share", mean_share(net));
-    taut_record_add_number(details, "drift", drift_of(net));
+    double drift = 0;
+    taut_status status = drift_of(net, &drift);
+    taut_record_add_number(details, "drift", drift);
     describe_singular(net, details);
-    const taut_status status = describe_panels(net, details);
+    status = status == TAUT_OK ? describe_panels(net, details) : status;
     describe_left_out(net, details);
     describe_kinks(net, details);
     taut_record *warnings = taut_record_add_list(details, "warnings");

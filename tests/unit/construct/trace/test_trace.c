@@ -493,6 +493,24 @@ static void test_straight(void)
     }
 }
 
+/* How far curves may be off: nothing where they are straight in the window, and no more than lengths are. */
+static void test_drift(void)
+{
+    static const char *const surfaces[] = {BONNET("1.1"), BILINEAR, CUSPED};
+    static const char *const places[] = {"0.5, 0.35", "0.3, 0.2", "0.2, -0.5"};
+    static const double most[] = {0, 1e-11, 1e-11};
+    for (int k = 0; k < 3; k++) {
+        char seeds[80];
+        snprintf(seeds, sizeof seeds, "\"seeds\": [{ \"at\": [%s] }]", places[k]);
+        made_net made = net_make(k == 1 ? "principal" : "asymptotic", surfaces[k], seeds);
+        const double drift =
+            taut_record_number(taut_record_get(taut_model_details(made.model), "drift"));
+        CHECK(made.status == TAUT_OK, "%d: %s", k, made.error.message);
+        CHECK(drift <= most[k] && (k == 0 || drift > 0), "%d: %g", k, drift);
+        net_free(&made);
+    }
+}
+
 static void test_refusals(void)
 {
     const struct {
@@ -544,6 +562,7 @@ int main(void)
     test_panels();
     test_crease();
     test_straight();
+    test_drift();
     test_refusals();
     return check_failures != 0;
 }
