@@ -1,7 +1,7 @@
 // history.js -- the document that is edited, and the ones before and after it.
 // @ts-check
 
-const KEPT = 1000; // steps of undo
+const KEPT = 200; // steps of undo, of some kilobytes each
 
 /**
  * @template T
