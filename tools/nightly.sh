@@ -15,6 +15,7 @@
 #     generated  mutants made by rule, for NIGHTLY_GENERATED seconds (7200)
 #     plugins    those of FreeCAD, Blender, ParaView and Grasshopper in their hosts
 #     layouts    a thousand random films of many patches, against what is known of them
+#     films      a thousand random sails and rings: films whose claims hold, or refusals that are true by other means
 #     forge      forgeries of models against the judge from outside, seed NIGHTLY_SEED (the day)
 set -u
 cd "$(dirname "$0")/.." || exit 1
@@ -64,6 +65,7 @@ do_mutants() { tools/mutants.sh; }
 do_generated() { tools/mutants_generated.py --seconds "${NIGHTLY_GENERATED:-7200}"; }
 do_plugins() { tools/deps.sh hosts && tools/plugins.sh test; }
 do_layouts() { cmake --build --preset release --target test-property-layouts && build/release/tests/test-property-layouts 1000; }
+do_films() { build/release/tests/test-property-film_laws 1000 200; }
 do_forge() { tools/forge_night.sh "${NIGHTLY_SEED:-$(date +%j)}" "${NIGHTLY_SEED:-$(date +%j)}"; }
 
 # What a step says of itself: of tests how many, of examples how many.

@@ -62,7 +62,7 @@ static void take_forces(taut_film_work *w, const double forces[4])
 {
     const double tension = taut_film_tension(w->space->problem);
 
-    taut_film_start_laws(w);
+    taut_film_start_laws(w, 1);
     for (int e = 0; e < 4; e++) {
         const taut_film_cable *cable = &w->space->cables[e];
         if (cable->stiffness > 0) {

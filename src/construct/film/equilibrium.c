@@ -7,7 +7,7 @@
  *         cables that give way come to their laws (enforce_laws)
  *         the film has a fold: fail
  *         the next rule
- *     until it gives the same energy, and derivatives within the tolerance
+ *     until three in turn give the same energy, and derivatives within the tolerance
  *
  * A cable of given length begins as an elastic one that has this length under the force of the arc
  * of a circle over its chord; steps of the multiplier,
@@ -24,16 +24,26 @@
  */
 #include "construct/film/equilibrium.h"
 
+#include "construct/film/arc.h"
+#include "construct/film/fold.h"
 #include "construct/film/polish.h"
 #include "construct/plateau/newton_step.h"
 #include "construct/plateau/small.h"
+#include "core/elementary/elementary.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 
 #include <math.h>
 #include <string.h>
 
-enum { RULES = 8, POLISHES = 6, MULTIPLIERS = 40, SEEKS = 20, APPROACH = 12 };
+enum {
+    RULES = 8,
+    AGREEING = 3 /* rules, since one may agree by chance */,
+    POLISHES = 6,
+    MULTIPLIERS = 40,
+    SEEKS = 20,
+    APPROACH = 12
+};
 
 /* Nodes on a span beyond the functions alive there. */
 static const int extra_nodes[RULES] = {1, 3, 6, 10, 16, 26, 42, 68};
@@ -49,11 +59,49 @@ static const double length_agreement = 1e-12;
 static const double stiffness_first = 2;
 static const double stiffness_closed = 20; /* of cables that close, whose force is a worse guess */
 
-void taut_film_start_laws(taut_film_work *w)
+/* Between the ends of edge e, where it starts. */
+static double chord_of(const taut_film_space *space, int e)
 {
+    size_t first = 0, step = 0;
+    int count = 0;
+
+    taut_film_edge_points(space->nu, space->nv, e, &first, &step, &count);
+    return taut_distance(space->start + 3 * first,
+                         space->start + 3 * (first + ((size_t)count - 1) * step));
+}
+
+double taut_film_strong_length(const taut_film_space *space, int e, double strength)
+{
+    const double chord = chord_of(space, e);
+    return chord + (space->cables[e].length - chord) / (strength * strength);
+}
+
+/* What cable e is given, so strong; returns the force of its arc. */
+static double strengthen(const taut_film_space *space, int e, double strength,
+                         taut_film_cable *cable)
+{
+    double ratio = space->ratios[e];
+
+    *cable = space->cables[e];
+    if (strength != 1 && cable->length > 0) {
+        const double chord = chord_of(space, e);
+        cable->length = cable->start = taut_film_strong_length(space, e, strength);
+        const double angle = cable->length > chord ? taut_film_arc_angle(chord, cable->length) : 0;
+        ratio = angle > 0 ? fmin(TAUT_FILM_FORCE_MAX, chord / (2 * taut_sin(angle)))
+                          : TAUT_FILM_FORCE_MAX;
+    } else if (strength != 1 && cable->stiffness > 0) {
+        cable->target -= (strength - 1) * ratio / cable->stiffness;
+        ratio *= strength;
+    }
+    return ratio;
+}
+
+void taut_film_start_laws(taut_film_work *w, double strength)
+{
+    w->strength = strength;
     for (int e = 0; e < 4; e++) {
-        const taut_film_cable *cable = &w->space->cables[e];
-        const double force = w->space->ratios[e];
+        taut_film_cable *cable = &w->now[e];
+        const double force = strengthen(w->space, e, strength, cable);
         const double first = w->space->around != NULL ? stiffness_closed : stiffness_first;
         const double soft = cable->start > 0 ? first * force / cable->start : 0;
         w->laws[e] = (taut_film_pull){.force = force, .stiffness = soft, .target = cable->start};
@@ -150,7 +198,7 @@ taut_status taut_film_take_nodes(taut_film_work *w, int extra, double factor)
                 taut_area_cable_open(w->space->around, &w->cables[found]);
             }
             w->edges[found] = e;
-            set_law(&w->cables[found++], &w->laws[e], factor);
+            set_law(&w->cables[found++], &w->laws[e], w->laws[e].stiffness > 0 ? 1 : factor);
         }
     }
     const taut_film_ring ring = problem->ring;
@@ -191,11 +239,18 @@ static int is_folded(const taut_area_functional *functional)
 
 static taut_status refuse_fold(const taut_film_work *w, taut_error *error)
 {
+    taut_film_fold fold;
+
+    if (taut_film_fold_find(w->space, w->net, &fold) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    const double *x = fold.point;
     return taut_fail(error, TAUT_NOT_CONVERGED, "folds", NULL, w->region.iterations, taut_none,
                      "the film folds after %d steps: its normal turns over from one point to the "
-                     "next; raise the forces of the cables, shorten those of given length, or "
-                     "move the corners",
-                     w->region.iterations);
+                     "next%s near u = %.3g, v = %.3g, at (%.6g, %.6g, %.6g); raise the forces of "
+                     "the cables, shorten those of given length, or move the corners",
+                     w->region.iterations, fold.is_folded ? "" : ", or is about to,", fold.at[0],
+                     fold.at[1], x[0], x[1], x[2]);
 }
 
 /* What ended the trust region, in the words of films. */
@@ -334,6 +389,7 @@ static taut_status refine_rule(taut_film_work *w, double factor, int *agree, int
     const double before = w->region.area;
     double residual = 0;
 
+    *agree = *rested = 0;
     if (taut_film_take_rule(w, w->rule + 1, factor) != TAUT_OK) {
         return taut_fail_memory(error);
     }
@@ -344,7 +400,7 @@ static taut_status refine_rule(taut_film_work *w, double factor, int *agree, int
     w->enough = residual_settled * w->region.tolerance;
     const taut_status status = polish(w, &residual, error);
     *agree = residual <= residual_agreement * w->region.tolerance;
-    *rested = is_rested(w);
+    *rested = *agree || is_rested(w);
     w->enough = 0;
     return status;
 }
@@ -356,7 +412,7 @@ static void harden(taut_film_work *w, int *changed)
 {
     for (int k = 0; k < w->functional->cable_count; k++) {
         const int e = w->edges[k];
-        const taut_film_cable *cable = &w->space->cables[e];
+        const taut_film_cable *cable = &w->now[e];
         if (cable->stiffness > 0 && w->laws[e].force > 0) {
             w->laws[e] = (taut_film_pull){.stiffness = cable->stiffness, .target = cable->target};
             set_law(&w->cables[k], &w->laws[e], 1);
@@ -370,7 +426,7 @@ static double find_errors(const taut_film_work *w, double off[4])
 {
     double worst = 0;
     for (int k = 0; k < w->functional->cable_count; k++) {
-        const double given = w->space->cables[w->edges[k]].length;
+        const double given = w->now[w->edges[k]].length;
         off[k] = given > 0 ? taut_area_cable_length(&w->cables[k], w->net) - given : 0;
         worst = given > 0 ? fmax(worst, fabs(off[k]) / given) : worst;
     }
@@ -385,7 +441,7 @@ static taut_status move_multipliers(taut_film_work *w, const double off[4])
     const taut_status status = taut_film_respond(w->functional, w->space, w->net, response);
 
     for (int k = 0; k < w->functional->cable_count; k++) {
-        if (w->space->cables[w->edges[k]].length > 0) {
+        if (w->now[w->edges[k]].length > 0) {
             step[count] = off[k];
             which[count++] = k;
         }
@@ -431,7 +487,7 @@ static taut_status settle(taut_film_work *w, int far, taut_error *error)
 static taut_status enforce_laws(taut_film_work *w, taut_error *error)
 {
     double off[4];
-    int changed = 0, rests = w->space->around == NULL; /* in all coordinates, or does not mind */
+    int changed = 0, rests = w->space->leader == NULL; /* in all coordinates, or does not mind */
     taut_status status = TAUT_OK;
 
     harden(w, &changed);
@@ -474,35 +530,19 @@ static taut_status minimise_moving(taut_film_work *w, taut_error *error)
     return status;
 }
 
-taut_status taut_film_rest(taut_film_work *w, double factor, taut_error *error)
+/* The film by the rule of the moment; rested: the last steps have been made. */
+static taut_status rest_by_rule(taut_film_work *w, int rested, taut_error *error)
 {
-    taut_status status = taut_film_take_rule(w, 0, factor);
+    const int before = w->region.iterations;
     double residual = 0;
-    int rested = 0;
+    taut_status status = TAUT_OK;
 
-    w->region.iterations = 0; /* its work goes on to be counted: all films on the way share it */
-    if (status != TAUT_OK) {
-        return taut_fail_memory(error);
-    }
-    for (int agree = 0; status == TAUT_OK && !agree;) {
-        const int before = w->region.iterations;
-        if (!rested) {
-            status = w->space->leader != NULL ? minimise_moving(w, error) : minimise(w, error);
-        }
+    if (!rested) {
+        status = w->space->leader != NULL ? minimise_moving(w, error) : minimise(w, error);
         w->iterations += w->region.iterations - before;
-        if (status == TAUT_OK && !rested) {
-            status = polish(w, &residual, error);
-        }
-        rested = 0;
-        if (status == TAUT_OK) {
-            status = enforce_laws(w, error);
-        }
-        if (status == TAUT_OK) {
-            status = w->rule + 1 < RULES ? refine_rule(w, factor, &agree, &rested, error)
-                                         : refuse_rules(w, error);
-        }
+        status = status == TAUT_OK ? polish(w, &residual, error) : status;
     }
-    return status;
+    return status == TAUT_OK ? enforce_laws(w, error) : status;
 }
 
 /* Do the forces themselves follow no law? */
@@ -513,6 +553,32 @@ static int has_forces_only(const taut_film_work *w)
         only = only && !(w->space->cables[e].start > 0);
     }
     return only;
+}
+
+taut_status taut_film_rest(taut_film_work *w, double factor, taut_error *error)
+{
+    int rested = 0;
+
+    if (!has_forces_only(w) && factor != w->strength) {
+        taut_film_start_laws(w, factor);
+    }
+    taut_status status = taut_film_take_rule(w, 0, factor);
+
+    w->region.iterations = 0; /* its work goes on to be counted: all films on the way share it */
+    if (status != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    for (int agreed = 0, agree = 0; status == TAUT_OK && agreed < AGREEING;) {
+        status = rest_by_rule(w, rested, error);
+        if (status == TAUT_OK && w->rule + 1 == RULES) {
+            return agreed > 0 ? TAUT_OK : refuse_rules(w, error);
+        }
+        if (status == TAUT_OK) {
+            status = refine_rule(w, factor, &agree, &rested, error);
+        }
+        agreed = agree ? agreed + 1 : 0;
+    }
+    return status;
 }
 
 taut_status taut_film_rest_any(taut_film_work *w, int steps, taut_film_rest_point *at,

@@ -24,6 +24,8 @@ typedef struct taut_film_work {
     taut_area_cable cables[4];
     int edges[4];           /* of the cables */
     taut_film_pull laws[4]; /* of edges */
+    double strength;        /* how much stronger than asked for they are now */
+    taut_film_cable now[4]; /* what the cables are given, so strong */
     int rule;
     double *net;
     taut_trust_region region;
@@ -35,8 +37,12 @@ typedef struct taut_film_work {
     const char *method;
 } taut_film_work;
 
-/* What the cables do at the start. */
-void taut_film_start_laws(taut_film_work *w);
+/* What the cables do at the start, `strength` times as strong as they are: a force so often, a given length with its excess over
+ * the chord so often smaller, squared, an elastic one so much shorter that the force of its arc is so often what it was. */
+void taut_film_start_laws(taut_film_work *w, double strength);
+
+/* The length of cable e of given length, so strong, scaled. */
+double taut_film_strong_length(const taut_film_space *space, int e, double strength);
 
 /* The functional of a rule, all forces `factor` times what they are. TAUT_NO_MEMORY. */
 taut_status taut_film_take_rule(taut_film_work *w, int rule, double factor);
@@ -44,7 +50,7 @@ taut_status taut_film_take_rule(taut_film_work *w, int rule, double factor);
 taut_status taut_film_take_nodes(taut_film_work *w, int extra, double factor);
 void taut_film_drop_rule(taut_film_work *w);
 
-/* w->net: the film that it goes to with all forces `factor` times what they are. TAUT_NOT_CONVERGED: folds,
+/* w->net: the film that it goes to with all cables `factor` times as strong as they are. TAUT_NOT_CONVERGED: folds,
  * not-converged; TAUT_NO_SOLUTION, TAUT_INTERRUPTED, TAUT_NO_MEMORY. */
 taut_status taut_film_rest(taut_film_work *w, double factor, taut_error *error);
 

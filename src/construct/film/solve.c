@@ -28,15 +28,15 @@ static const double area_none = 1e-12;  /* of the size squared */
 static const double theta_least = 1e-6; /* of the metric operator in every step */
 static const double work_most = 2e11;   /* flops of all films on the way: minutes */
 
-/* Are there cables, and forces of all of them given? */
-static int has_forces(const taut_film_space *space)
+/* Are there cables that a stronger film is known of: forces, or laws between ends that are held? */
+static int has_strength(const taut_film_space *space)
 {
-    int forces = 0, others = 0;
+    int cables = 0, others = 0;
     for (int e = 0; e < 4; e++) {
-        forces += space->ratios[e] > 0;
+        cables += space->ratios[e] > 0;
         others += space->cables[e].start > 0;
     }
-    return forces > 0 && others == 0;
+    return cables > 0 && (others == 0 || (space->leader == NULL && space->around == NULL));
 }
 
 static taut_status refuse_unstable(const taut_film_work *w, const taut_film_rest_point *at,
@@ -102,7 +102,7 @@ static taut_status find_net(taut_film_work *w, taut_arena *arena, taut_error *er
 {
     int done = 0;
 
-    taut_film_start_laws(w);
+    taut_film_start_laws(w, 1);
     taut_status status = taut_film_take_rule(w, 0, 1);
 
     if (status != TAUT_OK) {
@@ -129,7 +129,7 @@ static taut_status find_net(taut_film_work *w, taut_arena *arena, taut_error *er
         w->region.iterations < w->region.max_iterations) {
         return taut_film_lead_apart(w, arena, error);
     }
-    if (inner.status == TAUT_NOT_CONVERGED && has_forces(w->space) &&
+    if (inner.status == TAUT_NOT_CONVERGED && has_strength(w->space) &&
         w->region.iterations < w->region.max_iterations) {
         return taut_film_lower_forces(w, arena, error);
     }

@@ -3,12 +3,16 @@
  *     factor = 2, 4, ..: the start solved with all forces so many times, until one succeeds
  *     lower it, from film to film, by steps that are halved where one fails
  *     1 is reached: done; no step is left: cable-too-weak, the last factor told
+ *
+ * Cables of given length are so much stronger by less excess over their chords, elastic ones by less length
+ * (equilibrium.h).
  */
 #include "construct/film/stronger.h"
 
 #include "core/fail.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 enum { DOUBLINGS = 8, LOWERINGS = 64 };
@@ -17,18 +21,38 @@ static const double step_least = 0x1p-10; /* of the logarithm of the factor of a
 
 static taut_status refuse_weak(const taut_film_work *w, double least, taut_error *error)
 {
-    const taut_film_problem *problem = w->space->problem;
-    const int e = w->edges[0];
-    char where[32] = "/edges/u0/cable";
-    memcpy(where + 7, taut_film_edge_names[e], 2);
+    const taut_film_space *space = w->space;
+    const taut_film_problem *problem = space->problem;
+    const int unit = space->scaling.outer + space->scaling.inner;
+    char where[32], strong[96];
+    int e = w->edges[0];
+
+    for (int k = w->functional->cable_count - 1; k >= 0;
+         k--) { /* the first of given force, or the first */
+        e = problem->edges[w->edges[k]].law == TAUT_FILM_FORCE || k == 0 ? w->edges[k] : e;
+    }
+    const taut_film_edge *edge = &problem->edges[e];
+    const char *name = taut_film_edge_names[e];
+    double found = edge->force, limit = least * edge->force;
+    if (edge->law == TAUT_FILM_ELASTIC) {
+        found = edge->unstressed;
+        limit = found - ldexp((least - 1) * space->ratios[e] / space->cables[e].stiffness, unit);
+        snprintf(strong, sizeof strong, "%.6g unstressed for edge %s", limit, name);
+    } else if (edge->law == TAUT_FILM_FORCE) {
+        snprintf(strong, sizeof strong, "%.6g for edge %s", limit, name);
+    } else {
+        found = ldexp(space->cables[e].length, unit);
+        limit = ldexp(taut_film_strong_length(space, e, least), unit);
+        snprintf(strong, sizeof strong, "a length of %.6g for edge %s", limit, name);
+    }
+    snprintf(where, sizeof where, "/edges/%s/cable", name);
     return taut_fail(
-        error, TAUT_NO_SOLUTION, "cable-too-weak", where, problem->edges[e].force,
-        least * problem->edges[e].force,
+        error, TAUT_NO_SOLUTION, "cable-too-weak", where, found, limit,
         "the cables are too weak for this film: lowered together from where there is "
-        "a film, the last found is at %.6g times their forces (%.6g for edge %s); "
+        "a film, the last found is at %.6g times their forces (%s); "
         "below it the film draws a cable into another edge, folds, or gets thinner at a "
         "corner than its knots can tell",
-        least, least * problem->edges[e].force, taut_film_edge_names[e]);
+        least, strong);
 }
 
 /* net: a film with all forces *factor times, from the start. */

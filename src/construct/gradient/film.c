@@ -654,7 +654,7 @@ static taut_status open_space(pulling *p, const taut_surface *surface, taut_aren
     p->count = p->space.count;
     p->unit = ldexp(1, p->space.scaling.outer + p->space.scaling.inner);
     p->work = (taut_film_work){.space = &p->space, .monitor = &p->request->monitor};
-    taut_film_start_laws(&p->work);
+    taut_film_start_laws(&p->work, 1);
     status = take_memory(p, arena, error);
     return status == TAUT_OK ? take_net(p, surface, error) : status;
 }
