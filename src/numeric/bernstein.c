@@ -78,34 +78,51 @@ static void reduce_level(int count, int dim, double t, double *b)
 
 enum { DEGREE_LOW = 9 };
 
-/* The same for points in space and low degrees, where pipes spend their time: a fourth coordinate of
- * no meaning fills two vectors of two, and the bound lets the compiler keep all in registers. A run
- * of pipes takes 1.25 times as many instructions without. */
+/* The same for points in space and low degrees, where pipes spend their time: with the functions b_i
+ * of degree p - 1 the point is u S_0 + t S_1 and its derivative p (S_1 - S_0), S_k = sum b_i a_i+k. A
+ * run of pipes takes 1.3 times as many instructions by the triangle. */
 static void point_in_space(int p, const double *a, double t, double *value, double *derivative)
 {
-    double b[DEGREE_LOW + 1][4];
+    static const double binomial[DEGREE_LOW][DEGREE_LOW] = {
+        {1},
+        {1, 1},
+        {1, 2, 1},
+        {1, 3, 3, 1},
+        {1, 4, 6, 4, 1},
+        {1, 5, 10, 10, 5, 1},
+        {1, 6, 15, 20, 15, 6, 1},
+        {1, 7, 21, 35, 35, 21, 7, 1},
+        {1, 8, 28, 56, 70, 56, 28, 8, 1},
+    };
+    double sum[6] = {0}, b[DEGREE_LOW] = {1}; /* S_0 and S_1 */
     const double u = 1 - t;
+    double falling = 1; /* u to the power of what is left */
 
-    for (int i = 0; i <= p; i++) {
-        memcpy(b[i], a + 3 * i, 3 * sizeof *a);
-        b[i][3] = 0;
-    }
-    for (int level = p; level > 0; level--) {
-        if (level == 1 && derivative != NULL) {
-            for (int k = 0; k < 3; k++) {
-                derivative[k] = p * (b[1][k] - b[0][k]);
-            }
+    if (p == 0) {
+        memcpy(value, a, 3 * sizeof *value);
+        if (derivative != NULL) {
+            memset(derivative, 0, 3 * sizeof *derivative);
         }
-        for (int i = 0; i < level; i++) {
-            for (int k = 0; k < 4; k++) {
-                b[i][k] = u * b[i][k] + t * b[i + 1][k];
-            }
+        return;
+    }
+    for (int i = 1; i < p; i++) {
+        b[i] = b[i - 1] * t;
+    }
+    for (int i = p - 1; i >= 0; i--) {
+        b[i] *= binomial[p - 1][i] * falling;
+        falling *= u;
+    }
+    for (int i = 0; i < p; i++) {
+        for (int k = 0; k < 6; k++) {
+            sum[k] += b[i] * a[3 * i + k];
         }
     }
-    if (p == 0 && derivative != NULL) {
-        memset(derivative, 0, 3 * sizeof *derivative);
+    for (int k = 0; k < 3; k++) {
+        value[k] = u * sum[k] + t * sum[3 + k];
+        if (derivative != NULL) {
+            derivative[k] = p * (sum[3 + k] - sum[k]);
+        }
     }
-    memcpy(value, b[0], 3 * sizeof *value);
 }
 
 void taut_bernstein_point(int p, int dim, const double *a, double t, double *value,
