@@ -160,4 +160,15 @@ if [ -s "$lost" ]; then
     cat "$lost"
     bad=1
 fi
+# Prose is read in a terminal, too: lines below 120 characters; tables, code, pictures and what programs print are as they are.
+awk '
+    FNR == 1 { code = printed = 0 }
+    /^ *```/ { code = !code }
+    /<!-- bench/ { printed = 1 }
+    /<!-- end/ { printed = 0 }
+    length($0) > 120 && !code && !printed && !/^ *\|/ && !/^    / && !/!\[/ {
+        printf "%s:%d: a line of %d characters, expected at most 120\n", FILENAME, FNR, length($0)
+        long = 1
+    }
+    END { exit long }' README.md CHANGELOG.md CONTRIBUTING.md docs/*.md docs/tutorial/*.md || bad=1
 exit $bad
