@@ -359,7 +359,6 @@ static taut_status polish(taut_film_work *w, double *before, taut_error *error)
         return status;
     }
     *before = residual[0];
-    w->any = residual[2];
     w->region.residual = residual[1];
     w->region.area = taut_area_functional_value(w->functional, w->net).area;
     return is_folded(w->functional) ? refuse_fold(w, error) : TAUT_OK;
@@ -374,22 +373,13 @@ static taut_status refuse_rules(const taut_film_work *w, taut_error *error)
         "or the tolerance");
 }
 
-/* Do the last steps alone leave the film at rest? */
-static int is_rested(const taut_film_work *w)
-{
-    return w->space->problem->method == TAUT_FILM_FULL && w->is_definite &&
-           w->region.residual <= w->region.tolerance && w->any <= residual_any;
-}
-
-/* The next rule: *agree where it gives the same energy, and derivatives within the tolerance; *rested: the film is at rest by
- * it. */
-static taut_status refine_rule(taut_film_work *w, double factor, int *agree, int *rested,
-                               taut_error *error)
+/* The next rule: *agree where it gives the same energy, and derivatives within the tolerance. */
+static taut_status refine_rule(taut_film_work *w, double factor, int *agree, taut_error *error)
 {
     const double before = w->region.area;
     double residual = 0;
 
-    *agree = *rested = 0;
+    *agree = 0;
     if (taut_film_take_rule(w, w->rule + 1, factor) != TAUT_OK) {
         return taut_fail_memory(error);
     }
@@ -400,7 +390,6 @@ static taut_status refine_rule(taut_film_work *w, double factor, int *agree, int
     w->enough = residual_settled * w->region.tolerance;
     const taut_status status = polish(w, &residual, error);
     *agree = residual <= residual_agreement * w->region.tolerance;
-    *rested = *agree || is_rested(w);
     w->enough = 0;
     return status;
 }
@@ -530,7 +519,8 @@ static taut_status minimise_moving(taut_film_work *w, taut_error *error)
     return status;
 }
 
-/* The film by the rule of the moment; rested: the last steps have been made. */
+/* The film by the rule of the moment; rested: the one before agrees with it, and its last steps have
+ * been made. */
 static taut_status rest_by_rule(taut_film_work *w, int rested, taut_error *error)
 {
     const int before = w->region.iterations;
@@ -557,8 +547,6 @@ static int has_forces_only(const taut_film_work *w)
 
 taut_status taut_film_rest(taut_film_work *w, double factor, taut_error *error)
 {
-    int rested = 0;
-
     if (!has_forces_only(w) && factor != w->strength) {
         taut_film_start_laws(w, factor);
     }
@@ -569,12 +557,12 @@ taut_status taut_film_rest(taut_film_work *w, double factor, taut_error *error)
         return taut_fail_memory(error);
     }
     for (int agreed = 0, agree = 0; status == TAUT_OK && agreed < AGREEING;) {
-        status = rest_by_rule(w, rested, error);
+        status = rest_by_rule(w, agree, error);
         if (status == TAUT_OK && w->rule + 1 == RULES) {
             return agreed > 0 ? TAUT_OK : refuse_rules(w, error);
         }
         if (status == TAUT_OK) {
-            status = refine_rule(w, factor, &agree, &rested, error);
+            status = refine_rule(w, factor, &agree, error);
         }
         agreed = agree ? agreed + 1 : 0;
     }

@@ -31,7 +31,6 @@ typedef struct taut_film_work {
     taut_trust_region region;
     int iterations;  /* of all films on the way */
     double enough;   /* residual along the moves that the last steps need not go below */
-    double any;      /* residual of all coordinates, after the last steps */
     int is_definite; /* did the last step along the moves find no eigenvalue below 0? */
     int negative;    /* eigenvalues below 0 of the film; -1: not known */
     const char *method;
