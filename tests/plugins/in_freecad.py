@@ -52,6 +52,39 @@ def run():
     three = features.add(document, features.Between, "Three", Edges=links[:3])
     document.recompute()
     result["three"] = {"state": three.State, "claims": three.Claims}
+    # arcs: exact, over their own piece; a closed spline's piece across its seam
+    arc = Part.makeCircle(30, V(1, 2, 3), V(1, 1, 1), 20, 290)
+    loop = Part.BSplineCurve()
+    loop.interpolate([V(0, 0, 0), V(1, 1, 0), V(2, 0, 0), V(1, -1, 1)], PeriodicFlag=True)
+    seam = Part.Edge(loop, loop.LastParameter - 1, loop.LastParameter + 1)
+    piece = features.curve_of(seam)
+    exact = features.curve_of(arc)
+    low, high = exact.t.range
+    places = [exact(low + (high - low) * s / 100) for s in range(101)]
+    ends = [features._vectors([one.Point for one in edge.Vertexes]) for edge in (arc, seam)]
+    result["arc"] = {"degree": exact.t.degree, "off": max(abs(V(*one).distanceToPoint(V(1, 2, 3)) - 30) for one in places),
+                     "ends": max(abs(one(one.t.range[k]) - end[k]).max() for one, end in zip((exact, piece), ends) for k in (0, 1))}
+    # an edge in a Part that has moved stands where it is seen
+    part, inner = document.addObject("App::Part", "Part"), document.addObject("Part::Feature", "Inner")
+    part.addObject(inner)
+    part.Placement = FreeCAD.Placement(V(3, 4, 5), FreeCAD.Rotation(V(0, 0, 1), 90))
+    inner.Shape, inner.Placement = sources[0].Shape, part.Placement.inverse() * sources[0].Placement
+    within = features.add(document, features.Between, "Within", Edges=[(inner, ["Edge1"])] + links[1:], Construction="Dirichlet")
+    document.recompute()
+    result["in a part"] = poles(within)
+    # what is not there any more, what has no ends
+    ball = document.addObject("Part::Sphere", "Ball")
+    for name, link in (("gone", (sources[0], ["Edge9"])), ("pole", (ball, ["Edge1"]))):
+        wrong = features.add(document, features.Between, "Wrong", Edges=[link] + links[1:])
+        document.recompute()
+        result[name] = {"state": wrong.State, "claims": wrong.Claims}
+    wire = document.addObject("Part::Feature", "Wire")
+    wire.Shape = Part.makePolygon([V(*given["saddle"][i % 4]) for i in range(5)])
+    flat = features.add(document, features.Between, "Flat", Edges=[(wire, ["Edge1", "Edge2", "Edge3", "Edge4"])], Degree=[0, 0])
+    document.recompute()
+    result["degree 0"] = flat.Holds
+    result["whole"] = [features.whole(Part.makeCylinder(1, 2), ("Face", "Edge")), features.whole(wire.Shape, ("Edge",)),
+                       features.whole(Part.makePlane(1, 1), ("Face",)), features.whole(Part.makeBox(1, 1, 1), ("Face",))]
     # a saddle's straight edges are asymptotic curves of it: as cubics
     straight = []
     for i in range(4):

@@ -61,8 +61,15 @@ def test_surfaces(result, make, tmp_path, name, construct):
 
 def test_it_follows_its_edges(result, make, tmp_path):
     model = make(problem("dirichlet", ring(SHIFT), tmp_path))
-    for name in ("moved", "mended", "read again"):
+    for name in ("moved", "mended", "read again", "in a part"):
         same(result[name], model.surfaces[0], 300)
+
+
+def test_edges(result):
+    arc = result["arc"]
+    assert arc["degree"] == 2 and arc["off"] <= 1e-13 and arc["ends"] <= 1e-13
+    assert result["degree 0"] == "holds"
+    assert result["whole"] == [["Face1"], ["Edge1", "Edge2", "Edge3", "Edge4"], ["Face1"], []]
 
 
 def test_asymptotic(result, make, tmp_path):
@@ -95,7 +102,8 @@ def test_join(result, make, tmp_path):
 
 def test_refusals(result):
     for name, words in (("broken", "What to change"), ("three", "found 3 edges; expected four"), ("no radius", "set Radius"),
-                        ("trimmed", "is trimmed"), ("too thick", "What to change")):
+                        ("trimmed", "is trimmed"), ("too thick", "What to change"), ("gone", "Edge0 has no Edge9 any more"),
+                        ("pole", "Ball.Edge1 is a point")):
         assert "Invalid" in result[name]["state"] and words in result[name]["claims"][0], result[name]
     assert result["broken"]["holds"] == "not made" and result["broken"]["valid"] is False
 
@@ -115,4 +123,4 @@ def test_window(run_in, tmp_path, make):
     model = make(problem("plateau", edges, tmp_path))
     assert found["made"] == 1 and found["holds"] == "holds" and found["undo"] == ["Least area"]
     assert found["area"] == pytest.approx(model.certificate.figures["area"], rel=1e-5)
-    assert (found["after undo"], found["after redo"]) == (0, 1)
+    assert (found["after undo"], found["after redo"], found["of whole objects"]) == (0, 1, 2)

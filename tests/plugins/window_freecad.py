@@ -41,6 +41,12 @@ def run():
     document.recompute()
     made = [one for one in document.Objects if hasattr(one, "Construction")]
     result["after redo"] = len(made)
+    FreeCADGui.Selection.clearSelection()
+    for i in range(4):
+        FreeCADGui.Selection.addSelection("Tent", f"Edge{i}")  # as in the tree
+    FreeCADGui.runCommand("Taut_Dirichlet")
+    result["of whole objects"] = len([one for one in document.Objects if hasattr(one, "Construction")])
+    document.undo()
     made[0].ViewObject.ShapeColor = (0.95, 0.65, 0.35)
     FreeCADGui.Selection.clearSelection()
     FreeCADGui.Selection.addSelection(made[0])

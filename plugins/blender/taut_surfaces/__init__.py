@@ -1,5 +1,5 @@
 """Surfaces between selected curves, in Blender 3.4 and later. The package taut comes along in vendor/, unless there is another."""
-bl_info = {"name": "Taut", "author": "The Taut authors", "version": (0, 1, 0), "blender": (3, 4, 0), "category": "Add Curve",
+bl_info = {"name": "Taut", "author": "The Taut authors", "version": (0, 2, 0), "blender": (3, 4, 0), "category": "Add Curve",
            "location": "3D View > Sidebar > Taut", "description": "Surfaces drawn tight across curves, each with a certificate"}
 
 import json

@@ -7,4 +7,8 @@ try:
     import taut  # noqa: F401
 except ImportError:
     sys.path.append(os.path.join(HERE, "vendor"))
-    import taut  # noqa: F401
+    try:
+        import taut  # noqa: F401
+    except ImportError as error:
+        raise ImportError(f"the workbench Taut finds no package taut ({error}): install taut-freecad.zip, which `make plugins` writes and which "
+                          "has it in it, or a wheel of taut for the Python of FreeCAD") from None

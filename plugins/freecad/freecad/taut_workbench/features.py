@@ -24,11 +24,18 @@ def _flat(knots, counts):
     return [knot for knot, count in zip(knots, counts) for _ in range(count)]
 
 
-def curve_of(edge, name=""):
-    """An edge, whatever its curve, as a spline over its own piece: exact but for what OpenCASCADE approximates itself."""
-    spline = edge.Curve.toBSpline(edge.FirstParameter, edge.LastParameter)
-    if spline.isPeriodic():
-        spline.setNotPeriodic()
+def curve_of(edge, name="the edge"):
+    """An edge, whatever its curve, as a spline over its own piece: exact (conics are rational) but for what OpenCASCADE approximates itself.
+    Curve.toBSpline of the edge would approximate conics, and end at the seam of a closed spline."""
+    if edge.Degenerated or max(abs(edge.FirstParameter), abs(edge.LastParameter)) > 1e99:
+        raise taut.InputError(f"{name} is a point, or endless: take an edge between two ends", "/boundary", "type")
+    nurbs = edge.toNurbs().Edges[0]
+    spline, ends = nurbs.Curve.copy(), (nurbs.FirstParameter, nurbs.LastParameter)
+    if ends != (spline.FirstParameter, spline.LastParameter) or spline.isPeriodic():
+        spline.segment(*ends)
+    spline = spline.toBSpline()
+    if spline.isClosed():
+        raise taut.InputError(f"{name} is closed, without ends to meet at: cut it open", "/boundary", "type")
     return hosts.curve(spline.Degree, _flat(spline.getKnots(), spline.getMultiplicities()), _vectors(spline.getPoles()),
                        spline.getWeights() if spline.isRational() else None, name)
 
@@ -54,7 +61,7 @@ def surface_of(face, name=""):
     """A face as a NURBS surface; one that is trimmed is refused."""
     nurbs = face.toNurbs().Faces[0]
     if _is_trimmed(nurbs):
-        raise taut.InputError(f"{name or 'the face'} is trimmed: take one that is bounded by four edges of its surface", "", "trimmed")
+        raise taut.InputError(f"{name or 'the face'} is trimmed: take one that is bounded by four edges of its surface", "", "type")
     spline = nurbs.Surface
     spline.segment(*nurbs.ParameterRange)
     weights = np.array(spline.getWeights()) if spline.isURational() or spline.isVRational() else None
@@ -76,14 +83,32 @@ def native(surface):
     return result
 
 
-def _parts(links, kind):
-    """What the links of a feature name, where it is in the document, of the kind "Edge" or "Face"."""
+def _frame(obj):
+    """Where the coordinates of an object stand in the document: its own placement is in its shape, that of a Part or a Body around it is not."""
+    group = obj.getParentGeoFeatureGroup()
+    return group.getGlobalPlacement() if group else FreeCAD.Placement()
+
+
+def _parts(obj, links, kind=""):
+    """(name, shape) of what the links of a feature name, as the feature sees it, of the kind "Edge" or "Face", or as it is."""
     found = []
     for source, names in links or []:
+        move = _frame(obj).inverse() * _frame(source)
         for name in names if isinstance(names, (list, tuple)) else [names]:
             shape = source.getSubObject(name) if name else source.Shape
-            found.extend(shape.Edges if kind == "Edge" else shape.Faces)
+            if shape is None:
+                raise taut.InputError(f"{source.Label} has no {name} any more: choose {name.rstrip('0123456789').lower()}s again", "", "value")
+            if not move.isIdentity():
+                shape.Placement = move * shape.Placement
+            parts = {"Edge": shape.Edges, "Face": shape.Faces}.get(kind, [shape])
+            found.extend((f"{source.Name}.{name}" if name else source.Name, part) for part in parts)
     return found
+
+
+def whole(shape, kinds):
+    """What is meant by an object that was selected as a whole: all its edges, its one cylinder, its one face."""
+    names = [f"Face{i + 1}" for i, face in enumerate(shape.Faces) if kinds == ("Face",) or isinstance(face.Surface, Part.Cylinder)]
+    return names if "Face" in kinds and len(names) == 1 else [f"Edge{i + 1}" for i in range(len(shape.Edges))] if "Edge" in kinds else []
 
 
 def axis_of(part):
@@ -159,10 +184,10 @@ class Between(Feature):
             obj.Construction = list(CONSTRUCTS)
 
     def make(self, obj):
-        edges = [curve_of(edge, f"edge{i + 1}") for i, edge in enumerate(_parts(obj.Edges, "Edge"))]
+        edges = [curve_of(edge, name) for name, edge in _parts(obj, obj.Edges, "Edge")]
         members = {}
         if obj.Construction in ("Dirichlet", "Least area"):
-            members = {name: list(value) for name, value in (("degree", obj.Degree), ("refine", obj.Refine)) if value}
+            members = {name: list(value) for name, value in (("degree", obj.Degree), ("refine", obj.Refine)) if any(value)}
         model = hosts.between(CONSTRUCTS[obj.Construction], edges, **members)
         obj.Shape = native(model.surfaces[0]).toShape()
         self.tell(obj, model.certificate.holds, hosts.claims(model.certificate), model.to_json())
@@ -180,7 +205,7 @@ class Blend(Feature):
             obj.Joint = ["g1", "g2"]
 
     def make(self, obj):
-        parts = [part for links in (obj.Ends or []) for part in self.ends(links)]
+        parts = [part for _, part in _parts(obj, obj.Ends)]
         if len(parts) != 2:
             raise taut.InputError(f"found {len(parts)} ends; expected two cylinders or two straight edges", "/ends", "size", len(parts), 2)
         (one, first), (other, second) = map(axis_of, parts)
@@ -190,12 +215,6 @@ class Blend(Feature):
         model = hosts.blend(one, other, radius if len(radius) == 2 else radius[0], joint=obj.Joint)
         obj.Shape = native(model["blend"]).toShape()
         self.tell(obj, model.certificate.holds, hosts.claims(model.certificate), model.to_json())
-
-    @staticmethod
-    def ends(links):
-        source, names = links
-        for name in names if isinstance(names, (list, tuple)) else [names]:
-            yield source.getSubObject(name)
 
 
 class Join(Feature):
@@ -208,10 +227,10 @@ class Join(Feature):
                   ("App::PropertyInteger", "Contact", "Taut", "order of geometric contact; -1: a gap"))
 
     def make(self, obj):
-        faces = _parts(obj.Faces, "Face")
+        faces = _parts(obj, obj.Faces, "Face")
         if len(faces) != 2:
             raise taut.InputError(f"found {len(faces)} faces; expected two", "/faces", "size", len(faces), 2)
-        one, other = (surface_of(face, f"face {i + 1}") for i, face in enumerate(faces))
+        one, other = (surface_of(face, name) for name, face in faces)
         edge, opposite, report = hosts.nearest(one, other)
         obj.Along, obj.Gap, obj.Contact = f"{edge} of the first, {opposite} of the second", report["max_gap"], report["g_order"]
         obj.Angle = float(np.degrees(report["max_normal_angle"] or 0.0))

@@ -38,8 +38,11 @@ class Command:
 
     def selected(self):
         """(object, [names]) of what fits, as links want it."""
-        found = [(one.Object, [name for name in one.SubElementNames if name.startswith(self.kinds)])
-                 for one in FreeCADGui.Selection.getSelectionEx()]
+        from . import features
+        found = []
+        for one in FreeCADGui.Selection.getSelectionEx()[:self.count + 1]:
+            names = one.SubElementNames or (features.whole(one.Object.Shape, self.kinds) if hasattr(one.Object, "Shape") else [])
+            found.append((one.Object, [name for name in names if name.startswith(self.kinds)]))
         return [(source, names) for source, names in found if names]
 
     def IsActive(self):
@@ -61,15 +64,15 @@ class Command:
 
 EDGES = "between four selected edges, which close a ring; it follows them when they move"
 COMMANDS = {
-    "Taut_Dirichlet": Command("Between", "Edges", "Edge", 4, "dirichlet", "Dirichlet surface", f"The surface of least Dirichlet energy {EDGES}",
+    "Taut_Dirichlet": Command("Between", "Edges", ("Edge",), 4, "dirichlet", "Dirichlet surface", f"The surface of least Dirichlet energy {EDGES}",
                               Construction="Dirichlet"),
-    "Taut_LeastArea": Command("Between", "Edges", "Edge", 4, "least", "Least area", f"The surface of least area {EDGES}", Construction="Least area"),
-    "Taut_Harmonic": Command("Between", "Edges", "Edge", 4, "harmonic", "Harmonic surface", f"The harmonic surface through the first of and its "
+    "Taut_LeastArea": Command("Between", "Edges", ("Edge",), 4, "least", "Least area", f"The surface of least area {EDGES}", Construction="Least area"),
+    "Taut_Harmonic": Command("Between", "Edges", ("Edge",), 4, "harmonic", "Harmonic surface", f"The harmonic surface through the first of and its "
                              f"opposite edge, {EDGES}", Construction="Harmonic"),
-    "Taut_Asymptotic": Command("Between", "Edges", "Edge", 4, "asymptotic", "Asymptotic patch", f"The patch whose edges are asymptotic curves, {EDGES}",
+    "Taut_Asymptotic": Command("Between", "Edges", ("Edge",), 4, "asymptotic", "Asymptotic patch", f"The patch whose edges are asymptotic curves, {EDGES}",
                                Construction="Asymptotic"),
     "Taut_Blend": Command("Blend", "Ends", ("Face", "Edge"), 2, "pipe", "Pipe blend", "A pipe between two selected cylinders or straight edges"),
-    "Taut_Join": Command("Join", "Faces", "Face", 2, "join", "Join report", "How two selected faces meet: gap, angles, order of contact"),
+    "Taut_Join": Command("Join", "Faces", ("Face",), 2, "join", "Join report", "How two selected faces meet: gap, angles, order of contact"),
 }
 
 
