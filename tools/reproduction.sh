@@ -13,18 +13,22 @@ trap 'rm -f "$page"' EXIT
 cat > "$page" <<'END'
 # What the papers print, and what Taut finds
 
-Every number that the papers print, recomputed (what one prints twice, as points and as a polynomial, once). `taut reproduce` prints the same rows on any machine, `taut reproduce PAPER
---json` for a program, and `make reproduction` writes this page; that it is current is a test (`tests/cli/test_reproduction.sh`).
+Every number that the papers print, recomputed (what one prints twice, as points and as a polynomial, once). `taut
+reproduce` prints the same rows on any machine, `taut reproduce PAPER --json` for a program, and `make reproduction`
+writes this page; that it is current is a test (`tests/cli/test_reproduction.sh`).
 
 Each row names where the paper prints the number, what it prints digit for digit, what Taut finds, and a verdict:
 
-- **agrees**: within half a unit of the last digit printed, or within the tolerance that the row states for exact numbers;
-- **erratum**: the paper is wrong; ours is what is right, or shows how the printed number arose, and the last column says which;
+- **agrees**: within half a unit of the last digit printed, or within the tolerance that the row states for exact
+  numbers;
+- **erratum**: the paper is wrong; ours is what is right, or shows how the printed number arose, and the last column
+  says which;
 - **beyond the paper**: a number the paper leaves out, held against a reference;
 - **differs**: ours should agree and does not. There must be none: the program then exits with 1.
 
-Ours is written to the digits that its tolerance vouches for; points are counted from 0, also where a paper counts from 1. The rows, with tolerances and their reasons, are in
-[data/papers](../data/papers), the corrected mathematics in [papers](papers), the keys in [references.bib](references.bib).
+Ours is written to the digits that its tolerance vouches for; points are counted from 0, also where a paper counts
+from 1. The rows, with tolerances and their reasons, are in [data/papers](../data/papers), the corrected mathematics
+in [papers](papers), the keys in [references.bib](references.bib).
 
 | quantity | is |
 |---|---|

@@ -73,7 +73,7 @@ for list in src/problem/construct_list.h; do
     done
 done
 for name in $(sed -n 's/.*X([a-z_0-9]*, "\([a-z]*\)".*/\1/p' "$SOURCE/src/io/format_list.h" "$SOURCE/src/draw/format_list.h"); do
-    grep '^Files in and out' "$SOURCE/README.md" | grep -qi "\<$name\>" || fail "format $name is not in the README"
+    grep -A 1 '^Files in and out' "$SOURCE/README.md" | grep -qi "\<$name\>" || fail "format $name is not in the README"
 done
 
 echo "$failures failures"

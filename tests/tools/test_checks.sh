@@ -108,6 +108,11 @@ printf '# The part, here\n<a id="X_y"></a>\nsee [there](#the-part-here), [me](x.
 passes docs
 
 catches docs docs/x.md 'no such place' '# Here\n[there](#her)\n'
+long=$(printf '%130s' '' | tr ' ' 'x')
+catches docs docs/x.md 'a line of 130 characters' "$long\n"
+fresh
+printf '| %s |\n\n    %s\n' "$long" "$long" > "$tree/docs/x.md"
+passes docs
 catches docs docs/x.md 'no such place' '<a id="X_Y"></a>\n[there](x.md#x_y)\n'
 
 # The reference: made of the headers, and noticed where it leads nowhere, lacks a header, or a symbol.
