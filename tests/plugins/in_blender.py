@@ -75,7 +75,7 @@ def run():
         assert bpy.ops.taut.between() == {"FINISHED"}
         result[construct] = state(bpy.context.object, curves)
     # all move, and the surface is made again
-    scene.taut.construct = "dirichlet"
+    bpy.context.object.taut.construct = scene.taut.construct = "dirichlet"
     for one in curves:
         one.location = given["shift"]
     bpy.context.view_layer.update()
@@ -93,15 +93,37 @@ def run():
     result["kept"] = bpy.context.object["taut_model"] == result["dragged"]["model"]
     curves[0].location = given["shift"]
     bpy.context.view_layer.update()
-    scene.taut.result = "nurbs"
+    # parameters are the surface's own, whatever the next one's are; its name, place and materials stay
+    scene.taut.construct = "harmonic"
+    bpy.context.object.taut.result = "nurbs"
+    bpy.context.object.name, bpy.context.object.location = "Sail", (0, 0, 2)
+    bpy.context.object.data.materials.append(bpy.data.materials.new("Cloth"))
     assert bpy.ops.taut.again() == {"FINISHED"}
     obj = bpy.context.object
+    result["stays"] = [obj.name, list(obj.location), [one.name for one in obj.data.materials], obj["taut_certificate"].split(":")[0],
+                       [one.name for one in obj.users_collection] == [one.name for one in curves[0].users_collection]]
+    scene.taut.construct = "dirichlet"
     net = obj.data.splines[0]
     result["nurbs"] = {**state(obj, curves), "points": [list(one.co) for one in net.points], "count": [net.point_count_u, net.point_count_v],
                        "order": [net.order_u, net.order_v], "splines": len(obj.data.splines)}
-    scene.taut.degree = (7, 7)
+    obj.taut.degree = (7, 7)
     result["degree"] = told(bpy.ops.taut.again)
-    scene.taut.degree, scene.taut.result = (0, 0), "mesh"
+    obj.taut.degree = (0, 0)
+    curves[2].scale = (1, 0, 1)
+    bpy.context.view_layer.update()
+    result["flat"] = told(bpy.ops.taut.drag, corner=0, offset=(0, 0, 1))
+    curves[2].scale = (1, 1, 1)
+    bpy.context.view_layer.update()
+    scene.taut.refine, scene.taut.divide, count = 6, 64, len(bpy.data.objects)
+    select(*curves)
+    result["many"] = [told(bpy.ops.taut.between), len(bpy.data.objects) - count]
+    scene.taut.refine, scene.taut.divide = 0, 12
+    point = bpy.data.objects.new("point", bpy.data.curves.new("point", "CURVE"))
+    point.data.splines.new("POLY")
+    bpy.context.collection.objects.link(point)
+    select(point, *curves[1:])
+    result["point"] = told(bpy.ops.taut.between)
+    bpy.data.objects.remove(point)
     select(*curves[:3])
     result["three"] = told(bpy.ops.taut.between)
     curves[1].data.splines[0].use_cyclic_u = True

@@ -74,7 +74,16 @@ def test_nurbs(result, make, tmp_path):
 
 def test_refusals(result):
     assert "What to change" in result["broken"] and result["kept"]
-    assert "take Mesh" in result["degree"] and "poll() failed" in result["three"] and "cyclic" in result["cyclic"]
+    assert "take Mesh" in result["degree"] and "Select four curves" in result["three"] and "cyclic" in result["cyclic"]
+
+
+    assert "edge2: its scale is 0" in result["flat"] and "point: the curve has no two points" in result["point"]
+    says, left = result["many"]
+    assert "lower Cells or Refine" in says and left == 0
+
+
+def test_parameters_are_its_own(result):
+    assert result["stays"] == ["Sail", [0, 0, 2], ["Cloth"], "dirichlet", True]
 
 
 def test_deleted_curve(result):

@@ -5,6 +5,7 @@ bl_info = {"name": "Taut", "author": "The Taut authors", "version": (0, 2, 0), "
 import json
 import os
 import sys
+import types
 
 import bpy
 import numpy as np
@@ -14,13 +15,18 @@ try:
     import taut
 except ImportError:
     sys.path.append(os.path.join(os.path.dirname(__file__), "vendor"))
-    import taut
+    try:
+        import taut
+    except ImportError as error:
+        raise ImportError(f"the add-on Taut finds no package taut ({error}): install taut-blender.zip, which `make plugins` writes and which has "
+                          "it in it, or a wheel of taut for the Python of Blender") from None
 from taut import hosts
 
 CONSTRUCTS = (("dirichlet", "Dirichlet", "the surface of least Dirichlet energy"), ("plateau", "Least area", "the surface of least area"),
               ("harmonic", "Harmonic", "the harmonic surface through the first curve and its opposite"),
               ("asymptotic", "Asymptotic", "the patch whose edges are asymptotic curves"))
 RESULTS = (("mesh", "Mesh", "quads with smooth normals and curvature as a colour"), ("nurbs", "NURBS", "a NURBS surface, where Blender has its knots"))
+LARGEST_MESH = 1000000  # quads
 
 
 # --- Between Blender and Taut -----------------------------------------------------------------------------------------------
@@ -49,6 +55,8 @@ def curve_of(obj):
         points = [Vector(point.co[:3]) for point in spline.points]
         degree, spans = 1, len(points) - 1
         knots = [0.0] + [float(i) for i in range(spans + 1)] + [float(spans)]
+    if len(points) < 2:
+        raise taut.InputError(f"{obj.name}: the curve has no two points", "/boundary", "size", len(points), 2)
     matrix = np.array(obj.matrix_world, dtype=float)
     places = np.array([list(point) for point in points], dtype=float) @ matrix[:3, :3].T + matrix[:3, 3]
     return hosts.curve(degree, knots, places, weights, obj.name)
@@ -81,10 +89,17 @@ def curvatures(surface, parameters):
     return np.nan_to_num(h)
 
 
-def fill_mesh(data, model, scale, divide):
+def mesh_of(model, divide):
+    """The quads to draw; too many are refused before they are made."""
+    count = divide ** 2 * int(np.prod([len(one.breaks) - 1 for one in (model.surfaces[0].u, model.surfaces[0].v)]))
+    if count > LARGEST_MESH:
+        raise taut.InputError(f"the mesh would have {count} quads, expected at most {LARGEST_MESH}: lower Cells or Refine", "", "size", count, LARGEST_MESH)
+    return model.mesh(divide=divide)
+
+
+def fill_mesh(data, model, scale, mesh):
     """Quads, normals of the surface, the mean curvature as a number and as a colour: red above 0, blue
     below, full at twice the root of the mean square."""
-    mesh = model.mesh(divide=divide)
     data.clear_geometry()
     data.from_pydata((mesh.vertices / scale).tolist(), [], mesh.quads.tolist())
     data.polygons.foreach_set("use_smooth", np.ones(len(data.polygons), dtype=bool))
@@ -140,30 +155,46 @@ def nurbs_object(context, shape, scale, name):
 
 def put(obj, model, curves, settings):
     """What the object keeps: its problem's parameters, its curves, the model as JSON, the certificate as lines."""
-    for name, value in (("construct", settings.construct), ("result", settings.result), ("degree", list(settings.degree)), ("refine", settings.refine),
-                        ("divide", settings.divide), *((f"curve_{i}", one) for i, one in enumerate(curves)), ("model", model.to_json()),
+    for name, value in vars(settings).items():
+        setattr(obj.taut, name, value)
+    for name, value in (*((f"curve_{i}", one) for i, one in enumerate(curves)), ("model", model.to_json()),
                         ("certificate", "\n".join(hosts.claims(model.certificate)))):
         obj["taut_" + name] = value
 
 
+def in_place_of(old, new):
+    """What a user gave the old object: name, place, collections, materials."""
+    name, place, collections, materials = old.name, old.matrix_world.copy(), list(old.users_collection), [slot.material for slot in old.material_slots]
+    bpy.data.objects.remove(old, do_unlink=True)
+    for one in collections:
+        if new.name not in one.objects:
+            one.objects.link(new)
+    for one in [one for one in new.users_collection if one not in collections]:
+        one.objects.unlink(new)
+    for one in materials:
+        new.data.materials.append(one)
+    new.name, new.matrix_world = name, place
+
+
 def build(context, curves, settings, obj=None, draft=False):
     """Makes the surface into `obj`, or into a new object."""
+    settings, old = types.SimpleNamespace(**{name: getattr(settings, name) for name in ("construct", "result", "refine", "divide")},
+                                          degree=list(settings.degree)), obj
     scale = context.scene.unit_settings.scale_length
     model = make(curves, settings, context.scene, draft)
     if settings.result == "nurbs":
         shape = hosts.spline(model.surfaces[0])
         if not all(has_knots(shape, direction) for direction in (0, 1)):
             raise taut.InputError("Blender's NURBS surfaces have uniform knots and degree 5 at most, this one has not: take Mesh", "", "knots")
-        if obj is not None:
-            bpy.data.objects.remove(obj, do_unlink=True)
         obj = nurbs_object(context, shape, scale, "Taut")
     else:
+        mesh = mesh_of(model, settings.divide)
         if obj is None or obj.type != "MESH":
-            if obj is not None:
-                bpy.data.objects.remove(obj, do_unlink=True)
             obj = bpy.data.objects.new("Taut", bpy.data.meshes.new("Taut"))
             context.collection.objects.link(obj)
-        fill_mesh(obj.data, model, scale, settings.divide)
+        fill_mesh(obj.data, model, scale, mesh)
+    if old is not None and old != obj:
+        in_place_of(old, obj)
     put(obj, model, curves, settings)
     return obj
 
@@ -172,6 +203,11 @@ def curves_of(obj):
     """The curves that a surface was made from, whatever they are called by now, without those that were deleted; [] of any other object."""
     found = [obj.get(f"taut_curve_{i}") for i in range(4)] if obj is not None else []
     return [one for one in found if one is not None]
+
+
+def shown(context):
+    """The parameters that the panel shows: those of the active surface, else those of the next one."""
+    return context.object.taut if context.object is not None and "taut_model" in context.object else context.scene.taut
 
 
 # --- Operators and panel -------------------------------------------------------------------------------------------------------
@@ -205,11 +241,12 @@ class TAUT_OT_between(Told, bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
+        cls.poll_message_set("Select four curves, in Object Mode")
         return context.mode == "OBJECT" and sum(one.type == "CURVE" for one in context.selected_objects) == 4
 
     def execute(self, context):
         curves = sorted((one for one in context.selected_objects if one.type == "CURVE"), key=lambda one: one.name)
-        obj = self.tried(build, context, curves, context.scene.taut)
+        obj = self.tried(build, context, curves, shown(context))
         if obj is None:
             return {"CANCELLED"}
         for one in curves:
@@ -231,7 +268,7 @@ class TAUT_OT_again(Told, bpy.types.Operator):
         return context.mode == "OBJECT" and len(curves_of(context.object)) == 4
 
     def execute(self, context):
-        obj = self.tried(build, context, curves_of(context.object), context.scene.taut, context.object)
+        obj = self.tried(build, context, curves_of(context.object), shown(context), context.object)
         if obj is None:
             return {"CANCELLED"}
         context.view_layer.objects.active = obj
@@ -251,6 +288,10 @@ class TAUT_OT_drag(Told, bpy.types.Operator):
     def begin(self, context):
         """The ends of the curves at the corner, and where every point of these splines is."""
         self.obj, self.curves = context.object, curves_of(context.object)
+        for curve in self.curves:
+            curve_of(curve)
+            if curve.matrix_world.to_3x3().determinant() == 0:
+                raise taut.InputError(f"{curve.name}: its scale is 0, so that nothing can be dragged: apply the scale", "/boundary", "value")
         net = taut.Model.from_json(self.obj["taut_model"]).surfaces[0].points / context.scene.unit_settings.scale_length
         self.place = Vector(net[(0, -1, -1, 0)[self.corner], (0, 0, -1, -1)[self.corner]])
         self.saved = []
@@ -263,6 +304,7 @@ class TAUT_OT_drag(Told, bpy.types.Operator):
                 if (here - self.place).length <= 1e-4 * max(1.0, self.place.length):
                     handles = (point.handle_left.copy(), point.handle_right.copy()) if spline.type == "BEZIER" else None
                     self.saved.append((curve, point, point.co.copy(), handles))
+        return True
 
     def move(self, context, offset, draft):
         for curve, point, place, handles in self.saved:
@@ -275,10 +317,11 @@ class TAUT_OT_drag(Told, bpy.types.Operator):
                 point.co = (*(Vector(place[:3]) + step), place[3])
             curve.data.update_tag()
         context.view_layer.update()
-        return self.tried(build, context, self.curves, context.scene.taut, self.obj, draft=draft)
+        return self.tried(build, context, self.curves, self.obj.taut, self.obj, draft=draft)
 
     def execute(self, context):
-        self.begin(context)
+        if not self.tried(self.begin, context):
+            return {"CANCELLED"}
         obj = self.move(context, self.offset, False)
         if obj is None:
             self.move(context, (0, 0, 0), False)
@@ -287,7 +330,8 @@ class TAUT_OT_drag(Told, bpy.types.Operator):
         return {"FINISHED"}
 
     def invoke(self, context, event):
-        self.begin(context)
+        if not self.tried(self.begin, context):
+            return {"CANCELLED"}
         self.start = (event.mouse_region_x, event.mouse_region_y)
         context.window_manager.modal_handler_add(self)
         return {"RUNNING_MODAL"}
@@ -315,11 +359,15 @@ class TAUT_PT_panel(bpy.types.Panel):
     bl_idname, bl_label, bl_space_type, bl_region_type, bl_category = "TAUT_PT_panel", "Taut", "VIEW_3D", "UI", "Taut"
 
     def draw(self, context):
-        settings, layout = context.scene.taut, self.layout
+        settings, layout = shown(context), self.layout
         for name in ("construct", "result", "degree", "refine", "divide"):
             layout.prop(settings, name)
-        for operator in ("taut.between", "taut.again", "taut.drag"):
+        for operator in ("taut.between", "taut.again"):
             layout.operator(operator)
+        layout.label(text="Drag Corner")
+        row = layout.row(align=True)
+        for i in range(4):
+            row.operator("taut.drag", text=str(i)).corner = i
         obj = context.object
         if obj is not None and "taut_certificate" in obj:
             box = layout.box()
@@ -334,9 +382,10 @@ def register():
     for one in CLASSES:
         bpy.utils.register_class(one)
     bpy.types.Scene.taut = bpy.props.PointerProperty(type=Settings)
+    bpy.types.Object.taut = bpy.props.PointerProperty(type=Settings)
 
 
 def unregister():
-    del bpy.types.Scene.taut
+    del bpy.types.Scene.taut, bpy.types.Object.taut
     for one in reversed(CLASSES):
         bpy.utils.unregister_class(one)
