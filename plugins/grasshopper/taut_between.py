@@ -11,7 +11,10 @@ Outputs  surface    Rhino.Geometry.NurbsSurface
 """
 import Rhino
 
-import taut
+try:
+    import taut
+except ImportError as error:
+    raise ImportError(f"{error}: install a wheel of taut with the Python of Rhino, as docs/plugins/grasshopper.md says") from None
 from taut import hosts, rhino
 
 
@@ -19,6 +22,8 @@ def between(curves, construct=None, degree=None):
     """What the component gives; an error is Grasshopper's, with what to change."""
     construct = str(construct or "dirichlet")
     members = {"degree": [int(one) for one in degree]} if degree and construct in ("dirichlet", "plateau") else {}
+    if any(one is None for one in curves or []):
+        raise RuntimeError("a curve is missing (null): four are expected")
     try:
         edges = [rhino.curve_of(one, f"edge{i + 1}") for i, one in enumerate(curves or [])]
         made = hosts.between(construct, edges, unit=rhino.unit_of(Rhino.RhinoDoc.ActiveDoc), **members)
@@ -27,5 +32,5 @@ def between(curves, construct=None, degree=None):
     return rhino.to_rhino(made.surfaces[0]), hosts.claims(made.certificate), made.to_json()
 
 
-if "curves" in globals():
+if globals().get("curves") is not None:  # Grasshopper gives None for what is not connected
     surface, certificate, model = between(curves, globals().get("construct"), globals().get("degree"))  # noqa: F821

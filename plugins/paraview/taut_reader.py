@@ -16,7 +16,11 @@ try:
     import taut
 except ImportError:
     sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "vendor"))
-    import taut
+    try:
+        import taut
+    except ImportError as error:
+        raise ImportError(f"the reader Taut finds no package taut ({error}): load the taut_reader.py of taut-paraview.zip, which `make plugins` writes "
+                          "and which has it in it, or install a wheel of taut for the Python of ParaView") from None
 from taut import hosts
 
 WORDS = {True: "holds", False: "does not hold", None: "undecided"}
@@ -24,9 +28,9 @@ WORDS = {True: "holds", False: "does not hold", None: "undecided"}
 
 def model_of(path, progress=None):
     """The model in a file, or that of the problem in it; of a list of problems the first."""
-    with open(path, encoding="utf-8") as file:
+    with open(path, encoding="utf-8-sig") as file:
         document = json.load(file)
-    if isinstance(document, list) or "construct" in document:
+    if isinstance(document, list) or (isinstance(document, dict) and "construct" in document):
         made = taut.make(path, progress=progress)
         return made[0] if isinstance(made, list) else made
     return taut.read(path)
@@ -34,7 +38,7 @@ def model_of(path, progress=None):
 
 def add(grid, name, values):
     """Field data: texts, or numbers."""
-    is_text = isinstance(values[0], str)
+    is_text = bool(values) and isinstance(values[0], str)
     array = vtkStringArray() if is_text else vtkDoubleArray()
     array.SetName(name)
     array.SetNumberOfValues(len(values))
@@ -43,8 +47,8 @@ def add(grid, name, values):
     grid.GetFieldData().AddArray(array)
 
 
-def grid_of(model):
-    """The model as a grid, as `taut` writes it to VTU, and the certificate."""
+def grid_of(model, certificate):
+    """The model as a grid, as `taut` writes it to VTU, and a certificate."""
     text = model.to_text("vtu")
     reader = vtkXMLUnstructuredGridReader()
     reader.ReadFromInputStringOn()
@@ -52,7 +56,6 @@ def grid_of(model):
     reader.Update()
     grid = vtkUnstructuredGrid()
     grid.ShallowCopy(reader.GetOutput())
-    certificate = model.certificate
     add(grid, "taut certificate", hosts.claims(certificate))
     add(grid, "taut unit", [model.unit])
     if certificate is not None:
@@ -74,7 +77,7 @@ class TautReader(VTKPythonAlgorithmBase):
 
     def __init__(self):
         VTKPythonAlgorithmBase.__init__(self, nInputPorts=0, nOutputPorts=1, outputType="vtkUnstructuredGrid")
-        self._path, self._model = None, None
+        self._path, self._model, self._again = None, None, False
 
     @smproperty.stringvector(name="FileName")
     @smdomain.filelist()
@@ -82,13 +85,19 @@ class TautReader(VTKPythonAlgorithmBase):
     def SetFileName(self, path):
         """A model or a problem."""
         if path != self._path:
-            self._path, self._model = path, None
+            self._path, self._model, self._again = path, None, False
             self.Modified()
 
     @smproperty.xml('<Property name="Read again" command="Again" panel_widget="command_button"/>')
     def Again(self):
         """The file has changed."""
-        self._model = None
+        self._model, self._again = None, False
+        self.Modified()
+
+    @smproperty.xml('<Property name="Prove again" command="Prove" panel_widget="command_button"/>')
+    def Prove(self):
+        """The certificate is made anew from the numbers of the model, in place of the one that stands in its file."""
+        self._again = True
         self.Modified()
 
     def RequestData(self, request, inputs, outputs):
@@ -97,8 +106,9 @@ class TautReader(VTKPythonAlgorithmBase):
         try:
             if self._model is None:
                 self._model = model_of(self._path, lambda done, what: self.UpdateProgress(done if done == done else 0.5))
-            vtkUnstructuredGrid.GetData(outputs, 0).ShallowCopy(grid_of(self._model))
+            certificate = taut.certify(self._model) if self._again else self._model.certificate
+            vtkUnstructuredGrid.GetData(outputs, 0).ShallowCopy(grid_of(self._model, certificate))
             return 1
-        except (taut.Error, OSError, ValueError, MemoryError) as error:
+        except (taut.Error, OSError, ValueError, MemoryError, RecursionError) as error:
             print(f"{self._path}: {hosts.told(error)}", file=sys.stderr)
             return 0

@@ -41,11 +41,21 @@ with open(given["problem"], encoding="utf-8") as file:
 changed["points"][0][1][2] += 0.5
 with open(given["live"], "w", encoding="utf-8") as file:
     json.dump(changed, file)
-simple.ReloadFiles(live)
-live.InvokeCommand("Again")
+live.InvokeCommand("Read again")
 result["changed"] = state(live)
 result["bad"] = state(Taut(FileName=given["bad"]))["cells"]
 result["not json"] = state(Taut(FileName=given["not_json"]))["cells"]
+told = Taut(FileName=given["told"])
+result["told"] = state(told)["fields"]
+told.InvokeCommand("Prove again")
+result["proved again"] = state(told)["fields"]
+result["no claims"] = state(Taut(FileName=given["no_claims"]))["fields"]
+result["odd"] = {}
+for name in ("five", "null", "deep"):
+    path = os.path.join(given["folder"], name + ".json")
+    with open(path, "w", encoding="utf-8") as file:
+        file.write({"five": "5", "null": "null", "deep": "[" * 100000}[name])
+    result["odd"][name] = state(Taut(FileName=path))["cells"]
 result["extension"] = type(simple.OpenDataFile(given["model"])).__name__
 print("RESULT " + json.dumps(result), flush=True)
 os._exit(0)

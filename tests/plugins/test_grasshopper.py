@@ -57,6 +57,21 @@ def test_inputs(component):
     model = taut.Model.from_json(out["model"])
     assert model.unit == "ft" and (out["surface"].OrderU, out["surface"].OrderV) == (6, 5)
     assert "surface" not in component("taut_between")  # nothing is connected yet
+    assert "surface" not in component("taut_between", curves=None, construct=None, degree=None)
+    assert "surface" not in component("taut_pipe", one=None, other=None, radius=None, joint=None)
+
+
+class NetList:
+    """What .NET's lists can do: it is none of Python's."""
+
+    def __init__(self, *items):
+        self.items = items
+
+    def __iter__(self):
+        return iter(self.items)
+
+    def __len__(self):
+        return len(self.items)
 
 
 def test_pipe(component, make):
@@ -66,6 +81,10 @@ def test_pipe(component, make):
     out = component("taut_pipe", one=lines[0], other=lines[1], radius=20.0)
     same(out["surface"], model["blend"], 300)
     assert out["surface"].IsRational and out["certificate"][0] == "pipe: holds"
+    listed = component("taut_pipe", one=lines[0], other=lines[1], radius=NetList(20.0), joint=None)
+    assert listed["model"] == out["model"]
+    edges = component("taut_between", curves=NetList(*curves(ring())), degree=NetList(5, 4))["surface"]
+    assert (edges.OrderU, edges.OrderV) == (6, 5)
 
 
 def test_refusals(component):
@@ -80,6 +99,11 @@ def test_refusals(component):
     line = stand_in_rhino.Line([0, 0, 0], [1, 0, 0])
     with pytest.raises(RuntimeError, match="What to change"):
         component("taut_pipe", one=line, other=stand_in_rhino.Line([9, 9, 0], [9, 12, 0]), radius=200.0)
+    for radius, words in ((None, "is no number"), ("thick", "is no number"), (NetList(), "found 0 radii"), (NetList(1, 2, 3), "found 3 radii")):
+        with pytest.raises(RuntimeError, match=words):
+            component("taut_pipe", one=line, other=stand_in_rhino.Line([9, 9, 0], [9, 12, 0]), radius=radius)
+    with pytest.raises(RuntimeError, match="a curve is missing"):
+        component("taut_between", curves=[*curves(ring()[:3]), None])
 
 
 @pytest.fixture(scope="session")

@@ -18,7 +18,12 @@ def files(tmp_path, make):
     (tmp_path / "not.json").write_text("no JSON")
     model = make(PROBLEM)
     model.write(tmp_path / "model.json")
-    return model, {"model": str(tmp_path / "model.json"), "problem": str(tmp_path / "given.json"), "live": str(tmp_path / "live.json"),
+    told = json.loads((tmp_path / "model.json").read_text())
+    told["surfaces"][0]["points"][1][1][2] += 1  # what it says of itself is not true any more
+    (tmp_path / "told.json").write_text(json.dumps(told))
+    told["certificate"]["claims"] = []
+    (tmp_path / "no_claims.json").write_text(json.dumps(told))
+    return model, {"told": str(tmp_path / "told.json"), "no_claims": str(tmp_path / "no_claims.json"), "model": str(tmp_path / "model.json"), "problem": str(tmp_path / "given.json"), "live": str(tmp_path / "live.json"),
                    "bad": str(tmp_path / "bad.json"), "not_json": str(tmp_path / "not.json")}
 
 
@@ -43,3 +48,5 @@ def test_reader(run_in, make, files):
     for point in make(changed).surfaces[0].points.reshape(-1, 3):
         assert np.abs(points - point).max(axis=1).min() <= 1e-12
     assert found["bad"] == [] and found["not json"] == []
+    assert found["told"]["taut holds"] == ["holds"] and found["proved again"]["taut holds"] == ["does not hold"]
+    assert found["no claims"]["taut claims"] == [] and found["odd"] == {"five": [], "null": [], "deep": []}

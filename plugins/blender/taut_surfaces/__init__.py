@@ -5,7 +5,6 @@ bl_info = {"name": "Taut", "author": "The Taut authors", "version": (0, 2, 0), "
 import json
 import os
 import sys
-import types
 
 import bpy
 import numpy as np
@@ -176,10 +175,17 @@ def in_place_of(old, new):
     new.name, new.matrix_world = name, place
 
 
+class Kept:
+    """Settings that outlive the object that has them."""
+
+    def __init__(self, settings):
+        self.construct, self.result, self.degree = settings.construct, settings.result, list(settings.degree)
+        self.refine, self.divide = settings.refine, settings.divide
+
+
 def build(context, curves, settings, obj=None, draft=False):
     """Makes the surface into `obj`, or into a new object."""
-    settings, old = types.SimpleNamespace(**{name: getattr(settings, name) for name in ("construct", "result", "refine", "divide")},
-                                          degree=list(settings.degree)), obj
+    settings, old = Kept(settings), obj
     scale = context.scene.unit_settings.scale_length
     model = make(curves, settings, context.scene, draft)
     if settings.result == "nurbs":
