@@ -107,6 +107,8 @@ class TautReader(VTKPythonAlgorithmBase):
             if self._model is None:
                 self._model = model_of(self._path, lambda done, what: self.UpdateProgress(done if done == done else 0.5))
             certificate = taut.certify(self._model) if self._again else self._model.certificate
+            if certificate is not None and certificate.holds is False:
+                print(f"{self._path}: the certificate does not hold: its claims are in the field data", file=sys.stderr)
             vtkUnstructuredGrid.GetData(outputs, 0).ShallowCopy(grid_of(self._model, certificate))
             return 1
         except (taut.Error, OSError, ValueError, MemoryError, RecursionError) as error:

@@ -3,6 +3,7 @@ import json
 import os
 import sys
 import traceback
+import types
 
 import bpy
 import numpy as np
@@ -130,6 +131,22 @@ def run():
     select(*curves)
     result["cyclic"] = told(bpy.ops.taut.between)
     curves[1].data.splines[0].use_cyclic_u = False
+    # a certificate that does not hold is warned of
+    true = taut_surfaces.hosts.between
+
+    def false(*arguments, **named):
+        document = json.loads(true(*arguments, **named).to_json())
+        document["certificate"]["holds"] = document["certificate"]["claims"][0]["holds"] = False
+        return taut_surfaces.taut.Model.from_json(json.dumps(document))
+
+    taut_surfaces.hosts.between = false
+    select(*curves)
+    said = []
+    teller = types.SimpleNamespace(report=lambda kind, text: said.append([sorted(kind), text]))
+    result["false"] = [list(bpy.ops.taut.between()), bpy.context.object["taut_certificate"], said]
+    taut_surfaces.Told.tried(teller, lambda: bpy.context.object)
+    taut_surfaces.hosts.between = true
+    bpy.data.objects.remove(bpy.context.object)
     bpy.ops.ed.undo_push(message="before")
     before = len(bpy.data.objects)
     select(*curves)

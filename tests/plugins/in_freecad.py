@@ -135,6 +135,20 @@ def run():
     result["too thick"] = {"state": bare.State, "claims": bare.Claims}
     bare.Radius = 20
     document.recompute()
+    # a certificate that does not hold
+    true = features.hosts.between
+
+    def false(*arguments, **named):
+        model = json.loads(true(*arguments, **named).to_json())
+        model["certificate"]["holds"] = model["certificate"]["claims"][0]["holds"] = False
+        return features.taut.Model.from_json(json.dumps(model))
+
+    features.hosts.between = false
+    wrong = features.add(document, features.Between, "False", Edges=links)
+    document.recompute()
+    features.hosts.between = true
+    result["false"] = [wrong.Holds, wrong.Claims[0], wrong.Shape.isNull()]
+    document.removeObject(wrong.Name)
     # undo and redo
     document.openTransaction("one more")
     features.add(document, features.Between, "Again", Edges=links)

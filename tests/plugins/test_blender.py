@@ -86,6 +86,12 @@ def test_parameters_are_its_own(result):
     assert result["stays"] == ["Sail", [0, 0, 2], ["Cloth"], "dirichlet", True]
 
 
+def test_a_claim_that_is_false(result):
+    state, says, told = result["false"]
+    assert told == [[["WARNING"], "The certificate does not hold: the panel says which claim"]]
+    assert state == ["FINISHED"] and says.startswith("dirichlet: does not hold")
+
+
 def test_deleted_curve(result):
     left, says = result["deleted"]
     assert left == 3 and "was deleted" in says

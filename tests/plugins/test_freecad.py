@@ -108,6 +108,10 @@ def test_refusals(result):
     assert result["broken"]["holds"] == "not made" and result["broken"]["valid"] is False
 
 
+def test_a_claim_that_is_false(result):
+    assert result["false"] == ["does not hold", "dirichlet: does not hold", False]
+
+
 def test_undo(result):
     assert result["undone"] and result["redone"]
 

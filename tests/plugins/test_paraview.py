@@ -49,4 +49,5 @@ def test_reader(run_in, make, files):
         assert np.abs(points - point).max(axis=1).min() <= 1e-12
     assert found["bad"] == [] and found["not json"] == []
     assert found["told"]["taut holds"] == ["holds"] and found["proved again"]["taut holds"] == ["does not hold"]
+    assert "told.json: the certificate does not hold" in found["said"]
     assert found["no claims"]["taut claims"] == [] and found["odd"] == {"five": [], "null": [], "deep": []}

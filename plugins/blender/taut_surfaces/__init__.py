@@ -234,7 +234,10 @@ class Told:
 
     def tried(self, call, *arguments, **named):
         try:
-            return call(*arguments, **named)
+            made = call(*arguments, **named)
+            if isinstance(made, bpy.types.Object) and "does not hold" in made["taut_certificate"].split("\n", 1)[0]:
+                self.report({"WARNING"}, "The certificate does not hold: the panel says which claim")
+            return made
         except (taut.Error, MemoryError) as error:
             self.report({"ERROR"}, hosts.told(error))
             return None
