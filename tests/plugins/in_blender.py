@@ -156,10 +156,12 @@ def run():
     bpy.ops.ed.undo()
     result["undo"] = [before, between, len(bpy.data.objects)]
     made = [one for one in bpy.data.objects if "taut_model" in one][-1]
-    bpy.data.objects.remove(taut_surfaces.curves_of(made)[0], do_unlink=True)
-    bpy.context.view_layer.update()
+    select(taut_surfaces.curves_of(made)[0])
+    bpy.ops.object.delete()  # as the key X does
     bpy.context.view_layer.objects.active = made
     result["deleted"] = [len(taut_surfaces.curves_of(made)), told(bpy.ops.taut.again)]
+    bpy.data.objects.remove(taut_surfaces.curves_of(made)[0], do_unlink=True)
+    result["deleted"].append(len(taut_surfaces.curves_of(made)))
     taut_surfaces.unregister()
     return result
 

@@ -93,8 +93,8 @@ def test_a_claim_that_is_false(result):
 
 
 def test_deleted_curve(result):
-    left, says = result["deleted"]
-    assert left == 3 and "was deleted" in says
+    left, says, fewer = result["deleted"]
+    assert left == 3 and "was deleted" in says and fewer == 2
 
 
 def test_undo(result):

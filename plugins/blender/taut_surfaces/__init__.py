@@ -206,9 +206,10 @@ def build(context, curves, settings, obj=None, draft=False):
 
 
 def curves_of(obj):
-    """The curves that a surface was made from, whatever they are called by now, without those that were deleted; [] of any other object."""
+    """The curves that a surface was made from, whatever they are called by now, without those that were deleted (Blender keeps
+    what a property still names, in no scene); [] of any other object."""
     found = [obj.get(f"taut_curve_{i}") for i in range(4)] if obj is not None else []
-    return [one for one in found if one is not None]
+    return [one for one in found if one is not None and one.users_scene]
 
 
 def shown(context):
