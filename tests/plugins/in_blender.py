@@ -107,6 +107,8 @@ def run():
     net = obj.data.splines[0]
     result["nurbs"] = {**state(obj, curves), "points": [list(one.co) for one in net.points], "count": [net.point_count_u, net.point_count_v],
                        "order": [net.order_u, net.order_v], "splines": len(obj.data.splines)}
+    obj = taut_surfaces.build(bpy.context, curves, obj.taut, obj)  # as each move of the mouse does
+    result["active"] = bpy.context.object == obj and obj.select_get() and obj.name == "Sail"
     obj.taut.degree = (7, 7)
     result["degree"] = told(bpy.ops.taut.again)
     obj.taut.degree = (0, 0)

@@ -83,7 +83,7 @@ def test_refusals(result):
 
 
 def test_parameters_are_its_own(result):
-    assert result["stays"] == ["Sail", [0, 0, 2], ["Cloth"], "dirichlet", True]
+    assert result["stays"] == ["Sail", [0, 0, 2], ["Cloth"], "dirichlet", True] and result["active"]
 
 
 def test_a_claim_that_is_false(result):

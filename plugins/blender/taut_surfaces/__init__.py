@@ -161,8 +161,9 @@ def put(obj, model, curves, settings):
         obj["taut_" + name] = value
 
 
-def in_place_of(old, new):
-    """What a user gave the old object: name, place, collections, materials."""
+def in_place_of(context, old, new):
+    """What a user gave the old object: name, place, collections, materials, that it is the active one."""
+    active = context.view_layer.objects.active == old
     name, place, collections, materials = old.name, old.matrix_world.copy(), list(old.users_collection), [slot.material for slot in old.material_slots]
     bpy.data.objects.remove(old, do_unlink=True)
     for one in collections:
@@ -173,6 +174,9 @@ def in_place_of(old, new):
     for one in materials:
         new.data.materials.append(one)
     new.name, new.matrix_world = name, place
+    new.select_set(active)
+    if active:
+        context.view_layer.objects.active = new
 
 
 class Kept:
@@ -200,7 +204,7 @@ def build(context, curves, settings, obj=None, draft=False):
             context.collection.objects.link(obj)
         fill_mesh(obj.data, model, scale, mesh)
     if old is not None and old != obj:
-        in_place_of(old, obj)
+        in_place_of(context, old, obj)
     put(obj, model, curves, settings)
     return obj
 
