@@ -36,6 +36,11 @@ def run():
         obj = features.add(document, features.Between, name.split()[0], Edges=links, Construction=name)
         document.recompute()
         result[name] = poles(obj)
+    # no property hides what every object of FreeCAD has
+    result["own"] = [obj.Document == document, set(features.taut.Model.from_json(obj.Model).certificate.figures) > set()]
+    hidden = [name for name in dir(sources[0]) for one in (features.Between, features.Blend, features.Join)
+              for _, member, *_ in one.properties + (("", "Holds"), ("", "Claims"), ("", "Model")) if member == name]
+    result["hidden"] = hidden
     # all four edges move together: by placement, as a person drags them
     for source in sources:
         source.Placement = FreeCAD.Placement(V(*given["shift"]), FreeCAD.Rotation())

@@ -100,6 +100,10 @@ def test_join(result, make, tmp_path):
     assert taut.join(one, edge, other, opposite) == report and join["claims"][0] == "max_gap: 0"
 
 
+def test_names(result):
+    assert result["own"] == [True, True] and result["hidden"] == []
+
+
 def test_refusals(result):
     for name, words in (("broken", "What to change"), ("three", "found 3 edges; expected four"), ("no radius", "set Radius"),
                         ("trimmed", "is trimmed"), ("too thick", "What to change"), ("gone", "Edge0 has no Edge9 any more"),

@@ -138,12 +138,12 @@ class Feature:
         """Properties that are missing, also those that an older document lacks."""
         own = (("App::PropertyString", "Holds", "Certificate", "whether every claim holds"),
                ("App::PropertyStringList", "Claims", "Certificate", "what was proved, line by line"),
-               ("App::PropertyString", "Document", "Certificate", "the whole model, as JSON"))
+               ("App::PropertyString", "Model", "Certificate", "the whole model, as JSON"))
         for kind, name, group, text in self.properties + own:
             if name not in obj.PropertiesList:
                 obj.addProperty(kind, name, group, text)
                 if group == "Certificate":
-                    obj.setEditorMode(name, 1 if name != "Document" else 3)
+                    obj.setEditorMode(name, 1 if name != "Model" else 3)
                 self.preset(obj, name)
 
     def preset(self, obj, name):
@@ -153,12 +153,12 @@ class Feature:
         try:
             self.make(obj)
         except Exception as error:
-            obj.Holds, obj.Claims, obj.Document = "not made", [hosts.told(error)], ""
+            obj.Holds, obj.Claims, obj.Model = "not made", [hosts.told(error)], ""
             raise RuntimeError(hosts.told(error)) from None
 
     def tell(self, obj, holds, lines, document=""):
         """Into the properties and the report view."""
-        obj.Holds, obj.Claims, obj.Document = {True: "holds", False: "does not hold", None: "undecided"}.get(holds, holds), lines, document
+        obj.Holds, obj.Claims, obj.Model = {True: "holds", False: "does not hold", None: "undecided"}.get(holds, holds), lines, document
         put = FreeCAD.Console.PrintWarning if holds is False else FreeCAD.Console.PrintMessage
         put(f"{obj.Label}: " + "\n    ".join(lines) + "\n")
 
