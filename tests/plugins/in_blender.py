@@ -111,6 +111,15 @@ def run():
     result["active"] = bpy.context.object == obj and obj.select_get() and obj.name == "Sail"
     obj.taut.degree = (7, 7)
     result["degree"] = told(bpy.ops.taut.again)
+    ends = [knot for one in curves for knot in one.data.splines[0].bezier_points]
+    for knot in ends:
+        knot.handle_left_type = knot.handle_right_type = "ALIGNED"
+    before = [[*knot.co, *knot.handle_left, *knot.handle_right] for knot in ends]
+    says = told(bpy.ops.taut.drag, corner=0, offset=(0, 0, 1))
+    off = np.abs(np.array(before) - [[*knot.co, *knot.handle_left, *knot.handle_right] for knot in ends]).max()
+    result["put back"] = [says, float(off), sorted({one for knot in ends for one in (knot.handle_left_type, knot.handle_right_type)})]
+    for knot in ends:
+        knot.handle_left_type = knot.handle_right_type = "FREE"
     obj.taut.degree = (0, 0)
     curves[2].scale = (1, 0, 1)
     bpy.context.view_layer.update()

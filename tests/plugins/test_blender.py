@@ -75,9 +75,9 @@ def test_nurbs(result, make, tmp_path):
 def test_refusals(result):
     assert "What to change" in result["broken"] and result["kept"]
     assert "take Mesh" in result["degree"] and "Select four curves" in result["three"] and "cyclic" in result["cyclic"]
-
-
     assert "edge2: its scale is 0" in result["flat"] and "point: the curve has no two points" in result["point"]
+    says, off, kinds = result["put back"]
+    assert "take Mesh" in says and off < 1e-6 and kinds == ["ALIGNED"]
     says, left = result["many"]
     assert "lower Cells or Refine" in says and left == 0
 

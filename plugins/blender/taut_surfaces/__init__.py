@@ -316,7 +316,7 @@ class TAUT_OT_drag(Told, bpy.types.Operator):
                 point = points[i]
                 here = curve.matrix_world @ Vector(point.co[:3])
                 if (here - self.place).length <= 1e-4 * max(1.0, self.place.length):
-                    handles = (point.handle_left.copy(), point.handle_right.copy()) if spline.type == "BEZIER" else None
+                    handles = (point.handle_left.copy(), point.handle_right.copy(), point.handle_left_type, point.handle_right_type) if spline.type == "BEZIER" else None
                     self.saved.append((curve, point, point.co.copy(), handles))
         return True
 
@@ -338,8 +338,7 @@ class TAUT_OT_drag(Told, bpy.types.Operator):
             return {"CANCELLED"}
         obj = self.move(context, self.offset, False)
         if obj is None:
-            self.move(context, (0, 0, 0), False)
-            return {"CANCELLED"}
+            return self.back(context)
         context.view_layer.objects.active = obj
         return {"FINISHED"}
 
@@ -366,6 +365,9 @@ class TAUT_OT_drag(Told, bpy.types.Operator):
 
     def back(self, context):
         self.move(context, (0, 0, 0), False)
+        for _, point, _, handles in self.saved:
+            if handles is not None:
+                point.handle_left_type, point.handle_right_type = handles[2:]
         return {"CANCELLED"}
 
 
