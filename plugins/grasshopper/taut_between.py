@@ -20,10 +20,15 @@ from taut import hosts, rhino
 
 def between(curves, construct=None, degree=None):
     """What the component gives; an error is Grasshopper's, with what to change."""
-    construct = str(construct or "dirichlet")
-    members = {"degree": [int(one) for one in degree]} if degree and construct in ("dirichlet", "plateau") else {}
-    if any(one is None for one in curves or []):
-        raise RuntimeError("a curve is missing (null): four are expected")
+    construct = str(construct or "dirichlet").strip().lower()
+    try:
+        degrees = [int(one) for one in degree] if degree else []
+    except (TypeError, ValueError):
+        raise RuntimeError("degree: expected a list of two whole numbers, along u and v") from None
+    members = {"degree": degrees} if degrees and construct in ("dirichlet", "plateau") else {}
+    for i, one in enumerate(curves or []):
+        if not hasattr(one, "ToNurbsCurve"):
+            raise RuntimeError(f"item {i} of curves is {'missing (null)' if one is None else type(one).__name__}: four curves are expected")
     try:
         edges = [rhino.curve_of(one, f"edge{i + 1}") for i, one in enumerate(curves or [])]
         made = hosts.between(construct, edges, unit=rhino.unit_of(Rhino.RhinoDoc.ActiveDoc), **members)

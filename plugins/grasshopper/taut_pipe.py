@@ -18,6 +18,8 @@ from taut import hosts, rhino
 
 def ends(line):
     """(2, 3): of a Line, or of a line-like curve."""
+    if not hasattr(line, "From") and not hasattr(line, "PointAtStart"):
+        raise taut.InputError(f"an axis is {type(line).__name__}; expected lines", "/ends", "type")
     if hasattr(line, "IsLinear") and not line.IsLinear():
         raise taut.InputError("an axis is bent; expected lines", "/ends", "type")
     pair = (line.From, line.To) if hasattr(line, "From") else (line.PointAtStart, line.PointAtEnd)
@@ -31,9 +33,10 @@ def pipe(one, other, radius, joint=None):
     except (TypeError, ValueError):
         raise RuntimeError("the radius is no number: give one, or two that differ") from None
     try:
+        axes = ends(one), ends(other)
         if len(sizes) not in (1, 2):
             raise taut.InputError(f"found {len(sizes)} radii; expected one, or two that differ", "/radius", "size", len(sizes), 2)
-        made = hosts.blend(ends(one), ends(other), sizes, unit=rhino.unit_of(Rhino.RhinoDoc.ActiveDoc), joint=str(joint or "g1"))
+        made = hosts.blend(*axes, sizes, unit=rhino.unit_of(Rhino.RhinoDoc.ActiveDoc), joint=str(joint or "g1"))
     except taut.Error as error:
         raise RuntimeError(hosts.told(error)) from None
     return rhino.to_rhino(made["blend"]), hosts.claims(made.certificate), made.to_json()

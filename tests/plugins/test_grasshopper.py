@@ -83,7 +83,7 @@ def test_pipe(component, make):
     assert out["surface"].IsRational and out["certificate"][0] == "pipe: holds"
     listed = component("taut_pipe", one=lines[0], other=lines[1], radius=NetList(20.0), joint=None)
     assert listed["model"] == out["model"]
-    edges = component("taut_between", curves=NetList(*curves(ring())), degree=NetList(5, 4))["surface"]
+    edges = component("taut_between", curves=NetList(*curves(ring())), construct="Dirichlet", degree=NetList(5, 4))["surface"]
     assert (edges.OrderU, edges.OrderV) == (6, 5)
 
 
@@ -102,8 +102,14 @@ def test_refusals(component):
     for radius, words in ((None, "is no number"), ("thick", "is no number"), (NetList(), "found 0 radii"), (NetList(1, 2, 3), "found 3 radii")):
         with pytest.raises(RuntimeError, match=words):
             component("taut_pipe", one=line, other=stand_in_rhino.Line([9, 9, 0], [9, 12, 0]), radius=radius)
-    with pytest.raises(RuntimeError, match="a curve is missing"):
-        component("taut_between", curves=[*curves(ring()[:3]), None])
+    for inputs, words in (({"curves": [*curves(ring()[:3]), None]}, "item 3 of curves is missing"),
+                          ({"curves": [1, 2, 3, 4]}, "item 0 of curves is int"),
+                          ({"curves": curves(ring()), "degree": 3}, "two whole numbers"),
+                          ({"curves": curves(ring()), "degree": ["a", 3]}, "two whole numbers")):
+        with pytest.raises(RuntimeError, match=words):
+            component("taut_between", **inputs)
+    with pytest.raises(RuntimeError, match="an axis is int"):
+        component("taut_pipe", one=line, other=3, radius=1)
 
 
 @pytest.fixture(scope="session")
