@@ -19,7 +19,7 @@
 #     forge      forgeries of models against the judge from outside, seed NIGHTLY_SEED (the day)
 set -u
 cd "$(dirname "$0")/.." || exit 1
-all="compilers musl aarch64 sanitize windows wasm studio fuzz mutants generated plugins layouts forge"
+all="compilers musl aarch64 sanitize windows wasm studio fuzz mutants generated plugins layouts films forge"
 page=docs/nightly.md logs=build/nightly
 for name in "$@"; do
     case " $all " in *" $name "*) ;; *)
@@ -65,7 +65,7 @@ do_mutants() { tools/mutants.sh; }
 do_generated() { tools/mutants_generated.py --seconds "${NIGHTLY_GENERATED:-7200}"; }
 do_plugins() { tools/deps.sh hosts && tools/plugins.sh test; }
 do_layouts() { cmake --build --preset release --target test-property-layouts && build/release/tests/test-property-layouts 1000; }
-do_films() { build/release/tests/test-property-film_laws 1000 200; }
+do_films() { cmake --build --preset release --target test-property-film_laws && build/release/tests/test-property-film_laws 1000 200; }
 do_forge() { tools/forge_night.sh "${NIGHTLY_SEED:-$(date +%j)}" "${NIGHTLY_SEED:-$(date +%j)}"; }
 
 # What a step says of itself: of tests how many, of examples how many.

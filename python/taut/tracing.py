@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import math
-from ctypes import byref
+from ctypes import byref, c_double
 from typing import Any, Callable, Optional, Sequence
 
 import numpy as np
@@ -62,7 +62,7 @@ def follow(surface: Surface, net: str, at: Sequence[float], way: Sequence[float]
     if max_length is not None and not (most > 0 and math.isfinite(most)):
         raise InputError(f"max_length is {max_length!r}; expected a positive number", "", "value")
     end, error = c.TraceEnd(), c.ErrorStruct()
-    start, direction = (c.c_double * 2)(*_pair(at, "at")), (c.c_double * 2)(*_pair(way, "way"))
+    start, direction = (c_double * 2)(*_pair(at, "at")), (c_double * 2)(*_pair(way, "way"))
     status = library.taut_trace_follow(surface._pointer, list(_FAMILIES).index(net), number, start, direction, most, c.TRACE_SINK(take),
                                        None, byref(end), byref(error))
     if failed:
