@@ -161,7 +161,7 @@ if [ -s "$lost" ]; then
     bad=1
 fi
 # Prose is read in a terminal, too: lines below 120 characters; tables, code, pictures and what programs print are as they are.
-prose=$(ls README.md CHANGELOG.md CONTRIBUTING.md docs/*.md docs/tutorial/*.md 2> "$lost" || true)
+prose=$(ls README.md CHANGELOG.md CONTRIBUTING.md docs/*.md docs/tutorial/*.md docs/plugins/*.md 2> "$lost" || true)
 # shellcheck disable=SC2086 # no name has a space
 [ -z "$prose" ] || awk '
     FNR == 1 { code = printed = 0 }
