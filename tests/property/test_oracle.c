@@ -110,7 +110,7 @@ static void known_integrals(void)
 }
 
 /* A judge of films by what it finds of one with point (or number of a curve) `at` moved by `by`. */
-static double film_found(double (*judge)(const oracle_case *), const forge_base *base, int at,
+static double judge_found(double (*judge)(const oracle_case *), const forge_base *base, int at,
                          int curve, double by)
 {
     forge_pool pool = {malloc(1 << 16), 1 << 16, 0};
@@ -146,27 +146,67 @@ static void film_judges(void)
     forge_base base;
 
     CHECK(base_open("sail", sail, strlen(sail), &base), "the sail is made");
-    CHECK(film_found(oracle_film_stationary, &base, 0, 0, 0) < 1e-10, "it rests");
-    CHECK(film_found(oracle_film_stationary, &base, INSIDE, 0, 1e-7) > 1e-9, "inside");
-    CHECK(film_found(oracle_film_stationary, &base, CABLE, 0, 1e-7) > 1e-9, "at a cable");
-    CHECK(film_found(oracle_film_lowest, &base, 0, 0, 0) > 1, "it is stable");
-    CHECK(film_found(oracle_film_held, &base, 0, 0, 0) == 0, "corners");
-    CHECK(film_found(oracle_film_held, &base, CORNER, 0, 1e-12) > 0, "a corner moved");
-    CHECK(film_found(oracle_film_cables, &base, 0, 0, 0) == 0, "cables");
-    CHECK(film_found(oracle_film_cables, &base, 1, 1, 1e-12) == 1, "a cable moved");
-    CHECK(film_found(oracle_film_boundary, &base, 0, 0, 0) < 1e-15, "chords");
-    CHECK(film_found(oracle_film_boundary, &base, HELD_EDGE, 0, 1e-8) > 1e-9, "an edge moved");
+    CHECK(judge_found(oracle_film_stationary, &base, 0, 0, 0) < 1e-10, "it rests");
+    CHECK(judge_found(oracle_film_stationary, &base, INSIDE, 0, 1e-7) > 1e-9, "inside");
+    CHECK(judge_found(oracle_film_stationary, &base, CABLE, 0, 1e-7) > 1e-9, "at a cable");
+    CHECK(judge_found(oracle_film_lowest, &base, 0, 0, 0) > 1, "it is stable");
+    CHECK(judge_found(oracle_film_held, &base, 0, 0, 0) == 0, "corners");
+    CHECK(judge_found(oracle_film_held, &base, CORNER, 0, 1e-12) > 0, "a corner moved");
+    CHECK(judge_found(oracle_film_cables, &base, 0, 0, 0) == 0, "cables");
+    CHECK(judge_found(oracle_film_cables, &base, 1, 1, 1e-12) == 1, "a cable moved");
+    CHECK(judge_found(oracle_film_boundary, &base, 0, 0, 0) < 1e-15, "chords");
+    CHECK(judge_found(oracle_film_boundary, &base, HELD_EDGE, 0, 1e-8) > 1e-9, "an edge moved");
     base_close(&base);
     CHECK(base_open("flat", flat, strlen(flat), &base), "the flat film is made");
-    const double lowest = film_found(oracle_film_lowest, &base, 0, 0, 0);
+    const double lowest = judge_found(oracle_film_lowest, &base, 0, 0, 0);
     CHECK(lowest > 2 * acos(-1) * acos(-1) && lowest < 24, "%g", lowest); /* of a wave near sines */
     base_close(&base);
+}
+
+/* Runs: the judges see what the certificate says of the made one, a piece that left its axis, and a run
+ * that is too thick for its bends or for its other parts. */
+static void run_judges(void)
+{
+    static const char *const names[] = {"pipe-run", "pipe-run-coil", "pipe-run-harness",
+                                        "pipe-run-closed", "pipe-run-arcs"};
+    enum { MOVED = 5 };
+
+    for (const taut_embedded *file = taut_examples; file->name != NULL; file++) {
+        forge_base base;
+        size_t i = 0;
+        while (i < sizeof names / sizeof names[0] && strcmp(file->name, names[i]) != 0) {
+            i++;
+        }
+        if (i == sizeof names / sizeof names[0]) {
+            continue;
+        }
+        CHECK(base_open(file->name, file->text, file->length, &base), "%s", file->name);
+        const taut_certificate *said = taut_model_certificate(base.model);
+        for (int k = 0; k < taut_certificate_claim_count(said); k++) {
+            const taut_claim *claim = taut_certificate_claim(said, k);
+            const double radius = taut_record_number(taut_record_get(base.document, "radius"));
+            if (strcmp(claim->claim, "embedded") == 0) {
+                const double found = judge_found(oracle_run_embedded, &base, 0, 0, 0);
+                CHECK(found <= claim->residual * (1 + 1e-9) && found > 0.99 * claim->residual,
+                      "%s: embedded %.10g, by the judge %.10g", file->name, claim->residual, found);
+            }
+            if (strcmp(claim->claim, "tube") == 0) {
+                const double found = judge_found(oracle_run_tube, &base, 0, 0, 0);
+                CHECK(found <= claim->residual + 1e-14 && found > 0.1 * claim->residual - 1e-14,
+                      "%s: tube %.10g, by the judge %.10g", file->name, claim->residual, found);
+                CHECK(judge_found(oracle_run_tube, &base, MOVED, 0, 0.1 * radius) > 1e-3,
+                      "%s: a point moved", file->name);
+            }
+        }
+        base_close(&base);
+    }
 }
 
 int main(void)
 {
     random_seed(1);
     film_judges();
+    run_judges();
     for (const taut_embedded *file = taut_examples; file->name != NULL; file++) {
         forge_base base;
         if (!base_open(file->name, file->text, file->length, &base)) {

@@ -6,7 +6,7 @@
  *     embedded  the largest curvature sampled; nearest pairs at right angles to both tangents, found
  *               by going from one to the other's nearest point in turn
  */
-#include "oracle/oracle.h"
+#include "oracle/route.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -42,199 +42,6 @@ double oracle_joint1(const oracle_case *about)
 double oracle_joint2(const oracle_case *about)
 {
     return joint_of(about, "blend", "pipe2");
-}
-
-/* The axis, carried on straight before its start and after its end by `reach`. */
-enum { ROUTE_PLACES = 64 };
-
-typedef struct oracle_route {
-    oracle_line line;
-    oracle_real lo, hi, reach[2], length; /* s: lo - reach0 .. lo, lo .. hi, hi .. hi + reach1 */
-    oracle_real end[2][3], way[2][3];
-    double place[ROUTE_PLACES + 1][3];
-} oracle_route;
-
-static int route_of(const taut_model *model, oracle_route *route)
-{
-    memset(route, 0, sizeof *route);
-    if (!oracle_line_of(oracle_curve(model, "axis"), &route->line)) {
-        return 0;
-    }
-    route->lo = route->line.t.lo;
-    route->hi = route->line.t.hi;
-    for (int i = 0; i <= ROUTE_PLACES; i++) {
-        oracle_real x[3][3];
-        oracle_line_eval(&route->line, route->lo + (route->hi - route->lo) * i / ROUTE_PLACES, x);
-        for (int k = 0; k < 3; k++) {
-            route->place[i][k] = (double)x[0][k];
-        }
-    }
-    for (int e = 0; e < 2; e++) {
-        oracle_real x[3][3];
-        oracle_line_eval(&route->line, e ? route->hi : route->lo, x);
-        for (int k = 0; k < 3; k++) {
-            route->end[e][k] = x[0][k];
-            route->way[e][k] = x[1][k] / oracle_norm(x[1]);
-        }
-    }
-    return 1;
-}
-
-static void on_route(const oracle_route *route, oracle_real s, oracle_real x[3], oracle_real way[3],
-                     oracle_real *speed)
-{
-    oracle_real y[3][3];
-
-    if (s < route->lo || s > route->hi) {
-        const int e = s > route->hi;
-        const oracle_real d = s - (e ? route->hi : route->lo);
-        for (int k = 0; k < 3; k++) {
-            x[k] = route->end[e][k] + d * route->way[e][k];
-            way[k] = route->way[e][k];
-        }
-        *speed = 1;
-        return;
-    }
-    oracle_line_eval(&route->line, s, y);
-    *speed = oracle_norm(y[1]);
-    for (int k = 0; k < 3; k++) {
-        x[k] = y[0][k];
-        way[k] = y[1][k] / *speed;
-    }
-}
-
-/* The parameter of the nearest point from a first guess, by Gauss and Newton's step, held inside. */
-static oracle_real nearest(const oracle_route *route, const oracle_real p[3], oracle_real s,
-                           oracle_real lo, oracle_real hi)
-{
-    for (int turn = 0; turn < 10; turn++) {
-        oracle_real x[3], way[3], speed, d[3], move;
-        on_route(route, s, x, way, &speed);
-        for (int k = 0; k < 3; k++) {
-            d[k] = p[k] - x[k];
-        }
-        move = oracle_dot(d, way) / speed;
-        s = fminl(hi, fmaxl(lo, s + move));
-        if (fabsl(move) < 1e-17L) {
-            break;
-        }
-    }
-    return s;
-}
-
-/* The distance of p from the part lo .. hi of the axis, and where: the nearest of some places, then
- * Newton's steps, held inside. */
-static oracle_real distance_to(const oracle_route *route, const oracle_real p[3], oracle_real *at)
-{
-    oracle_real best = INFINITY, s = route->lo, y[3][3], d[3];
-    double least = INFINITY;
-
-    for (int i = 0; i <= ROUTE_PLACES; i++) {
-        double sum = 0;
-        for (int k = 0; k < 3; k++) {
-            const double e = (double)p[k] - route->place[i][k];
-            sum += e * e;
-        }
-        if (sum < least) {
-            least = sum;
-            s = route->lo + (route->hi - route->lo) * i / ROUTE_PLACES;
-        }
-    }
-    const oracle_real step = (route->hi - route->lo) / ROUTE_PLACES;
-    oracle_real a = fmaxl(route->lo, s - step), b = fminl(route->hi, s + step);
-    for (int turn = 0; turn < 60; turn++) { /* the slope changes sign between a and b */
-        oracle_line_eval(&route->line, s, y);
-        for (int k = 0; k < 3; k++) {
-            d[k] = y[0][k] - p[k];
-        }
-        if (oracle_norm(d) < best) {
-            best = oracle_norm(d);
-            *at = s;
-        }
-        const oracle_real slope = oracle_dot(d, y[1]);
-        const oracle_real bend = oracle_dot(y[1], y[1]) + oracle_dot(d, y[2]);
-        *(slope > 0 ? &b : &a) = s;
-        const oracle_real next = s - slope / bend, before = s;
-        s = bend > 0 && next >= a && next <= b ? next : (a + b) / 2;
-        if (fabsl(s - before) < 1e-14L * step) {
-            break;
-        }
-    }
-    return best;
-}
-
-/* How often the ring at u goes around the axis, and whether it closes. */
-static int ring_is_whole(const oracle_sheet *sheet, const oracle_route *route, oracle_real u,
-                         oracle_real at, double radius)
-{
-    oracle_real c[3], way[3], speed, x[6][3], first[3] = {0}, last[3], before[3] = {0}, turn = 0;
-    const int n = 8 * sheet->v.spans + 16;
-
-    on_route(route, at, c, way, &speed);
-    for (int i = 0; i <= n; i++) {
-        oracle_real d[3], cross[3], along;
-        oracle_sheet_eval(sheet, u, sheet->v.lo + ((oracle_real)sheet->v.hi - sheet->v.lo) * i / n,
-                          0, x);
-        for (int k = 0; k < 3; k++) {
-            last[k] = x[0][k];
-            d[k] = x[0][k] + sheet->middle[k] - c[k];
-        }
-        along = oracle_dot(d, way);
-        for (int k = 0; k < 3; k++) {
-            d[k] -= along * way[k];
-        }
-        if (i == 0) {
-            memcpy(first, last, sizeof first);
-        } else {
-            oracle_cross(before, d, cross);
-            turn += atan2l(oracle_dot(cross, way), oracle_dot(before, d));
-        }
-        memcpy(before, d, sizeof before);
-    }
-    for (int k = 0; k < 3; k++) {
-        last[k] -= first[k];
-    }
-    return oracle_norm(last) <= 1e-5L * radius && fabsl(fabsl(turn) - 6.283185307179586L) < 1e-2L;
-}
-
-static oracle_real tube_of_blend(const oracle_sheet *sheet, const oracle_route *route,
-                                 double radius)
-{
-    oracle_real worst = 0, lowest = 1, highest = 0;
-    const int per = 1, around = sheet->v.spans > 8 ? 1 : 2;
-
-    for (int i = 0; i < sheet->u.spans * per; i++) {
-        const oracle_real lo = sheet->u.breaks[i / per];
-        const oracle_real u = lo + (sheet->u.breaks[i / per + 1] - lo) * (i % per + 0.47L) / per;
-        for (int j = 0; j < sheet->v.spans * around; j++) {
-            const oracle_real vlo = sheet->v.breaks[j / around];
-            const oracle_real v =
-                vlo + (sheet->v.breaks[j / around + 1] - vlo) * (j % around + 0.53L) / around;
-            oracle_real x[6][3], p[3], at;
-            oracle_sheet_eval(sheet, u, v, 0, x);
-            for (int k = 0; k < 3; k++) {
-                p[k] = x[0][k] + sheet->middle[k];
-            }
-            const oracle_real d = distance_to(route, p, &at);
-            worst = fmaxl(worst, fabsl(d - radius) / radius);
-        }
-    }
-    for (int i = 0; i < 5; i++) { /* the other side */
-        const oracle_real u = sheet->u.lo + ((oracle_real)sheet->u.hi - sheet->u.lo) * i / 4;
-        oracle_real x[6][3], p[3], at;
-        oracle_sheet_eval(sheet, u, sheet->v.lo, 0, x);
-        for (int k = 0; k < 3; k++) {
-            p[k] = x[0][k] + sheet->middle[k];
-        }
-        distance_to(route, p, &at);
-        at = (at - route->lo) / (route->hi - route->lo);
-        lowest = fminl(lowest, at);
-        highest = fmaxl(highest, at);
-        if (!ring_is_whole(sheet, route, u, route->lo + at * (route->hi - route->lo), radius)) {
-            return INFINITY;
-        }
-    }
-    return lowest > 1e-3L || highest < 1 - 1e-3L ? INFINITY : worst;
 }
 
 /* Of a straight pipe: worst distance from its line; how far it reaches from the joint in *reach. */
@@ -273,7 +80,7 @@ static double tube_of(const oracle_case *about, oracle_real reach[2], int straig
 
     /* a run has no one axis, whatever curve of that name is added to it */
     if (isnan(radius) || oracle_surface(about->model, "blend") == NULL ||
-        !route_of(about->model, &route)) {
+        !oracle_route_of(oracle_curve(about->model, "axis"), &route)) {
         return NAN;
     }
     for (int e = 0; e < 2; e++) {
@@ -283,7 +90,7 @@ static double tube_of(const oracle_case *about, oracle_real reach[2], int straig
         }
     }
     if (!straight && oracle_sheet_of(oracle_surface(about->model, "blend"), &sheet)) {
-        worst = fmaxl(worst, tube_of_blend(&sheet, &route, radius));
+        worst = fmaxl(worst, oracle_tube_along(&sheet, &route, radius));
         oracle_sheet_free(&sheet);
     }
     oracle_line_free(&route.line);
@@ -294,7 +101,8 @@ double oracle_tube(const oracle_case *about)
 {
     oracle_real reach[2];
 
-    return tube_of(about, reach, 0);
+    return oracle_curve(about->model, "axis") == NULL ? oracle_run_tube(about)
+                                                      : tube_of(about, reach, 0);
 }
 
 static oracle_real curve_distance(const taut_curve *a, const taut_curve *b)
@@ -342,36 +150,6 @@ double oracle_pipe_distance(const oracle_case *about)
     return (double)worst;
 }
 
-typedef struct oracle_place {
-    double x[3], way[3], s;
-} oracle_place;
-
-/* From a pair of places to the pair of nearest points; half their distance if both see the other
- * at right angles and the pair did not run together. */
-static oracle_real settle(const oracle_route *route, oracle_real s, oracle_real t, double radius)
-{
-    const oracle_real lo = route->lo - route->reach[0], hi = route->hi + route->reach[1];
-    oracle_real x[3], y[3], a[3], b[3], d[3], speed;
-
-    for (int turn = 0; turn < 12; turn++) {
-        on_route(route, t, y, b, &speed);
-        s = nearest(route, y, s, lo, hi);
-        on_route(route, s, x, a, &speed);
-        t = nearest(route, x, t, lo, hi);
-    }
-    on_route(route, s, x, a, &speed);
-    on_route(route, t, y, b, &speed);
-    for (int k = 0; k < 3; k++) {
-        d[k] = x[k] - y[k];
-    }
-    const oracle_real length = oracle_norm(d);
-    if (fabsl(oracle_dot(d, a)) > 1e-6L * length || fabsl(oracle_dot(d, b)) > 1e-6L * length ||
-        fabsl(s - t) < 1e-3L * (hi - lo) || length < 1e-9L * radius) {
-        return INFINITY;
-    }
-    return length / 2;
-}
-
 static oracle_real largest_radius(oracle_route *route, double radius)
 {
     enum { PLACES = 360, PAIRS = 8 };
@@ -380,13 +158,8 @@ static oracle_real largest_radius(oracle_route *route, double radius)
         double d;
         int i, j;
     } pair[PAIRS];
-    oracle_real best = INFINITY, y[3][3], c[3], x[3], way[3], speed;
+    oracle_real best = oracle_sharpest(route), x[3], way[3], speed;
 
-    for (int i = 0; i <= 400; i++) {
-        oracle_line_eval(&route->line, route->lo + (route->hi - route->lo) * i / 400, y);
-        oracle_cross(y[1], y[2], c);
-        best = fminl(best, powl(oracle_norm(y[1]), 3) / oracle_norm(c));
-    }
     for (int i = 0; i < PLACES; i++) {
         const int part = i < 60 ? 0 : i < 300 ? 1 : 2;
         const oracle_real f = part == 0   ? (oracle_real)i / 60
@@ -395,7 +168,7 @@ static oracle_real largest_radius(oracle_route *route, double radius)
         place[i].s = (double)(part == 0   ? route->lo - route->reach[0] * (1 - f)
                               : part == 1 ? route->lo + (route->hi - route->lo) * f
                                           : route->hi + route->reach[1] * f);
-        on_route(route, place[i].s, x, way, &speed);
+        oracle_route_at(route, place[i].s, x, way, &speed);
         for (int k = 0; k < 3; k++) {
             place[i].x[k] = (double)x[k];
             place[i].way[k] = (double)way[k];
@@ -428,7 +201,8 @@ static oracle_real largest_radius(oracle_route *route, double radius)
     }
     for (int k = 0; k < PAIRS; k++) {
         if (pair[k].d < INFINITY) {
-            best = fminl(best, settle(route, place[pair[k].i].s, place[pair[k].j].s, radius));
+            best = fminl(
+                best, oracle_settle(route, place[pair[k].i].s, route, place[pair[k].j].s, radius));
         }
     }
     return best;
@@ -440,7 +214,11 @@ double oracle_embedded(const oracle_case *about)
     oracle_route route;
     oracle_real reach[2] = {0, 0}, largest;
 
-    if (isnan(radius) || isnan(tube_of(about, reach, 1)) || !route_of(about->model, &route)) {
+    if (oracle_curve(about->model, "axis") == NULL) {
+        return oracle_run_embedded(about);
+    }
+    if (isnan(radius) || isnan(tube_of(about, reach, 1)) ||
+        !oracle_route_of(oracle_curve(about->model, "axis"), &route)) {
         return NAN;
     }
     route.reach[0] = reach[0];
@@ -457,7 +235,8 @@ double oracle_ends(const oracle_case *about)
     oracle_route route;
     oracle_real worst = 0;
 
-    if (isnan(radius) || about->problem == NULL || !route_of(about->model, &route)) {
+    if (isnan(radius) || about->problem == NULL ||
+        !oracle_route_of(oracle_curve(about->model, "axis"), &route)) {
         return NAN;
     }
     for (int e = 0; e < 2; e++) {

@@ -3,11 +3,15 @@
  *     joints       gap over radius and sine between normals around the ring, of each surface and the
  *                  next one in the order of the model; and of the last and the first where it is closed
  *     bend_radius  the radius asked for times the largest curvature seen on the axes
+ *     tube         each piece around its own axis
+ *     embedded     curvature and nearest pairs at right angles, over all axes of the run
  *     caps         rims against the free ends, and how far all of a cap is from the plane of its end
  */
-#include "oracle/oracle.h"
+#include "oracle/route.h"
 
 #include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static const taut_record *data_of(const oracle_case *about)
@@ -233,4 +237,125 @@ double oracle_caps(const oracle_case *about)
         oracle_sheet_free(&b);
     }
     return worst / radius;
+}
+
+/* ---- tube and embedded ---- */
+
+/* The radius of a round run; NaN where it is none. */
+static double round_radius(const oracle_case *about)
+{
+    const taut_record *from[2] = {about->problem, taut_model_details(about->model)};
+
+    for (int i = 0; i < 2; i++) {
+        if (taut_record_get(from[i], "sections") != NULL ||
+            taut_record_get(from[i], "radii") != NULL || taut_record_get(from[i], "wall") != NULL) {
+            return NAN;
+        }
+    }
+    return taut_record_number(taut_record_get(data_of(about), "radius"));
+}
+
+static const taut_curve *axis_of(const taut_model *model, const taut_surface *surface)
+{
+    char name[80];
+
+    snprintf(name, sizeof name, "axis-%.60s", taut_surface_name(surface));
+    return oracle_curve(model, name);
+}
+
+double oracle_run_tube(const oracle_case *about)
+{
+    const double radius = round_radius(about);
+    oracle_real worst = 0;
+    int i = 0;
+
+    for (; piece(about->model, i) != NULL && !isnan(radius); i++) {
+        oracle_route route;
+        oracle_sheet sheet;
+        if (!oracle_route_of(axis_of(about->model, piece(about->model, i)), &route)) {
+            return NAN;
+        }
+        if (oracle_sheet_of(piece(about->model, i), &sheet)) {
+            worst = fmaxl(worst, oracle_tube_along(&sheet, &route, radius));
+            oracle_sheet_free(&sheet);
+        }
+        oracle_line_free(&route.line);
+    }
+    return i > 0 ? (double)worst : NAN;
+}
+
+enum { PLACES_A_PIECE = 40, PIECES_MOST = 40 };
+
+static void places_of(const oracle_route *route, oracle_place *place)
+{
+    for (int i = 0; i < PLACES_A_PIECE; i++) {
+        oracle_real x[3], way[3], speed;
+        place[i].s = (double)(route->lo + (route->hi - route->lo) * (i + 0.5L) / PLACES_A_PIECE);
+        oracle_route_at(route, place[i].s, x, way, &speed);
+        for (int k = 0; k < 3; k++) {
+            place[i].x[k] = (double)x[k];
+            place[i].way[k] = (double)way[k];
+        }
+    }
+}
+
+/* Half the distance of the nearest pair at right angles between two pieces of the axis, from those pairs
+ * of places that are the nearest for both. */
+static oracle_real nearest_pair(const oracle_route *one, const oracle_place *a,
+                                const oracle_route *other, const oracle_place *b, double radius)
+{
+    oracle_real best = INFINITY;
+
+    for (int i = 0; i < PLACES_A_PIECE; i++) {
+        double least = INFINITY;
+        int at = -1;
+        for (int j = one == other ? i + 4 : 0; j < PLACES_A_PIECE; j++) {
+            double d = 0, along[2] = {0, 0};
+            for (int k = 0; k < 3; k++) {
+                const double e = a[i].x[k] - b[j].x[k];
+                d += e * e;
+                along[0] += e * a[i].way[k];
+                along[1] += e * b[j].way[k];
+            }
+            if (d < least && along[0] * along[0] < 0.1 * d && along[1] * along[1] < 0.1 * d) {
+                least = d;
+                at = j;
+            }
+        }
+        if (at >= 0 && least < 16 * radius * radius) {
+            best = fminl(best, oracle_settle(one, a[i].s, other, b[at].s, radius));
+        }
+    }
+    return best;
+}
+
+double oracle_run_embedded(const oracle_case *about)
+{
+    const double radius = round_radius(about);
+    oracle_route *route = calloc(PIECES_MOST, sizeof *route);
+    oracle_place *place = calloc((size_t)PIECES_MOST * PLACES_A_PIECE, sizeof *place);
+    oracle_real largest = INFINITY;
+    int count = 0;
+
+    while (route != NULL && place != NULL && count < PIECES_MOST &&
+           piece(about->model, count) != NULL &&
+           oracle_route_of(axis_of(about->model, piece(about->model, count)), &route[count])) {
+        places_of(&route[count], place + (size_t)count * PLACES_A_PIECE);
+        count++;
+    }
+    const int whole = piece(about->model, count) == NULL && count > 0;
+    for (int i = 0; i < count; i++) {
+        largest = fminl(largest, oracle_sharpest(&route[i]));
+        for (int j = i; j < count; j++) {
+            largest =
+                fminl(largest, nearest_pair(&route[i], place + (size_t)i * PLACES_A_PIECE,
+                                            &route[j], place + (size_t)j * PLACES_A_PIECE, radius));
+        }
+    }
+    for (int i = 0; i < count; i++) {
+        oracle_line_free(&route[i].line);
+    }
+    free(route);
+    free(place);
+    return whole && !isnan(radius) ? (double)(radius / largest) : NAN;
 }

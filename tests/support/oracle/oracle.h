@@ -148,6 +148,8 @@ double oracle_joint1(const oracle_case *about);
 double oracle_joint2(const oracle_case *about);
 double oracle_tube(const oracle_case *about);
 double oracle_embedded(const oracle_case *about);
+double oracle_run_tube(const oracle_case *about); /* of runs, piece by piece around its own axis */
+double oracle_run_embedded(const oracle_case *about);
 double oracle_ends(const oracle_case *about);
 double oracle_identity(const oracle_case *about);
 double oracle_joints(const oracle_case *about);
