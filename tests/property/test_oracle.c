@@ -111,7 +111,7 @@ static void known_integrals(void)
 
 /* A judge of films by what it finds of one with point (or number of a curve) `at` moved by `by`. */
 static double judge_found(double (*judge)(const oracle_case *), const forge_base *base, int at,
-                         int curve, double by)
+                          int curve, double by)
 {
     forge_pool pool = {malloc(1 << 16), 1 << 16, 0};
     edit_model *edit = malloc(sizeof *edit);
