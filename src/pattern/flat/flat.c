@@ -8,24 +8,23 @@
  *              shifted until the Hessian is positive on the constraints, by the inertia of H and S
  *              halved while det J <= 0 at a Gauss point
  *
- * With J' = H J: dC = -(H' C + C H), and for two directions A, B
- *     C_ab = (A B + B A)' C + C (A B + B A) + A' C B + B' C A,   d det J = tr H det J,
- * so that a Gauss point has a 4 x 4 form in the entries of H, and a function N the row J^-T grad N.
  */
 #include "pattern/flat/flat.h"
 
 #include "core/elementary/elementary.h"
 #include "numeric/band.h"
 #include "numeric/quadrature.h"
+#include "pattern/flat/density.h"
+#include "pattern/flat/line.h"
+#include "pattern/flat/sums.h"
 
 #include <math.h>
 #include <string.h>
 
 enum {
     DEGREE = TAUT_FLAT_DEGREE,
-    LOCAL = DEGREE + 1,
+    LOCAL = TAUT_FLAT_LOCAL,
     GAUSS = TAUT_FLAT_GAUSS,
-    CELL = LOCAL * LOCAL, /* functions alive on a cell */
     STEPS_MAX = 60,
     SHIFTS_MAX = 24,
     HALVINGS_MAX = 40,
@@ -38,87 +37,7 @@ static const double small_step = 1e-7;
 /* Rows that depend on each other: e over the largest of S. */
 static const double dependent = 1e-13;
 
-/* ---- splines on uniform clamped knots ---- */
-
-static double knot_of(int spans, int k)
-{
-    const int i = k - DEGREE;
-    return i <= 0 ? 0 : i >= spans ? 1 : (double)i / spans;
-}
-
-/* The degree + 1 functions alive on a span, and their slopes, by the recursion of de Boor. */
-static void basis_at(int spans, int degree, int span, double x, double *value, double *slope)
-{
-    const int first = DEGREE + span; /* the knot at the span's left */
-    double lower[LOCAL] = {1};
-    double n[LOCAL] = {1};
-
-    for (int p = 1; p <= degree; p++) {
-        double saved = 0;
-        memcpy(lower, n, sizeof lower);
-        for (int r = 0; r < p; r++) {
-            const double right = knot_of(spans, first + r + 1),
-                         left = knot_of(spans, first + r + 1 - p);
-            const double part = lower[r] / (right - left);
-            n[r] = saved + (right - x) * part;
-            saved = (x - left) * part;
-        }
-        n[p] = saved;
-    }
-    memcpy(value, n, sizeof(double) * (size_t)(degree + 1));
-    if (slope == NULL) {
-        return;
-    }
-    for (int r = 0; r <= degree; r++) {
-        const double a =
-            r > 0 ? lower[r - 1] / (knot_of(spans, first + r) - knot_of(spans, first + r - degree))
-                  : 0;
-        const double b = r < degree ? lower[r] / (knot_of(spans, first + r + 1) -
-                                                  knot_of(spans, first + r + 1 - degree))
-                                    : 0;
-        slope[r] = degree * (a - b);
-    }
-}
-
-static int span_of(int spans, double x)
-{
-    const int k = (int)floor(x * spans);
-    return k < 0 ? 0 : k >= spans ? spans - 1 : k;
-}
-
-typedef struct line {
-    int spans, count;
-    double (*value)[GAUSS][LOCAL], (*slope)[GAUSS][LOCAL], (*test)[GAUSS][LOCAL];
-    double (*at)[GAUSS], weight[GAUSS];
-} line;
-
-static int line_fill(taut_arena *arena, int spans, line *l)
-{
-    double node[GAUSS];
-    const size_t n = (size_t)spans;
-
-    l->spans = spans;
-    l->count = spans + DEGREE;
-    l->value = taut_arena_take(arena, n, sizeof *l->value);
-    l->slope = taut_arena_take(arena, n, sizeof *l->slope);
-    l->test = taut_arena_take(arena, n, sizeof *l->test);
-    l->at = taut_arena_take(arena, n, sizeof *l->at);
-    if (taut_arena_status(arena) != TAUT_OK) {
-        return 0;
-    }
-    taut_gauss_rule(GAUSS, node, l->weight);
-    for (int q = 0; q < GAUSS; q++) {
-        l->weight[q] *= 0.5 / spans;
-    }
-    for (int k = 0; k < spans; k++) {
-        for (int q = 0; q < GAUSS; q++) {
-            l->at[k][q] = (k + 0.5 + 0.5 * node[q]) / spans;
-            basis_at(spans, DEGREE, k, l->at[k][q], l->value[k][q], l->slope[k][q]);
-            basis_at(spans, DEGREE - 1, k, l->at[k][q], l->test[k][q], NULL);
-        }
-    }
-    return 1;
-}
+typedef taut_flat_line line;
 
 /* ---- the work of one call ---- */
 
@@ -127,7 +46,11 @@ typedef struct work {
     const taut_flat_strip *strip;
     const taut_flat_options *options;
     line lines[2];
-    double *metric; /* [spans][spans][GAUSS][GAUSS][3] */
+    double *metric; /* [spans][GAUSS][spans][GAUSS][3] */
+    taut_flat_sums sums;
+    double (*j)[2][2];     /* of all places of t at one of s */
+    taut_flat_form *forms; /* and these */
+    char *is_there;
     int n, width;   /* unknowns, half band */
     int is_turning; /* rotation is left to the thread's row */
     double *y, *step, *gradient, *slope;
@@ -149,210 +72,50 @@ static int unknown(const work *w, int i, int j, int k)
     return (i * w->lines[1].count + j) * 2 + k;
 }
 
-static double *metric_of(const work *w, int a, int b, int q, int r)
+/* Of the places of t at place q of span a of s. */
+static double *metric_along(const work *w, int a, int q)
 {
-    return w->metric +
-           ((((size_t)a * (size_t)w->lines[1].spans + (size_t)b) * GAUSS + (size_t)q) * GAUSS +
-            (size_t)r) *
-               3;
-}
-
-/* J of a cell at a Gauss point, and the functions' gradients. */
-static void jacobian(const work *w, const double *y, int a, int b, int q, int r, double j[2][2],
-                     double grad[CELL][2])
-{
-    const line *s = &w->lines[0], *t = &w->lines[1];
-    memset(j, 0, sizeof(double[2][2]));
-    for (int i = 0; i < LOCAL; i++) {
-        for (int k = 0; k < LOCAL; k++) {
-            double *g = grad[i * LOCAL + k];
-            const double *p = y + unknown(w, a + i, b + k, 0);
-            g[0] = s->slope[a][q][i] * t->value[b][r][k];
-            g[1] = s->value[a][q][i] * t->slope[b][r][k];
-            for (int d = 0; d < 2; d++) {
-                j[d][0] += p[d] * g[0];
-                j[d][1] += p[d] * g[1];
-            }
-        }
-    }
-}
-
-typedef struct form {
-    double w, first[4], second[4][4], inverse[2][2], det;
-} form;
-
-static double symmetric_dot(const taut_flat_law *d, const double e[3], const double f[3])
-{
-    /* e, f: (11, 22, 12); shear strains enter as 2 * 12 */
-    return d->d11 * e[0] * f[0] + d->d22 * e[1] * f[1] + d->d12 * (e[0] * f[1] + e[1] * f[0]) +
-           4 * d->d33 * e[2] * f[2];
-}
-
-/* C = J^-T G J^-1; 0 where det J <= 0. */
-static int stretch_form(const double j[2][2], const double g[3], double inverse[2][2], double *det,
-                        double c[3])
-{
-    *det = j[0][0] * j[1][1] - j[0][1] * j[1][0];
-    if (!(*det > 0)) {
-        return 0;
-    }
-    inverse[0][0] = j[1][1] / *det;
-    inverse[0][1] = -j[0][1] / *det;
-    inverse[1][0] = -j[1][0] / *det;
-    inverse[1][1] = j[0][0] / *det;
-    for (int k = 0; k < 3; k++) {
-        const int m = k == 1, n = k != 0;
-        c[k] = inverse[0][m] * (g[0] * inverse[0][n] + g[1] * inverse[1][n]) +
-               inverse[1][m] * (g[1] * inverse[0][n] + g[2] * inverse[1][n]);
-    }
-    return 1;
-}
-
-/* The density and its first and second derivatives by the entries of H, (11, 12, 21, 22). */
-static int density(const work *w, const double j[2][2], const double g[3], int order, form *f)
-{
-    double c[3]; /* 11, 22, 12 */
-    const double s0 = w->stretch[0], s1 = w->stretch[1];
-    const double scale[3] = {s0 * s0 / 2, s1 * s1 / 2, s0 * s1 / 2};
-    double e[3], de[4][3];
-
-    if (!stretch_form(j, g, f->inverse, &f->det, c)) {
-        return 0;
-    }
-    const double full[2][2] = {{c[0], c[2]}, {c[2], c[1]}};
-    const double weight = f->det / (s0 * s1);
-    e[0] = scale[0] * c[0] - 0.5;
-    e[1] = scale[1] * c[1] - 0.5;
-    e[2] = scale[2] * c[2];
-    const double phi = 0.5 * symmetric_dot(&w->law, e, e);
-    f->w = phi * weight;
-    if (order == 0) {
-        return 1;
-    }
-    for (int h = 0; h < 4; h++) { /* H = e_k e_l': (C H)_mn = C_mk [n = l] */
-        const int k = h / 2, l = h % 2;
-        de[h][0] = -scale[0] * (l == 0 ? 2 * full[0][k] : 0);
-        de[h][1] = -scale[1] * (l == 1 ? 2 * full[1][k] : 0);
-        de[h][2] = -scale[2] * full[1 - l][k];
-        f->first[h] = (symmetric_dot(&w->law, e, de[h]) + (k == l ? phi : 0)) * weight;
-    }
-    for (int h = 0; h < 4; h++) {
-        for (int o = 0; o <= h; o++) {
-            const int k = h / 2, l = h % 2, m = o / 2, n = o % 2;
-            double p[2][2] = {{0, 0}, {0, 0}}, d[2][2];
-            if (l == m) {
-                p[k][n] += 1; /* A B */
-            }
-            if (n == k) {
-                p[m][l] += 1; /* B A */
-            }
-            for (int x = 0; x < 2; x++) {
-                for (int z = 0; z < 2; z++) {
-                    d[x][z] = p[0][x] * full[0][z] + p[1][x] * full[1][z] + full[x][0] * p[0][z] +
-                              full[x][1] * p[1][z] + (x == l && z == n ? full[k][m] : 0) +
-                              (x == n && z == l ? full[m][k] : 0);
-                }
-            }
-            const double dd[3] = {scale[0] * d[0][0], scale[1] * d[1][1], scale[2] * d[0][1]};
-            const double trace_h = k == l, trace_o = m == n;
-            f->second[h][o] = f->second[o][h] =
-                (symmetric_dot(&w->law, de[h], de[o]) + symmetric_dot(&w->law, e, dd) +
-                 symmetric_dot(&w->law, e, de[h]) * trace_o +
-                 symmetric_dot(&w->law, e, de[o]) * trace_h +
-                 phi * (trace_h * trace_o - (l == m && n == k))) *
-                weight;
-        }
-    }
-    return 1;
+    return w->metric + (size_t)(a * GAUSS + q) * (size_t)(w->lines[1].spans * GAUSS) * 3;
 }
 
 /* W of a net; INFINITY where it folds at a Gauss point. */
-static double energy_of(const work *w, const double *y)
+static double energy_of(work *w, const double *y)
 {
-    double grad[CELL][2], j[2][2], sum = 0;
-    form f;
-    for (int a = 0; a < w->lines[0].spans; a++) {
-        for (int b = 0; b < w->lines[1].spans; b++) {
-            for (int q = 0; q < GAUSS; q++) {
-                for (int r = 0; r < GAUSS; r++) {
-                    jacobian(w, y, a, b, q, r, j, grad);
-                    if (!density(w, (const double(*)[2])j, metric_of(w, a, b, q, r), 0, &f)) {
-                        return INFINITY;
-                    }
-                    sum += f.w * w->lines[0].weight[q] * w->lines[1].weight[r];
-                }
+    const line *s = &w->lines[0], *t = &w->lines[1];
+    double sum = 0;
+    taut_flat_form f;
+    for (int k = 0; k < s->spans * GAUSS; k++) {
+        const double *g = metric_along(w, k / GAUSS, k % GAUSS);
+        taut_flat_sums_slopes(&w->sums, y, k / GAUSS, k % GAUSS, w->j);
+        for (int m = 0; m < t->spans * GAUSS; m++) {
+            if (!taut_flat_density(&w->law, w->stretch, (const double(*)[2])w->j[m], g + 3 * m, 0,
+                                   &f)) {
+                return INFINITY;
             }
+            sum += f.w * s->weight[k % GAUSS] * t->weight[m % GAUSS];
         }
     }
     return sum;
 }
 
-/* Adds a Gauss point to a cell's matrix, its lower triangle. */
-static void add_point(const form *f, double weight, const double grad[CELL][2],
-                      double cell[2 * CELL][2 * CELL], double first[2 * CELL])
-{
-    double row[CELL][2], half[2][CELL][4];
-    for (int a = 0; a < CELL; a++) {
-        for (int l = 0; l < 2; l++) {
-            row[a][l] = f->inverse[0][l] * grad[a][0] + f->inverse[1][l] * grad[a][1];
-        }
-        for (int k = 0; k < 2; k++) {
-            first[2 * a + k] +=
-                weight * (f->first[2 * k] * row[a][0] + f->first[2 * k + 1] * row[a][1]);
-            for (int o = 0; o < 4; o++) {
-                half[k][a][o] = weight * (f->second[2 * k][o] * row[a][0] +
-                                          f->second[2 * k + 1][o] * row[a][1]);
-            }
-        }
-    }
-    for (int a = 0; a < CELL; a++) {
-        for (int k = 0; k < 2; k++) {
-            const double *h = half[k][a];
-            double *to = cell[2 * a + k];
-            for (int b = 0; b <= a; b++) {
-                to[2 * b] += h[0] * row[b][0] + h[1] * row[b][1];
-                to[2 * b + 1] += h[2] * row[b][0] + h[3] * row[b][1];
-            }
-        }
-    }
-}
-
-static void add_cell(work *w, int a, int b, double cell[2 * CELL][2 * CELL],
-                     const double first[2 * CELL])
-{
-    for (int x = 0; x < 2 * CELL; x++) {
-        const int i = unknown(w, a + x / 2 / LOCAL, b + x / 2 % LOCAL, x % 2);
-        w->gradient[i] += first[x];
-        for (int z = 0; z <= x; z++) {
-            const int k = unknown(w, a + z / 2 / LOCAL, b + z / 2 % LOCAL, z % 2);
-            taut_band_row(&w->hessian, i)[i - k] += cell[x][z];
-        }
-    }
-}
-
 static void assemble(work *w)
 {
-    static const double zero = 0;
-    double cell[2 * CELL][2 * CELL], first[2 * CELL], grad[CELL][2], j[2][2];
-    form f;
+    const line *s = &w->lines[0], *t = &w->lines[1];
 
-    memset(w->hessian.a, 0, sizeof zero * (size_t)w->n * ((size_t)w->width + 1));
-    memset(w->gradient, 0, sizeof zero * (size_t)w->n);
-    for (int a = 0; a < w->lines[0].spans; a++) {
-        for (int b = 0; b < w->lines[1].spans; b++) {
-            memset(cell, 0, sizeof cell);
-            memset(first, 0, sizeof first);
-            for (int q = 0; q < GAUSS; q++) {
-                for (int r = 0; r < GAUSS; r++) {
-                    jacobian(w, w->y, a, b, q, r, j, grad);
-                    if (density(w, (const double(*)[2])j, metric_of(w, a, b, q, r), 1, &f)) {
-                        add_point(&f, w->lines[0].weight[q] * w->lines[1].weight[r],
-                                  (const double(*)[2])grad, cell, first);
-                    }
-                }
+    memset(w->hessian.a, 0, sizeof(double) * (size_t)w->n * ((size_t)w->width + 1));
+    memset(w->gradient, 0, sizeof(double) * (size_t)w->n);
+    for (int a = 0; a < s->spans; a++) {
+        taut_flat_sums_begin(&w->sums);
+        for (int q = 0; q < GAUSS; q++) {
+            const double *g = metric_along(w, a, q);
+            taut_flat_sums_slopes(&w->sums, w->y, a, q, w->j);
+            for (int m = 0; m < t->spans * GAUSS; m++) {
+                w->is_there[m] = (char)taut_flat_density(
+                    &w->law, w->stretch, (const double(*)[2])w->j[m], g + 3 * m, 1, &w->forms[m]);
             }
-            add_cell(w, a, b, cell, first);
+            taut_flat_sums_add(&w->sums, a, q, w->forms, w->is_there, w->gradient);
         }
+        taut_flat_sums_end(&w->sums, a, &w->hessian);
     }
 }
 
@@ -433,8 +196,8 @@ static void add_edge(work *w, int edge)
 /* Of the middle of an end: the functions of t at 1/2. */
 static int middle(const work *w, double value[LOCAL])
 {
-    const int span = span_of(w->lines[1].spans, 0.5);
-    basis_at(w->lines[1].spans, DEGREE, span, 0.5, value, NULL);
+    const int span = taut_flat_span(w->lines[1].spans, 0.5);
+    taut_flat_basis(w->lines[1].spans, DEGREE, span, 0.5, value, NULL);
     return span;
 }
 
@@ -745,7 +508,7 @@ double taut_flat_greville(int spans, int i)
 {
     double sum = 0;
     for (int k = 1; k <= DEGREE; k++) {
-        sum += knot_of(spans, i + k);
+        sum += taut_flat_knot(spans, i + k);
     }
     return sum / DEGREE;
 }
@@ -757,8 +520,8 @@ static void collocation(int spans, double *a)
     memset(a, 0, sizeof *a * (size_t)n * (size_t)n);
     for (int i = 0; i < n; i++) {
         const double x = taut_flat_greville(spans, i);
-        const int span = span_of(spans, x);
-        basis_at(spans, DEGREE, span, x, a + i * n + span, NULL);
+        const int span = taut_flat_span(spans, x);
+        taut_flat_basis(spans, DEGREE, span, x, a + i * n + span, NULL);
     }
 }
 
@@ -999,7 +762,7 @@ static taut_status prepare(work *w)
     int rows = 2;
 
     for (int d = 0; d < 2; d++) {
-        if (!line_fill(w->arena, spans[d], &w->lines[d])) {
+        if (!taut_flat_line_fill(w->arena, spans[d], &w->lines[d])) {
             return TAUT_NO_MEMORY;
         }
     }
@@ -1019,8 +782,11 @@ static taut_status prepare(work *w)
     }
     w->room = rows + (o->straight ? w->lines[1].count : 0);
     const size_t n = (size_t)w->n, room = (size_t)w->room;
-    w->metric = taut_arena_take(w->arena, (size_t)spans[0] * (size_t)spans[1],
-                                sizeof(double[GAUSS][GAUSS][3]));
+    const size_t across = (size_t)spans[1] * GAUSS;
+    w->metric = taut_arena_take(w->arena, (size_t)spans[0] * GAUSS * across, sizeof(double[3]));
+    w->j = taut_arena_take(w->arena, across, sizeof *w->j);
+    w->forms = taut_arena_take(w->arena, across, sizeof *w->forms);
+    w->is_there = taut_arena_take(w->arena, across, 1);
     w->y = taut_arena_take(w->arena, n, sizeof(double));
     w->step = taut_arena_take(w->arena, n + room, sizeof(double));
     w->gradient = taut_arena_take(w->arena, n, sizeof(double));
@@ -1034,7 +800,7 @@ static taut_status prepare(work *w)
     w->c = taut_arena_take(w->arena, room, sizeof(double));
     w->multiplier = taut_arena_take(w->arena, room, sizeof(double));
     w->schur = taut_arena_take(w->arena, room * room, sizeof(double));
-    if (taut_arena_status(w->arena) != TAUT_OK) {
+    if (!taut_flat_sums_new(w->arena, &w->lines[0], &w->lines[1], &w->sums)) {
         return TAUT_NO_MEMORY;
     }
     for (int k = 0; o->straight && k < w->lines[1].count; k++) {
@@ -1048,18 +814,14 @@ static taut_status prepare(work *w)
 
 static double sample(work *w)
 {
+    const line *s = &w->lines[0], *t = &w->lines[1];
     double area = 0;
-    for (int a = 0; a < w->lines[0].spans; a++) {
-        for (int b = 0; b < w->lines[1].spans; b++) {
-            for (int q = 0; q < GAUSS; q++) {
-                for (int r = 0; r < GAUSS; r++) {
-                    double *g = metric_of(w, a, b, q, r);
-                    w->strip->metric(w->strip->context, w->lines[0].at[a][q], w->lines[1].at[b][r],
-                                     g);
-                    area += sqrt(g[0] * g[2] - g[1] * g[1]) * w->lines[0].weight[q] *
-                            w->lines[1].weight[r];
-                }
-            }
+    for (int k = 0; k < s->spans * GAUSS; k++) {
+        double *g = metric_along(w, k / GAUSS, k % GAUSS);
+        for (int m = 0; m < t->spans * GAUSS; m++, g += 3) {
+            w->strip->metric(w->strip->context, s->at[k / GAUSS][k % GAUSS],
+                             t->at[m / GAUSS][m % GAUSS], g);
+            area += sqrt(g[0] * g[2] - g[1] * g[1]) * s->weight[k % GAUSS] * t->weight[m % GAUSS];
         }
     }
     for (int e = 0; e < TAUT_FLAT_EDGES; e++) {
@@ -1071,16 +833,16 @@ static double sample(work *w)
     return area;
 }
 
-static double flat_area(const work *w)
+static double flat_area(work *w)
 {
-    double grad[CELL][2], j[2][2], sum = 0;
-    for (int a = 0; a < w->lines[0].spans; a++) {
-        for (int b = 0; b < w->lines[1].spans; b++) {
-            for (int q = 0; q < GAUSS * GAUSS; q++) {
-                jacobian(w, w->y, a, b, q / GAUSS, q % GAUSS, j, grad);
-                sum += (j[0][0] * j[1][1] - j[0][1] * j[1][0]) * w->lines[0].weight[q / GAUSS] *
-                       w->lines[1].weight[q % GAUSS];
-            }
+    const line *s = &w->lines[0], *t = &w->lines[1];
+    double sum = 0;
+    for (int k = 0; k < s->spans * GAUSS; k++) {
+        taut_flat_sums_slopes(&w->sums, w->y, k / GAUSS, k % GAUSS, w->j);
+        for (int m = 0; m < t->spans * GAUSS; m++) {
+            const double(*j)[2] = (const double(*)[2])w->j[m];
+            sum += (j[0][0] * j[1][1] - j[0][1] * j[1][0]) * s->weight[k % GAUSS] *
+                   t->weight[m % GAUSS];
         }
     }
     return sum;
@@ -1120,7 +882,7 @@ static taut_status finish(work *w, double area, taut_flat *flat)
     for (int d = 0; d < 2; d++) {
         flat->knots[d] = taut_arena_take(w->arena, (size_t)flat->count[d] + LOCAL, sizeof(double));
         for (int k = 0; flat->knots[d] != NULL && k < flat->count[d] + LOCAL; k++) {
-            flat->knots[d][k] = knot_of(flat->spans[d], k);
+            flat->knots[d][k] = taut_flat_knot(flat->spans[d], k);
         }
     }
     return taut_arena_status(w->arena) == TAUT_OK ? TAUT_OK : TAUT_NO_MEMORY;
@@ -1180,9 +942,9 @@ taut_status taut_flat_copy(taut_arena *arena, const taut_flat *from, taut_flat *
 void taut_flat_at(const taut_flat *flat, double s, double t, double y[3][2])
 {
     double value[2][LOCAL], slope[2][LOCAL];
-    const int a = span_of(flat->spans[0], s), b = span_of(flat->spans[1], t);
-    basis_at(flat->spans[0], DEGREE, a, s, value[0], slope[0]);
-    basis_at(flat->spans[1], DEGREE, b, t, value[1], slope[1]);
+    const int a = taut_flat_span(flat->spans[0], s), b = taut_flat_span(flat->spans[1], t);
+    taut_flat_basis(flat->spans[0], DEGREE, a, s, value[0], slope[0]);
+    taut_flat_basis(flat->spans[1], DEGREE, b, t, value[1], slope[1]);
     memset(y, 0, sizeof(double[3][2]));
     for (int i = 0; i < LOCAL; i++) {
         for (int j = 0; j < LOCAL; j++) {
@@ -1202,7 +964,7 @@ void taut_flat_strain(const taut_flat *flat, const double g[3], const double y[3
     const double j[2][2] = {{y[1][0], y[2][0]}, {y[1][1], y[2][1]}};
     double inverse[2][2], det, c[3] = {0, 0, 0};
     strain[0] = strain[1] = NAN;
-    if (stretch_form(j, g, inverse, &det, c)) {
+    if (taut_flat_stretch(j, g, inverse, &det, c)) {
         const double p = 1 - flat->warp, q = 1 - flat->weft;
         const double a = c[0] * p * p, b = c[1] * q * q, m = c[2] * p * q;
         const double half = (a + b) / 2, radius = taut_hypot((a - b) / 2, m);
