@@ -318,26 +318,34 @@ taut_status taut_cloth_read(taut_arena *arena, const taut_model *model,
 
 /* ---- places ---- */
 
-int taut_cloth_window(const taut_cloth *cloth, const taut_cloth_piece *piece, double s, double t,
-                      double w[3][2])
+void taut_cloth_across_at(const taut_cloth *cloth, const taut_cloth_piece *piece, double s,
+                          int order, taut_cloth_across *across)
 {
-    const taut_basis *bases[2] = {taut_surface_u(cloth->surface), taut_surface_v(cloth->surface)};
-    double sides[2][2][3];
-
     for (int k = 0; k < 2; k++) {
         const taut_curve *side = cloth->sides[piece->sides[k]].window;
         const double lo = taut_basis_lo(taut_curve_t(side)), hi = taut_basis_hi(taut_curve_t(side));
-        taut_curve_eval(side, s < 1 ? lo + s * (hi - lo) : hi, 1, sides[k][0]);
-        for (int d = 0; d < 2; d++) {
-            sides[k][1][d] *= hi - lo;
+        double places[3][3] = {{0}}, scale = 1;
+        taut_curve_eval(side, s < 1 ? lo + s * (hi - lo) : hi, order, places[0]);
+        for (int n = 0; n < 3; n++, scale *= hi - lo) {
+            for (int d = 0; d < 2; d++) {
+                across->sides[k][n][d] = scale * places[n][d];
+            }
         }
     }
+}
+
+int taut_cloth_window_on(const taut_cloth *cloth, const taut_cloth_across *across, double t,
+                         double w[3][2])
+{
+    const double(*right)[2] = across->sides[0], (*left)[2] = across->sides[1];
+    const taut_basis *bases[2] = {taut_surface_u(cloth->surface), taut_surface_v(cloth->surface)};
+
     for (int d = 0; d < 2; d++) {
         const double lo = taut_basis_lo(bases[d]), hi = taut_basis_hi(bases[d]);
         const double room = 1e-9 * (hi - lo);
-        w[0][d] = (1 - t) * sides[0][0][d] + t * sides[1][0][d];
-        w[1][d] = (1 - t) * sides[0][1][d] + t * sides[1][1][d];
-        w[2][d] = sides[1][0][d] - sides[0][0][d];
+        w[0][d] = (1 - t) * right[0][d] + t * left[0][d];
+        w[1][d] = (1 - t) * right[1][d] + t * left[1][d];
+        w[2][d] = left[0][d] - right[0][d];
         if (!(w[0][d] >= lo - room) || !(w[0][d] <= hi + room)) {
             return 0;
         }
@@ -346,30 +354,11 @@ int taut_cloth_window(const taut_cloth *cloth, const taut_cloth_piece *piece, do
     return 1;
 }
 
-void taut_cloth_window_bend(const taut_cloth *cloth, const taut_cloth_piece *piece, double s,
-                            double t, double bend[2][2])
-{
-    double sides[2][3][3];
-    for (int k = 0; k < 2; k++) {
-        const taut_curve *side = cloth->sides[piece->sides[k]].window;
-        const double lo = taut_basis_lo(taut_curve_t(side)), hi = taut_basis_hi(taut_curve_t(side));
-        taut_curve_eval(side, s < 1 ? lo + s * (hi - lo) : hi, 2, sides[k][0]);
-        for (int d = 0; d < 2; d++) {
-            sides[k][1][d] *= hi - lo;
-            sides[k][2][d] *= (hi - lo) * (hi - lo);
-        }
-    }
-    for (int d = 0; d < 2; d++) {
-        bend[0][d] = (1 - t) * sides[0][2][d] + t * sides[1][2][d];
-        bend[1][d] = sides[1][1][d] - sides[0][1][d];
-    }
-}
-
-int taut_cloth_metric(const taut_cloth *cloth, const taut_cloth_piece *piece, double s, double t,
-                      double g[3])
+int taut_cloth_metric_on(const taut_cloth *cloth, const taut_cloth_across *across, double t,
+                         double g[3])
 {
     double w[3][2], x[3][3], along[2][3];
-    if (!taut_cloth_window(cloth, piece, s, t, w) ||
+    if (!taut_cloth_window_on(cloth, across, t, w) ||
         taut_surface_eval(cloth->surface, w[0][0], w[0][1], 1, x[0]) != TAUT_OK) {
         return 0;
     }
@@ -382,6 +371,14 @@ int taut_cloth_metric(const taut_cloth *cloth, const taut_cloth_piece *piece, do
     g[1] = taut_dot(along[0], along[1]);
     g[2] = taut_dot(along[1], along[1]);
     return g[0] * g[2] - g[1] * g[1] > 0;
+}
+
+int taut_cloth_metric(const taut_cloth *cloth, const taut_cloth_piece *piece, double s, double t,
+                      double g[3])
+{
+    taut_cloth_across across;
+    taut_cloth_across_at(cloth, piece, s, 1, &across);
+    return taut_cloth_metric_on(cloth, &across, t, g);
 }
 
 void taut_cloth_line(const taut_cloth *cloth, const taut_curve *curve, double t, int order,

@@ -65,13 +65,18 @@ taut_status taut_cloth_read(taut_arena *arena, const taut_model *model,
                             const taut_pattern_problem *problem, taut_cloth *cloth,
                             taut_error *error);
 
-/* w, and its derivatives by s and t. 0 where a side leaves the window. */
-int taut_cloth_window(const taut_cloth *cloth, const taut_cloth_piece *piece, double s, double t,
-                      double w[3][2]);
-/* w_ss and w_st (w_tt is 0), where the sides are inside the window. */
-void taut_cloth_window_bend(const taut_cloth *cloth, const taut_cloth_piece *piece, double s,
-                            double t, double bend[2][2]);
-/* g_ss, g_st, g_tt; 0 where there is none. */
+/* Right and left at one s: places of the window, and their derivatives by s up to `order`, at most 2. */
+typedef struct taut_cloth_across {
+    double sides[2][3][2];
+} taut_cloth_across;
+void taut_cloth_across_at(const taut_cloth *cloth, const taut_cloth_piece *piece, double s,
+                          int order, taut_cloth_across *across);
+/* Between them, of order 1: w, and its derivatives by s and t. 0 where a side leaves the window. */
+int taut_cloth_window_on(const taut_cloth *cloth, const taut_cloth_across *across, double t,
+                         double w[3][2]);
+/* g_ss, g_st, g_tt there; 0 where there is none. */
+int taut_cloth_metric_on(const taut_cloth *cloth, const taut_cloth_across *across, double t,
+                         double g[3]);
 int taut_cloth_metric(const taut_cloth *cloth, const taut_cloth_piece *piece, double s, double t,
                       double g[3]);
 /* A curve of the model, plane, at t: y, y', .. up to `order`, times 2^-unit. */

@@ -249,37 +249,42 @@ static void principal(const work *w, const density *d, double strain[2])
     strain[1] = sqrt(half + radius) - 1;
 }
 
-/* Adds a place's second variation to the rows of a cell. */
-static void add_second(work *w, int i0, int j0, double weight, const double row[CELL][2],
-                       double second[4][4])
+/* Adds a place's second variation to a cell's matrix, its lower triangle: entry (2 x + d, 2 z + e). */
+static void add_second(double weight, const double row[CELL][2], double second[4][4],
+                       double cell[2 * CELL][2 * CELL])
 {
     for (int x = 0; x < CELL; x++) {
         for (int d = 0; d < 2; d++) {
-            const int i = unknown(w, i0 + x / ALIVE, j0 + x % ALIVE, d);
+            double *to = cell[2 * x + d];
             double half[4];
             for (int o = 0; o < 4; o++) {
                 half[o] =
                     weight * (second[2 * d][o] * row[x][0] + second[2 * d + 1][o] * row[x][1]);
             }
-            double *to = w->hessian.rows[i];
-            const int first = w->hessian.first[i];
             for (int z = 0; z <= x; z++) {
-                for (int e = 0; e < 2; e++) {
-                    const int k = unknown(w, i0 + z / ALIVE, j0 + z % ALIVE, e);
-                    if (k <= i) {
-                        to[k - first] += half[2 * e] * row[z][0] + half[2 * e + 1] * row[z][1];
-                    }
-                }
+                to[2 * z] += half[0] * row[z][0] + half[1] * row[z][1];
+                to[2 * z + 1] += half[2] * row[z][0] + half[3] * row[z][1];
             }
         }
     }
 }
 
-static double gauss_at(const work *w, double s, double t)
+static void add_cell(work *w, int i0, int j0, double cell[2 * CELL][2 * CELL])
+{
+    for (int x = 0; x < 2 * CELL; x++) {
+        const int i = unknown(w, i0 + x / 2 / ALIVE, j0 + x / 2 % ALIVE, x % 2);
+        double *to = w->hessian.rows[i] - w->hessian.first[i];
+        for (int z = 0; z <= x; z++) {
+            to[unknown(w, i0 + z / 2 / ALIVE, j0 + z / 2 % ALIVE, z % 2)] += cell[x][z];
+        }
+    }
+}
+
+static double gauss_at(const work *w, const taut_cloth_across *across, double t)
 {
     double at[3][2];
     taut_forms forms;
-    if (!taut_cloth_window(w->cloth, w->piece, s, t, at) ||
+    if (!taut_cloth_window_on(w->cloth, across, t, at) ||
         taut_surface_forms_points(w->cloth->surface, 1, &at[0][0], &at[0][1], 1, &forms) !=
             TAUT_OK) {
         return (double)NAN;
@@ -293,10 +298,13 @@ static void integrate(work *w, int solved)
     static const double plain[4] = {1, 1, 0, 0.5};
     const line *s = &w->lines[0], *t = &w->lines[1];
     double grad[CELL][2], row[CELL][2], second[4][4];
+    double matrix_of_cell[2 * CELL][2 * CELL];
+    taut_cloth_across across;
 
     for (int cell = 0; cell < s->spans * t->spans; cell++) {
         const int a = cell / t->spans, b = cell % t->spans;
         const int i0 = taut_basis_first(s->basis, a), j0 = taut_basis_first(t->basis, b);
+        memset(matrix_of_cell, 0, sizeof matrix_of_cell);
         for (int place = 0; place < NODES * NODES; place++) {
             const int q = place / NODES, r = place % NODES;
             const double weight = weight_of(s, a, q) * weight_of(t, b, r);
@@ -305,7 +313,10 @@ static void integrate(work *w, int solved)
             matrix j;
             density d, other;
             jacobian_at(w, a, b, q, r, j, grad);
-            if (!taut_cloth_metric(w->cloth, w->piece, at[0], at[1], g) ||
+            if (r == 0) {
+                taut_cloth_across_at(w->cloth, w->piece, at[0], 1, &across);
+            }
+            if (!taut_cloth_metric_on(w->cloth, &across, at[1], g) ||
                 !density_of(w->cloth->law, w->f, (const double(*)[2])j, g, &d) ||
                 !density_of(plain, w->f, (const double(*)[2])j, g, &other)) {
                 w->state->is_folded = 1;
@@ -313,7 +324,7 @@ static void integrate(work *w, int solved)
             }
             const double area = sqrt(g[0] * g[2] - g[1] * g[1]);
             w->state->area += weight * area;
-            w->state->curvature += weight * area * gauss_at(w, at[0], at[1]);
+            w->state->curvature += weight * area * gauss_at(w, &across, at[1]);
             w->state->flat_area += weight * d.det;
             w->state->energy += weight * d.phi * w->f[0] * w->f[1] * d.det;
             w->state->plain += weight * other.phi * w->f[0] * w->f[1] * d.det;
@@ -335,7 +346,10 @@ static void integrate(work *w, int solved)
                 }
             }
             second_of(w->cloth->law, &d, second);
-            add_second(w, i0, j0, weight, (const double(*)[2])row, second);
+            add_second(weight, (const double(*)[2])row, second, matrix_of_cell);
+        }
+        if (solved) {
+            add_cell(w, i0, j0, matrix_of_cell);
         }
     }
 }
@@ -567,6 +581,8 @@ static void look_around(work *w)
     state->strain[0] = state->inner[0] = INFINITY;
     state->strain[1] = state->inner[1] = -INFINITY;
     for (int i = 0; i <= GRID * s->spans; i++) {
+        taut_cloth_across across;
+        taut_cloth_across_at(w->cloth, w->piece, (double)i / (GRID * s->spans), 1, &across);
         for (int k = 0; k <= GRID * t->spans; k++) {
             const double at[2] = {(double)i / (GRID * s->spans), (double)k / (GRID * t->spans)};
             double y[3][3], g[3], strain[2];
@@ -577,7 +593,7 @@ static void look_around(work *w)
                 j[c][0] = y[1][c];
                 j[c][1] = y[2][c];
             }
-            if (!taut_cloth_metric(w->cloth, w->piece, at[0], at[1], g) ||
+            if (!taut_cloth_metric_on(w->cloth, &across, at[1], g) ||
                 !density_of(w->cloth->law, w->f, (const double(*)[2])j, g, &d)) {
                 state->is_folded = 1;
                 continue;

@@ -21,13 +21,18 @@ static double inside(double x)
 int taut_cloth_spot_at(const taut_cloth *cloth, const taut_cloth_piece *piece, double s, double t,
                        taut_cloth_spot *spot)
 {
-    double w[3][2], bent[2][2], x[6][3], normal[3];
-    const double at[2] = {inside(s), inside(t)};
+    double w[3][2], bent[2][2], x[6][3], normal[3]; /* bent: w_ss and w_st (w_tt is 0) */
+    const double at = inside(t);
+    taut_cloth_across across;
 
-    if (!taut_cloth_window(cloth, piece, at[0], at[1], w)) {
+    taut_cloth_across_at(cloth, piece, inside(s), 2, &across);
+    if (!taut_cloth_window_on(cloth, &across, at, w)) {
         return 0;
     }
-    taut_cloth_window_bend(cloth, piece, at[0], at[1], bent);
+    for (int d = 0; d < 2; d++) {
+        bent[0][d] = (1 - at) * across.sides[0][2][d] + at * across.sides[1][2][d];
+        bent[1][d] = across.sides[1][1][d] - across.sides[0][1][d];
+    }
     if (taut_surface_eval(cloth->surface, w[0][0], w[0][1], 2, x[0]) != TAUT_OK) {
         return 0;
     }

@@ -32,8 +32,8 @@ enum {
 };
 
 static const taut_flat_law default_law = {1, 1, 0, 0.5};
-/* A step below this, over the size, is the last but one: Newton's next is at rounding. */
-static const double small_step = 1e-7;
+/* A step below this, over the size, is the last but one, or the last where Newton's next would be below `rounding`. */
+static const double small_step = 1e-7, rounding = 1e-16;
 /* Rows that depend on each other: e over the largest of S. */
 static const double dependent = 1e-13;
 
@@ -433,18 +433,19 @@ static int newton_step(work *w, double *matrix, double *trial, double *length)
 /* Stationary, from w->y; 0 where it is not reached. */
 static int newton(work *w, double *matrix, double *trial)
 {
-    double length = INFINITY;
-    int last = 0;
+    double length = INFINITY, before;
     w->energy = energy_of(w, w->y);
     memset(w->multiplier, 0, sizeof(double) * (size_t)w->room);
     for (int k = 0; k < STEPS_MAX && w->energy < INFINITY; k++) {
+        before = length;
         if (!newton_step(w, matrix, trial, &length)) {
             return 0;
         }
-        if (last) {
+        /* lengths end by their squares: this is what the next one would be */
+        const double next = length * length * length / (before * before);
+        if (k > 0 && (before < small_step || (length < small_step && next < rounding))) {
             return w->is_stable;
         }
-        last = length < small_step;
     }
     return 0;
 }

@@ -61,7 +61,7 @@ typedef struct taut_flat {
     double warp, weft;
     double energy, area, flat_area;
     double
-        residual; /* gradient of the Lagrangian over the largest of a Hessian's diagonal times the size */
+        residual; /* before the last step: gradient of the Lagrangian over the largest of a Hessian's diagonal times the size */
     int is_stable; /* the Hessian is positive on the constraints */
     int steps;     /* of Newton, all told */
     double torque; /* of the thread's constraint; 0 where the law has no direction */
