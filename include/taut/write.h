@@ -67,6 +67,13 @@ typedef enum taut_colour {
 typedef struct taut_formats taut_formats;
 
 /* Zero means default everywhere. */
+/* Sheets of paper that plans of flat pieces are printed on. */
+typedef enum taut_paper {
+    TAUT_PAPER_NONE = 0,
+    TAUT_PAPER_A4, /* 210 x 297 mm, either way round */
+    TAUT_PAPER_A3  /* 297 x 420 mm */
+} taut_paper;
+
 typedef struct taut_write_options {
     double tolerance; /* 0: the format's own (1e-3 of the size for meshes) */
     int divide;  /* meshes and figures: cells per knot span in each direction; 0: by tolerance */
@@ -96,6 +103,9 @@ typedef struct taut_write_options {
     int coefficients; /* vtu: nonzero: fields of Bezier cells as coefficients, not as values */
     int reactions;    /* figures: nonzero: arrows, as the supports of a film pull at it */
     int column; /* figures: nonzero: 88 mm wide, a paper's column, no letter smaller than 6 point */
+    /* pdf, of models with flat pieces to cut: their plan */
+    taut_paper tiles; /* 1:1 on sheets of this size to be put together; or on one page */
+    double reduction; /* 1:this, of that page; 0: 1:1 */
 } taut_write_options;
 
 /* The library's own formats, i = 0 .. count-1: its ending without the dot, and one line on what it holds. */

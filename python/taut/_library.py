@@ -45,7 +45,8 @@ class WriteOptions(Structure):
                 ("surface", c_char_p), ("short_knots", c_int), ("colour", c_int), ("no_net", c_int), ("has_view", c_int), ("view", c_double * 2),
                 ("title", c_char_p), ("isolines", c_int), ("reflections", c_int), ("combs", c_int), ("side_by_side", c_int),
                 ("width", c_int), ("labels", POINTER(c_char_p)), ("monitor", MonitorStruct), ("bound", POINTER(c_double)),
-                ("thickness", c_double), ("coefficients", c_int), ("reactions", c_int), ("column", c_int)]
+                ("thickness", c_double), ("coefficients", c_int), ("reactions", c_int), ("column", c_int),
+                ("tiles", c_int), ("reduction", c_double)]
 
 
 class MeshOptions(Structure):

@@ -229,7 +229,8 @@ class Model:
         tolerance   0: the format's own (1e-3 of the size for meshes)
         options     divide, thickness (of meshes), coefficients (of VTU), surface (name), colour ("plain", "mean", "gaussian",
                     "isothermality", "gap"), no_net,
-                    view (azimuth, elevation in degrees), title, isolines, reflections, combs, reactions, side_by_side, column, width
+                    view (azimuth, elevation in degrees), title, isolines, reflections, combs, reactions, side_by_side, column, width;
+                    of flat pieces in .pdf: tiles ("a4" or "a3": 1:1 on sheets of paper), reduction (20: 1:20, on one page)
         """
         error, chosen = c.ErrorStruct(), write_options(tolerance, threads, options)
         status = library.taut_model_write(self._pointer, encoded(os.fsdecode(path)), byref(chosen), byref(error))
@@ -309,6 +310,7 @@ class Mesh:
         return f"<taut.Mesh: {len(self.vertices)} vertices, {len(self.triangles)} triangles>"
 
 
+_PAPERS = ("", "a4", "a3")
 _COLOURS = ("plain", "mean", "gaussian", "isothermality", "gap")
 
 
@@ -326,8 +328,12 @@ def write_options(tolerance: float, threads: int | None, options: Mapping[str, A
             setattr(chosen, name, encoded(value))
         elif name in ("divide", "isolines", "reflections", "width"):
             setattr(chosen, name, whole(value, name))
-        elif name == "thickness":
-            chosen.thickness = real(value, name)
+        elif name in ("thickness", "reduction"):
+            setattr(chosen, name, real(value, name))
+        elif name == "tiles":
+            if value not in _PAPERS:
+                raise InputError(f"tiles is {value!r}; expected one of {', '.join(_PAPERS[1:])}", "", "name")
+            chosen.tiles = _PAPERS.index(value)
         elif name in ("no_net", "combs", "reactions", "side_by_side", "column", "short_knots", "coefficients"):
             setattr(chosen, name, int(bool(value)))
         else:

@@ -81,6 +81,7 @@ typedef struct cli_options {
     int combs;
     int reactions;
     int column;
+    const char *tiles, *scale;
     int side_by_side;
     int width;
     int help;
@@ -215,6 +216,22 @@ typedef struct cli_command {
          0,        "AZ,EL",  "figures: camera in degrees"},                                        \
         {"--title", CLI_TEXT, offsetof(cli_options, title), 0, 0,                                  \
          0,         "TEXT",   "figures: a line above"},                                            \
+        {"--tiles",                                                                                \
+         CLI_TEXT,                                                                                 \
+         offsetof(cli_options, tiles),                                                             \
+         0,                                                                                        \
+         0,                                                                                        \
+         0,                                                                                        \
+         "a4|a3",                                                                                  \
+         "pdf: pieces to cut 1:1 on sheets of paper, to be put together"},                         \
+        {"--scale",                                                                                \
+         CLI_TEXT,                                                                                 \
+         offsetof(cli_options, scale),                                                             \
+         0,                                                                                        \
+         0,                                                                                        \
+         0,                                                                                        \
+         "1:N",                                                                                    \
+         "pdf: pieces to cut on one page, so much smaller (default 1:1)"},                         \
         {"--no-net", CLI_FLAG, offsetof(cli_options, no_net),       0, 0,                          \
          0,          NULL,     "figures: leave the control net out"},                              \
     {                                                                                              \

@@ -57,6 +57,32 @@ int cli_commit(taut_outputs *outputs)
     return taut_outputs_commit(outputs, &error) == TAUT_OK ? 0 : cli_fail(&error);
 }
 
+/* "1:20" as 20. */
+static int reduction_of(const char *word, double *reduction)
+{
+    return strncmp(word, "1:", 2) == 0 && cli_number(word + 2, reduction) && *reduction > 0;
+}
+
+/* How plans of flat pieces are printed. */
+static int take_paper(const cli_options *options, taut_write_options *chosen)
+{
+    if (options->tiles != NULL) {
+        chosen->tiles = strcmp(options->tiles, "a4") == 0   ? TAUT_PAPER_A4
+                        : strcmp(options->tiles, "a3") == 0 ? TAUT_PAPER_A3
+                                                            : TAUT_PAPER_NONE;
+        if (chosen->tiles == TAUT_PAPER_NONE) {
+            return cli_misuse_value("--tiles", options->tiles, "a4 or a3");
+        }
+    }
+    if (options->scale != NULL && !reduction_of(options->scale, &chosen->reduction)) {
+        return cli_misuse_value("--scale", options->scale, "1:N, such as 1:20");
+    }
+    return options->tiles != NULL && options->scale != NULL
+               ? cli_misuse("option",
+                            "--tiles are 1:1, and --scale is something else: give one of them")
+               : 0;
+}
+
 int cli_write_options(const cli_options *options, taut_write_options *chosen)
 {
     static const struct {
@@ -102,7 +128,7 @@ int cli_write_options(const cli_options *options, taut_write_options *chosen)
                                     "two numbers, azimuth and elevation in degrees");
         }
     }
-    return 0;
+    return take_paper(options, chosen);
 }
 
 int cli_check_outputs(const cli_options *options)

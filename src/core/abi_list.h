@@ -678,7 +678,9 @@
     X(taut_write_options, thickness, "double") \
     X(taut_write_options, coefficients, "int") \
     X(taut_write_options, reactions, "int") \
-    X(taut_write_options, column, "int")
+    X(taut_write_options, column, "int") \
+    X(taut_write_options, tiles, "taut_paper") \
+    X(taut_write_options, reduction, "double")
 
 #define TAUT_ABI_STRUCT_LIST(X) \
     X(taut_abi_enum) \
@@ -870,6 +872,11 @@
     X(TAUT_PANELS_CONICAL, "conical") \
     X(TAUT_PANELS_CIRCULAR, "circular")
 
+#define TAUT_ABI_VALUES_taut_paper(X) \
+    X(TAUT_PAPER_NONE, "none") \
+    X(TAUT_PAPER_A4, "a4") \
+    X(TAUT_PAPER_A3, "a3")
+
 #define TAUT_ABI_VALUES_taut_pattern_by(X) \
     X(TAUT_PATTERN_BY_LENGTH, "length") \
     X(TAUT_PATTERN_BY_PARAMETER, "parameter")
@@ -1006,6 +1013,7 @@
     X(taut_jacobian_state) \
     X(taut_join_kind) \
     X(taut_panels_kind) \
+    X(taut_paper) \
     X(taut_pattern_by) \
     X(taut_pattern_corner) \
     X(taut_pattern_notch) \

@@ -354,7 +354,8 @@ static void name_page(const figure *f, char *title, size_t size)
 }
 
 /* TAUT_IO when the bytes do not arrive. */
-static taut_status paint_page(figure *f, const taut_canvas_ops *ops, const char *kind, FILE *out)
+static taut_status paint_page(figure *f, const taut_canvas_ops *ops, const char *kind, FILE *out,
+                              taut_error *error)
 {
     char title[512] = "";
     const int pixels = f->options.column ? 1039 /* 300 an inch */ : (int)page_width;
@@ -382,9 +383,9 @@ static taut_status paint_page(figure *f, const taut_canvas_ops *ops, const char 
     taut_scene_paint(&f->scene, ops, canvas);
     taut_legend_axes(&legend, &f->panes.pane[0].camera, f->axes);
     draw_legend(f, &legend);
-    const taut_status sheets =
-        f->pieces != NULL ? taut_flat_page(f->pieces, f->point, ops, canvas, f->arena, NULL)
-                          : TAUT_OK;
+    const taut_status sheets = f->pieces != NULL ? taut_flat_page(f->pieces, &f->options, f->point,
+                                                                  ops, canvas, f->arena, error)
+                                                 : TAUT_OK;
     status = ops->finish(canvas);
     if (status != TAUT_OK || sheets != TAUT_OK) {
         return sheets != TAUT_OK ? sheets : status;
@@ -396,6 +397,10 @@ static taut_status paint_page(figure *f, const taut_canvas_ops *ops, const char 
 static taut_status fail_painting(taut_status status, taut_error *error)
 {
     char text[128];
+    if (status == TAUT_BAD_INPUT ||
+        status == TAUT_BAD_ARGUMENT) { /* of a plan, which says what it is */
+        return status;
+    }
     if (status != TAUT_IO) {
         return taut_fail_status(error, status);
     }
@@ -491,7 +496,7 @@ static taut_status draw_panes(figure *f, const taut_canvas_ops *ops, const char 
         return taut_fail_status(error, status);
     }
     finish_layout(f);
-    status = paint_page(f, ops, kind, out);
+    status = paint_page(f, ops, kind, out, error);
     return status == TAUT_OK ? TAUT_OK : fail_painting(status, error);
 }
 
@@ -525,6 +530,10 @@ static taut_status check_numbers(const taut_write_options *o, taut_error *error)
                              "the option %s of a figure must lie between 0 and %d", names[i],
                              most[i]);
         }
+    }
+    if (o->tiles > TAUT_PAPER_A3 || !(o->reduction >= 0) || !isfinite(o->reduction)) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, o->reduction, taut_none,
+                         "there is no such paper, or a reduction that is no number above 0");
     }
     if (o->colour > TAUT_COLOUR_GAP) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, (double)o->colour,
