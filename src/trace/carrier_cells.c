@@ -170,12 +170,38 @@ static inline void horner(const double *rows, int degree, size_t step, double s,
     }
 }
 
+/* horner of degree 3: a sum of order k is nothing before its k-th turn and begins as what it is added to. */
+static inline void horner_cubic(const double *restrict rows, const int step, double s,
+                                const int order, double *restrict out)
+{
+    for (int c = 0; c < 4; c++) {
+        const double top = rows[3 * step + c];
+        const double value_1 = top * s + rows[2 * step + c];
+        const double value_2 = value_1 * s + rows[step + c], slope_2 = top * s + value_1;
+        out[c] = value_2 * s + rows[c];
+        if (order > 0) {
+            out[4 + c] = slope_2 * s + value_2;
+        }
+        if (order > 1) {
+            out[8 + c] = top * s + slope_2;
+        }
+        if (order > 2) {
+            out[12 + c] = top;
+        }
+    }
+}
+
 /* The derivatives of order l along t and up to `order` along s, from the rows' own. */
-static inline void combine(const double *rows, int degree, double s, const double u[ORDERS],
-                           double v, const int l, const int order, double (*h)[4])
+static inline void combine(const double *rows, int degree, const int is_cubic, double s,
+                           const double u[ORDERS], double v, const int l, const int order,
+                           double (*h)[4])
 {
     double column[ROW];
-    horner(rows + 4 * l, degree, ROW, s, order, column);
+    if (is_cubic) {
+        horner_cubic(rows + 4 * l, ROW, s, order, column);
+    } else {
+        horner(rows + 4 * l, degree, ROW, s, order, column);
+    }
     for (int k = 0; k <= order; k++) {
         double *out = h[(k + l) * (k + l + 1) / 2 + l];
         for (int c = 0; c < 4; c++) {
@@ -184,27 +210,34 @@ static inline void combine(const double *rows, int degree, double s, const doubl
     }
 }
 
-/* `order` is a constant at each call, so that the loops over derivatives unroll. */
+/* `order` and `is_cubic` (both degrees are 3) are constants at each call, so that the loops over derivatives
+ * unroll. */
 static inline void evaluate(const taut_carrier_cells *cells, const double *list, const double s[2],
-                            const double inverse[2], const int order, double (*h)[4])
+                            const double inverse[2], const int order, const int is_cubic,
+                            double (*h)[4])
 {
-    const int p = cells->degree[0], q = cells->degree[1];
+    const int p = is_cubic ? 3 : cells->degree[0], q = is_cubic ? 3 : cells->degree[1];
     const double a = inverse[0], b = inverse[1];
     const double u[ORDERS] = {1, a, 2 * a * a, 6 * a * a * a};
     double rows[POWERS * ROW];
 
     for (int i = 0; i <= p; i++) {
-        horner(list + (size_t)i * (size_t)(4 * (q + 1)), q, 4, s[1], order, rows + i * ROW);
+        const double *row = list + (size_t)i * (size_t)(4 * (q + 1));
+        if (is_cubic) {
+            horner_cubic(row, 4, s[1], order, rows + i * ROW);
+        } else {
+            horner(row, q, 4, s[1], order, rows + i * ROW);
+        }
     }
-    combine(rows, p, s[0], u, 1, 0, order, h);
+    combine(rows, p, is_cubic, s[0], u, 1, 0, order, h);
     if (order > 0) {
-        combine(rows, p, s[0], u, b, 1, order - 1, h);
+        combine(rows, p, is_cubic, s[0], u, b, 1, order - 1, h);
     }
     if (order > 1) {
-        combine(rows, p, s[0], u, 2 * b * b, 2, order - 2, h);
+        combine(rows, p, is_cubic, s[0], u, 2 * b * b, 2, order - 2, h);
     }
     if (order > 2) {
-        combine(rows, p, s[0], u, 6 * b * b * b, 3, order - 3, h);
+        combine(rows, p, is_cubic, s[0], u, 6 * b * b * b, 3, order - 3, h);
     }
 }
 
@@ -221,17 +254,26 @@ void taut_carrier_cells_at(const taut_carrier_cells *cells, const int span[2], c
         inverse[d] = 1 / half;
         s[d] = (at[d] - (breaks[0] + half)) * inverse[d];
     }
+    const int is_cubic = cells->degree[0] == 3 && cells->degree[1] == 3;
     switch (order) {
     case 0:
-        evaluate(cells, list, s, inverse, 0, h);
+        evaluate(cells, list, s, inverse, 0, 0, h);
         break;
     case 1:
-        evaluate(cells, list, s, inverse, 1, h);
+        evaluate(cells, list, s, inverse, 1, 0, h);
         break;
     case 2:
-        evaluate(cells, list, s, inverse, 2, h);
+        if (is_cubic) {
+            evaluate(cells, list, s, inverse, 2, 1, h);
+        } else {
+            evaluate(cells, list, s, inverse, 2, 0, h);
+        }
         break;
     default:
-        evaluate(cells, list, s, inverse, 3, h);
+        if (is_cubic) {
+            evaluate(cells, list, s, inverse, 3, 1, h);
+        } else {
+            evaluate(cells, list, s, inverse, 3, 0, h);
+        }
     }
 }

@@ -23,13 +23,23 @@ static const struct {
         nearer; /* over the size: a step of Newton, and the one after it, in its last rounds */
 } limits = {1e-2, 0.1, 1e-12, 0.5, 1e-9, 1e-9, 1e-9, 1e-8, 1e-12, 2e-16, 1e-7, 1e-14};
 
+/* What steps from one state begin with, as events step from it again and again. */
+typedef struct launch {
+    int is_known;
+    taut_walk_state from;
+    double x[TAUT_CARRIER_VECTORS][3]; /* up to first derivatives */
+    double slope[TAUT_RUNGE_MAX];
+} launch;
+
 /* The system of a cell, and what went wrong last. */
 typedef struct cell_field {
     const taut_carrier *carrier;
     taut_linefield_kind kind;
+    int is_bare; /* u and v alone, not what is integrated along */
     const int *span;
     const double *tangent;
     taut_linefield_fault fault;
+    launch launch;
 } cell_field;
 
 /* (a, b) of a state, going its way; 0 where there is none, or it turned. */
@@ -57,10 +67,11 @@ static int direction_at(cell_field *field, const double x[TAUT_CARRIER_VECTORS][
     return fabs(cosine) >= limits.turn;
 }
 
-static int slope(void *context, const double *y, double *out)
+/* *x: the derivatives there. */
+static int slope_at(cell_field *field, const double *y, double x[TAUT_CARRIER_VECTORS][3],
+                    double *out)
 {
-    cell_field *field = context;
-    double x[TAUT_CARRIER_VECTORS][3], ab[2];
+    double ab[2];
     taut_form_pair forms;
 
     taut_carrier_at(field->carrier, field->span, y, 2, x);
@@ -70,6 +81,9 @@ static int slope(void *context, const double *y, double *out)
     }
     out[TAUT_WALK_U] = ab[0];
     out[TAUT_WALK_V] = ab[1];
+    if (field->is_bare && field->kind.net != TAUT_TRACE_GEODESIC) {
+        return 1;
+    }
     out[TAUT_WALK_TWIST] = fabs(taut_linefield_torsion(&forms, ab));
     out[TAUT_WALK_MEASURE] = taut_linefield_measure(field->kind.net, &forms);
     if (field->kind.net == TAUT_TRACE_GEODESIC) {
@@ -79,10 +93,36 @@ static int slope(void *context, const double *y, double *out)
     return 1;
 }
 
+static int slope(void *context, const double *y, double *out)
+{
+    double x[TAUT_CARRIER_VECTORS][3];
+    return slope_at(context, y, x, out);
+}
+
 static taut_runge system_of(cell_field *field)
 {
-    return (taut_runge){field->kind.net == TAUT_TRACE_GEODESIC ? TAUT_WALK_COUNT : TAUT_WALK_A,
-                        slope, field};
+    const int count = field->kind.net == TAUT_TRACE_GEODESIC ? TAUT_WALK_COUNT
+                      : field->is_bare                       ? TAUT_WALK_TWIST
+                                                             : TAUT_WALK_A;
+    return (taut_runge){count, slope, field};
+}
+
+static int is_same(const taut_walk_state *a, const taut_walk_state *b)
+{
+    return a->on == b->on && memcmp(a->y, b->y, sizeof a->y) == 0 &&
+           memcmp(a->span, b->span, sizeof a->span) == 0 &&
+           memcmp(a->tangent, b->tangent, sizeof a->tangent) == 0;
+}
+
+/* What is known of steps from a state; NULL where there is no slope. */
+static const launch *launch_of(cell_field *field, const taut_walk_state *from)
+{
+    launch *l = &field->launch;
+    if (!l->is_known || !is_same(&l->from, from)) {
+        l->from = *from;
+        l->is_known = slope_at(field, from->y, l->x, l->slope);
+    }
+    return l->is_known ? l : NULL;
 }
 
 /* The tangent of a state from its direction; geodesics are made of unit speed again. */
@@ -112,25 +152,23 @@ static int renew_tangent(cell_field *field, taut_walk_state *state)
 static int try_step(cell_field *field, const taut_walk_state *from, double h, taut_walk_state *to,
                     double *error)
 {
-    double first[TAUT_RUNGE_MAX], errors[2][TAUT_RUNGE_MAX], norms[2];
-    double x[TAUT_CARRIER_VECTORS][3];
+    double errors[2][TAUT_RUNGE_MAX], norms[2];
     const taut_runge system = system_of(field);
 
     field->span = from->span;
     field->tangent = from->tangent;
     *to = *from;
-    if (!slope(field, from->y, first) ||
-        !taut_runge_step(&system, from->y, first, h, to->y, errors)) {
+    const launch *first = launch_of(field, from);
+    if (first == NULL || !taut_runge_step(&system, from->y, first->slope, h, to->y, errors)) {
         return 0;
     }
     to->s = from->s + h;
-    taut_carrier_at(field->carrier, from->span, from->y, 1, x);
     for (int e = 0; e < 2; e++) {
         double vector[3];
-        taut_linefield_tangent((const double(*)[3])x, errors[e], vector);
+        taut_linefield_tangent((const double(*)[3])first->x, errors[e], vector);
         norms[e] = taut_length(vector);
         if (field->kind.net == TAUT_TRACE_GEODESIC) {
-            taut_linefield_tangent((const double(*)[3])x, errors[e] + TAUT_WALK_A, vector);
+            taut_linefield_tangent((const double(*)[3])first->x, errors[e] + TAUT_WALK_A, vector);
             norms[e] += field->carrier->size * taut_length(vector);
         }
     }
@@ -246,6 +284,7 @@ typedef struct follower {
     taut_walk *walk;
     cell_field field;
     taut_walk_state state;
+    taut_walk_state last; /* whose station is the last one */
     double h;
     double seed_x[3], seed_tangent[3];
 } follower;
@@ -276,11 +315,20 @@ static taut_status add_piece(follower *f, const taut_walk_state *to, int near_pa
         walk->pieces = pieces;
         walk->room = room;
     }
+    const taut_piece *before = walk->count > 0 ? &walk->pieces[walk->count - 1] : NULL;
     taut_piece *piece = &walk->pieces[walk->count++];
     *piece =
         (taut_piece){.start = f->state, .h = to->s - f->state.s, .near_parabolic = near_parabolic};
-    taut_walk_station(f->kind, &f->state, &piece->from);
+    if (f->options->is_bare) {
+        return TAUT_OK;
+    }
+    if (before != NULL && is_same(&f->last, &f->state)) {
+        piece->from = before->to;
+    } else {
+        taut_walk_station(f->kind, &f->state, &piece->from);
+    }
     taut_walk_station(f->kind, to, &piece->to);
+    f->last = *to;
     if (f->options->sink != NULL && walk->end != TAUT_END_SINK &&
         f->options->sink(f->options->context, piece)) {
         end_at(f, TAUT_END_SINK, to);
@@ -647,7 +695,9 @@ static taut_status finish_parabolic(follower *f, int *done)
         f->state = found.states[k];
     }
     if (*done && status == TAUT_OK) {
-        bend_at_end(f->walk, found.is_envelope);
+        if (!f->options->is_bare) {
+            bend_at_end(f->walk, found.is_envelope);
+        }
         end_at(f, found.is_envelope ? TAUT_END_ENVELOPE : TAUT_END_PARABOLIC, &f->state);
     }
     return status;
@@ -793,7 +843,7 @@ taut_status taut_follow(taut_linefield_kind kind, const taut_walk_state *start,
                   .kind = kind,
                   .options = options,
                   .walk = walk,
-                  .field = {.carrier = carrier, .kind = kind},
+                  .field = {.carrier = carrier, .kind = kind, .is_bare = options->is_bare},
                   .state = *start,
                   .h = limits.first * carrier->size};
     double x[TAUT_CARRIER_VECTORS][3];
@@ -809,5 +859,6 @@ taut_status taut_follow(taut_linefield_kind kind, const taut_walk_state *start,
                  : way != NULL       ? advance_straight(&f, way)
                                      : advance(&f);
     }
+    walk->last = f.state;
     return status;
 }

@@ -80,14 +80,16 @@ typedef struct taut_walk {
     int edges[2]; /* which edges it ends on: d and side as 2 d + side, -1 for none */
     double end_at[2];
     const taut_carrier *end_on;
+    taut_walk_state last; /* where it ended */
     taut_kink kinks[TAUT_KINKS_MAX];
     int kink_count;
     double drift; /* sum of the estimated errors */
 } taut_walk;
 
 typedef struct taut_follow_options {
-    double tolerance;            /* of a step, over the size */
-    double max_length;           /* in the carrier's unit */
+    double tolerance;  /* of a step, over the size */
+    double max_length; /* in the carrier's unit */
+    int is_bare; /* where it goes alone: no stations, no twist and measure, and nothing for a sink */
     const taut_monitor *monitor; /* asked at every step, or NULL */
     double done;                 /* what it is told: the share before this curve */
     int (*sink)(void *context, const taut_piece *piece); /* or NULL; nonzero: enough */

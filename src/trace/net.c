@@ -1,5 +1,6 @@
 #include "trace/net.h"
 
+#include "core/crew.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 #include "numeric/quadrature.h"
@@ -41,25 +42,45 @@ static taut_status make_room(taut_net *net)
     return TAUT_OK;
 }
 
-/* Is a lath of the family seeded there already? */
-static int is_seeded(const taut_net *net, int family, const double at[2])
+/* A place that is to have a lath, and what becomes of it. */
+typedef struct planned {
+    const taut_carrier *on;
+    int family;
+    double at[2];
+    const double *direction; /* of a geodesic, or NULL */
+    int both;
+    int seed;     /* whose curve must be there, or -1: the place may be left out */
+    int is_known; /* a lath goes through it already */
+    double x[3], along[3], tangent[3];
+    taut_linefield_fault fault;
+    taut_status status;
+    taut_lath lath;
+} planned;
+
+/* Is a lath of the family seeded there already, or is one of `count` that are planned? */
+static int is_seeded(const taut_net *net, const planned *list, int count, int family,
+                     const double x[3])
 {
-    double x[2][TAUT_CARRIER_VECTORS][3];
-    int span[2];
-    taut_carrier_cell(net->carrier, at, NULL, span);
-    taut_carrier_at(net->carrier, span, at, 0, x[0]);
-    for (int k = 0; k < net->count; k++) {
-        const taut_lath *lath = &net->laths[k];
-        if (lath->family == family && net->problem->net != TAUT_TRACE_GEODESIC &&
-            taut_length_between(lath->at_seed.x, x[0][0]) <= same_seed * net->carrier->size) {
+    const double room = same_seed * net->carrier->size;
+    for (int k = 0; net->problem->net != TAUT_TRACE_GEODESIC && k < net->count; k++) {
+        if (net->laths[k].family == family &&
+            taut_length_between(net->laths[k].at_seed.x, x) <= room) {
+            return 1;
+        }
+    }
+    for (int k = 0; net->problem->net != TAUT_TRACE_GEODESIC && k < count; k++) {
+        if (list[k].family == family && !list[k].is_known && list[k].fault == TAUT_LINEFIELD_FINE &&
+            taut_length_between(list[k].x, x) <= room) {
             return 1;
         }
     }
     return 0;
 }
 
-/* Which way the lath is to run: as the last one of its family, or with growing u (v if du = 0). */
-static void way_of(const taut_net *net, int family, const double at[2], double along[3])
+/* Which way the lath is to run: as the last one of its family, of `count` that are planned or else of the net, or with
+ * growing u (v if du = 0). */
+static void way_of(const taut_net *net, const planned *list, int count, int family,
+                   const double at[2], double along[3])
 {
     const taut_linefield_kind kind = {net->problem->net, family};
     const double up[3] = {0, 0, 0};
@@ -67,6 +88,12 @@ static void way_of(const taut_net *net, int family, const double at[2], double a
     taut_walk_state state;
     int span[2];
 
+    for (int k = count - 1; k >= 0; k--) {
+        if (list[k].family == family && !list[k].is_known && list[k].fault == TAUT_LINEFIELD_FINE) {
+            memcpy(along, list[k].tangent, 3 * sizeof(double));
+            return;
+        }
+    }
     for (int k = net->count - 1; k >= 0; k--) {
         if (net->laths[k].family == family) {
             memcpy(along, net->laths[k].seed_tangent, 3 * sizeof(double));
@@ -102,20 +129,121 @@ static taut_status too_many(double count, taut_error *error)
                      TAUT_TRACE_LATHS_MAX);
 }
 
-/* The lath of a family through a place. *fault: why there is none. */
-static taut_status add_lath(taut_net *net, int family, const double at[2], const double *direction,
-                            int both, taut_linefield_fault *fault, taut_error *error)
+/* What is known of place k of a list before it is followed. */
+static void plan(const taut_net *net, planned *list, int k)
 {
-    const taut_linefield_kind kind = {net->problem->net, family};
-    double along[3];
+    planned *p = &list[k];
+    const taut_linefield_kind kind = {net->problem->net, p->family};
+    double x[TAUT_CARRIER_VECTORS][3];
+    taut_walk_state state;
+    int span[2];
 
-    *fault = TAUT_LINEFIELD_FINE;
-    if (is_seeded(net, family, at)) {
+    taut_carrier_cell(p->on, p->at, NULL, span);
+    taut_carrier_at(p->on, span, p->at, 1, x);
+    memcpy(p->x, x[0], sizeof p->x);
+    p->is_known = is_seeded(net, list, k, p->family, p->x);
+    if (p->is_known) {
+        return;
+    }
+    if (taut_carrier_is_crease(p->on, p->at)) {
+        p->fault = TAUT_LINEFIELD_CREASE;
+        return;
+    }
+    if (p->direction != NULL) {
+        taut_linefield_tangent((const double(*)[3])x, p->direction, p->along);
+    } else {
+        way_of(net, list, k, p->family, p->at, p->along);
+    }
+    p->fault = taut_walk_start(p->on, kind, p->at, span, p->along, &state);
+    memcpy(p->tangent, state.tangent, sizeof p->tangent);
+}
+
+/* The threads that follow places of a list. */
+typedef struct followers {
+    const taut_net *net;
+    planned *list;
+    taut_arena **arenas; /* a worker's own */
+    taut_pulse *pulse;   /* of the first worker */
+} followers;
+
+static int tell_pulse(void *context, double done, const char *what)
+{
+    (void)done;
+    (void)what;
+    return taut_pulse_report(context) ? TAUT_STOP : TAUT_GO_ON;
+}
+
+static void follow_one(void *context, int worker, int64_t task)
+{
+    const followers *f = context;
+    planned *p = &f->list[task];
+    const taut_linefield_kind kind = {f->net->problem->net, p->family};
+    const taut_monitor monitor = {.progress = tell_pulse, .context = f->pulse};
+    taut_lath_options options = f->net->options;
+
+    options.follow.monitor = worker == 0 ? &monitor : NULL;
+    if (!p->is_known && p->fault == TAUT_LINEFIELD_FINE) {
+        p->status = taut_lath_trace(p->on, kind, p->at, p->along, p->both, &options,
+                                    f->arenas[worker], &p->lath, &p->fault);
+    }
+}
+
+static void free_arena(void *arena)
+{
+    taut_arena_free(arena);
+}
+
+/* All places of a list, each by one thread: the same laths for any number of them. */
+static taut_status follow_all(const taut_net *net, planned *list, int count)
+{
+    const int workers = taut_parallel_workers(net->threads, count);
+    taut_pulse pulse = {.monitor = net->options.follow.monitor,
+                        .what = "tracing",
+                        .done = net->options.follow.done};
+    const taut_crew crew = {.threads = net->threads, .pulse = &pulse};
+    followers f = {.net = net,
+                   .list = list,
+                   .arenas = taut_arena_take(net->arena, (size_t)workers, sizeof *f.arenas),
+                   .pulse = &pulse};
+    if (f.arenas == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    f.arenas[0] = net->arena;
+    for (int k = 1; k < workers; k++) {
+        f.arenas[k] = taut_arena_new();
+        if (!taut_arena_keep(net->arena, f.arenas[k], free_arena)) {
+            return TAUT_NO_MEMORY;
+        }
+    }
+    return taut_crew_run(&crew, workers, count, 0, follow_one, &f) ? TAUT_INTERRUPTED : TAUT_OK;
+}
+
+/* The lath that was followed from a place becomes one of the net. */
+static taut_status take_lath(taut_net *net, planned *p, taut_error *error)
+{
+    const taut_lath *lath = &p->lath;
+
+    if (p->status != TAUT_OK) {
+        return taut_fail_status(error, p->status);
+    }
+    if (p->is_known) {
         return TAUT_OK;
     }
-    if (taut_carrier_is_crease(net->carrier, at)) {
-        *fault = TAUT_LINEFIELD_CREASE;
+    if (p->seed >= 0 && (p->fault != TAUT_LINEFIELD_FINE || lath->count == 0)) {
+        return fault_of(net, p->seed, p->at, p->fault, error);
+    }
+    if (p->fault != TAUT_LINEFIELD_FINE) {
+        leave_out(net, p->family, p->at, p->fault, 0);
+    }
+    if (p->fault != TAUT_LINEFIELD_FINE || lath->count == 0) {
         return TAUT_OK;
+    }
+    for (int end = 0; end < 2; end++) {
+        if (lath->ended[end] == TAUT_END_STALLED) {
+            return taut_fail(error, TAUT_NOT_CONVERGED, "stalled", NULL, taut_none, taut_none,
+                             "a curve from (%.6g, %.6g) could not be followed beyond (%.6g, %.6g)",
+                             p->at[0], p->at[1], lath->ends[end][0], lath->ends[end][1]);
+        }
     }
     if (net->count >= TAUT_TRACE_LATHS_MAX) {
         return too_many(net->count, error);
@@ -123,35 +251,45 @@ static taut_status add_lath(taut_net *net, int family, const double at[2], const
     if (make_room(net) != TAUT_OK) {
         return taut_fail_memory(error);
     }
-    if (direction != NULL) {
-        double x[TAUT_CARRIER_VECTORS][3];
-        int span[2];
-        taut_carrier_cell(net->carrier, at, NULL, span);
-        taut_carrier_at(net->carrier, span, at, 1, x);
-        taut_linefield_tangent((const double(*)[3])x, direction, along);
-    } else {
-        way_of(net, family, at, along);
+    net->laths[net->count] = *lath;
+    snprintf(net->laths[net->count].name, sizeof lath->name, "%c%d",
+             letters[net->problem->net][p->family], ++net->of_family[p->family]);
+    net->count++;
+    return TAUT_OK;
+}
+
+/* The laths of the places of a list: followed all at once, taken in order. */
+static taut_status add_laths(taut_net *net, planned *list, int count, taut_error *error)
+{
+    const taut_carrier *here = net->carrier;
+
+    for (int k = 0; k < count; k++) {
+        net->carrier = list[k].on;
+        plan(net, list, k);
     }
-    taut_lath *lath = &net->laths[net->count];
-    const taut_status status = taut_lath_trace(net->carrier, kind, at, along, both, &net->options,
-                                               net->arena, lath, fault);
+    net->carrier = here;
+    taut_status status = follow_all(net, list, count);
     if (status != TAUT_OK) {
         return taut_fail_status(error, status);
     }
-    if (*fault != TAUT_LINEFIELD_FINE || lath->count == 0) {
-        return TAUT_OK;
+    for (int k = 0; status == TAUT_OK && k < count; k++) {
+        net->carrier = list[k].on;
+        status = take_lath(net, &list[k], error);
     }
-    for (int end = 0; end < 2; end++) {
-        if (lath->ended[end] == TAUT_END_STALLED) {
-            return taut_fail(error, TAUT_NOT_CONVERGED, "stalled", NULL, taut_none, taut_none,
-                             "a curve from (%.6g, %.6g) could not be followed beyond (%.6g, %.6g)",
-                             at[0], at[1], lath->ends[end][0], lath->ends[end][1]);
-        }
-    }
-    snprintf(lath->name, sizeof lath->name, "%c%d", letters[net->problem->net][family],
-             ++net->of_family[family]);
-    net->count++;
-    return TAUT_OK;
+    net->carrier = here;
+    return status;
+}
+
+/* Room for so many places; NULL where there is none. */
+static planned *new_list(const taut_net *net, int count)
+{
+    return taut_arena_take(net->arena, (size_t)count + 1, sizeof(planned));
+}
+
+/* One of several places: where there is no curve it is left out. */
+static planned place_of(const taut_carrier *on, int family, const double at[2])
+{
+    return (planned){.on = on, .family = family, .at = {at[0], at[1]}, .both = 1, .seed = -1};
 }
 
 /* A place that was reckoned: within the window, and on its border where rounding alone keeps it off, as a
@@ -164,26 +302,11 @@ static void hold_in_window(const taut_carrier *carrier, double at[2])
     }
 }
 
-/* One of several places: where there is no curve it is left out. */
-static taut_status add_or_leave(taut_net *net, int family, const double at[2], taut_error *error)
-{
-    taut_linefield_fault fault = TAUT_LINEFIELD_FINE;
-    const taut_status status = add_lath(net, family, at, NULL, 1, &fault, error);
-    if (status == TAUT_OK && fault != TAUT_LINEFIELD_FINE) {
-        leave_out(net, family, at, fault, 0);
-    }
-    return status;
-}
-
 /* The same of a place of a lath, which may lie on another surface. */
-static taut_status add_there(taut_net *net, int family, taut_station *at, taut_error *error)
+static planned place_on(taut_station *at, int family)
 {
-    const taut_carrier *here = net->carrier;
-    net->carrier = at->on;
     hold_in_window(at->on, at->at);
-    const taut_status status = add_or_leave(net, family, at->at, error);
-    net->carrier = here;
-    return status;
+    return place_of(at->on, family, at->at);
 }
 
 /* ---- seeds on lines ---- */
@@ -239,11 +362,14 @@ static taut_status seed_line(taut_net *net, const taut_trace_seed *seed, int fam
         leave_out(net, family, places + 2 * first, TAUT_LINEFIELD_FINE, 1);
         return TAUT_OK;
     }
-    taut_status status = TAUT_OK;
-    for (int k = first; status == TAUT_OK && k <= last; k++) {
-        status = add_or_leave(net, family, places + 2 * k, error);
+    planned *list = new_list(net, seed->count + 2);
+    if (list == NULL) {
+        return taut_fail_memory(error);
     }
-    return status;
+    for (int k = first; k <= last; k++) {
+        list[k - first] = place_of(net->carrier, family, places + 2 * k);
+    }
+    return add_laths(net, list, last - first + 1, error);
 }
 
 static taut_status seed_edge(taut_net *net, const taut_trace_seed *seed, int family, int index,
@@ -277,15 +403,15 @@ static taut_status seed_lath(taut_net *net, const taut_trace_seed *seed, int ind
     const double whole =
         seed->by == TAUT_TRACE_CONFORMAL ? net->laths[found].measure : net->laths[found].length;
     const int first = seed->ends ? 0 : 1, last = seed->ends ? seed->count + 1 : seed->count;
-    taut_status status = TAUT_OK;
-    for (int k = first; status == TAUT_OK && k <= last; k++) {
+    planned *list = new_list(net, seed->count + 2);
+    int count = 0;
+    for (int k = first; list != NULL && k <= last; k++) {
         taut_station at;
-        const taut_lath lath = net->laths[found];
-        if (taut_lath_at(kind, &lath, seed->by, whole * k / (seed->count + 1), &at)) {
-            status = add_there(net, other, &at, error);
+        if (taut_lath_at(kind, &net->laths[found], seed->by, whole * k / (seed->count + 1), &at)) {
+            list[count++] = place_on(&at, other);
         }
     }
-    return status;
+    return list != NULL ? add_laths(net, list, count, error) : taut_fail_memory(error);
 }
 
 /* ---- cells ---- */
@@ -482,7 +608,11 @@ static taut_status seed_border(taut_net *net, int family, taut_trace_by by, doub
                       taut_basis_span_count(net->carrier->basis[1]);
     const int pieces = 4 * BORDER_PIECES * (spans < 16 ? 1 : spans / 16);
     double sum = 0, t = start;
+    planned *one = new_list(net, 1);
 
+    if (one == NULL) {
+        return taut_fail_memory(error);
+    }
     if (start < 0) {
         return TAUT_OK;
     }
@@ -507,7 +637,8 @@ static taut_status seed_border(taut_net *net, int family, taut_trace_by by, doub
             double place[2], way[2];
             border_at(net->carrier, wrapped(at), place, way);
             if (!ends_near(net, family, at)) {
-                const taut_status status = add_or_leave(net, family, place, error);
+                *one = place_of(net->carrier, family, place);
+                const taut_status status = add_laths(net, one, 1, error);
                 if (status != TAUT_OK) {
                     return status;
                 }
@@ -526,7 +657,7 @@ static taut_status seed_lattice(taut_net *net, int family, const taut_lath *othe
 {
     const taut_linefield_kind kind = {net->problem->net, other->family};
     taut_station at;
-    taut_status status = TAUT_OK;
+    int count = 0;
 
     if (!taut_lath_at(kind, other, TAUT_TRACE_LENGTH, other->seed_s, &at)) {
         return TAUT_OK;
@@ -538,15 +669,16 @@ static taut_status seed_lattice(taut_net *net, int family, const taut_lath *othe
     if (!(highest - lowest < TAUT_TRACE_LATHS_MAX)) {
         return too_many(highest - lowest, error);
     }
-    for (double k = lowest; status == TAUT_OK && k <= highest; k++) {
+    planned *list = new_list(net, (int)(highest - lowest) + 1);
+    for (double k = lowest; list != NULL && k <= highest; k++) {
         const double target = fmin(fmax(middle + k * part, 0), whole);
         if (k == 0) {
-            status = add_or_leave(net, family, other->seed, error);
+            list[count++] = place_of(net->carrier, family, other->seed);
         } else if (taut_lath_at(kind, other, by, target, &at)) {
-            status = add_there(net, family, &at, error);
+            list[count++] = place_on(&at, family);
         }
     }
-    return status;
+    return list != NULL ? add_laths(net, list, count, error) : taut_fail_memory(error);
 }
 
 /* The two curves through the node, for measuring only. */
@@ -560,7 +692,7 @@ static taut_status cross_through(taut_net *net, const double at[2], int index, t
         const taut_linefield_kind kind = {net->problem->net, family};
         taut_linefield_fault fault = TAUT_LINEFIELD_FINE;
         double along[3];
-        way_of(net, family, at, along);
+        way_of(net, NULL, 0, family, at, along);
         const taut_status status = taut_lath_trace(net->carrier, kind, at, along, 1, &net->options,
                                                    net->arena, &through[family], &fault);
         if (status != TAUT_OK) {
@@ -692,22 +824,6 @@ static taut_status fault_of(const taut_net *net, int seed, const double at[2],
                      at[1]);
 }
 
-static taut_status seed_at(taut_net *net, const taut_trace_seed *seed, int family, int index,
-                           taut_error *error)
-{
-    const int before = net->count;
-    const int is_geodesic = net->problem->net == TAUT_TRACE_GEODESIC;
-    taut_linefield_fault fault = TAUT_LINEFIELD_FINE;
-    const int is_known = is_seeded(net, family, seed->at);
-    const taut_status status = add_lath(net, family, seed->at, is_geodesic ? seed->direction : NULL,
-                                        is_geodesic ? seed->both : 1, &fault, error);
-
-    if (status == TAUT_OK && net->count == before && !is_known) {
-        return fault_of(net, index, seed->at, fault, error);
-    }
-    return status;
-}
-
 /* The geodesic from one place to another. */
 static taut_status seed_between(taut_net *net, const taut_trace_seed *seed, int index,
                                 taut_error *error)
@@ -791,19 +907,6 @@ static taut_status check_seed(const taut_net *net, const taut_trace_seed *seed, 
     return status;
 }
 
-static taut_status seed_family(taut_net *net, const taut_trace_seed *seed, int family, int index,
-                               taut_error *error)
-{
-    switch (seed->kind) {
-    case TAUT_TRACE_AT:
-        return seed_at(net, seed, family, index, error);
-    case TAUT_TRACE_EDGE:
-        return seed_edge(net, seed, family, index, error);
-    default:
-        return seed_line(net, seed, family, index, seed->at, seed->to, error);
-    }
-}
-
 /* The surface that a seed lies on: the one that it names, or the one of the problem. */
 static taut_status choose_carrier(taut_net *net, const taut_trace_seed *seed, int index,
                                   const taut_carrier *usual, taut_error *error)
@@ -824,13 +927,17 @@ static taut_status choose_carrier(taut_net *net, const taut_trace_seed *seed, in
                      "no surface that curves are traced on has the name \"%.60s\"", seed->surface);
 }
 
+static int families_of(const taut_trace_problem *problem, const taut_trace_seed *seed)
+{
+    int families = problem->net == TAUT_TRACE_GEODESIC ? 1 : 3;
+    families &= problem->families != 0 ? problem->families : 3;
+    return families & (seed->family != 0 ? seed->family : 3);
+}
+
 static taut_status trace_seed(taut_net *net, const taut_trace_seed *seed, int index,
                               taut_error *error)
 {
-    const int is_geodesic = net->problem->net == TAUT_TRACE_GEODESIC;
-    int families = is_geodesic ? 1 : 3;
-    families &= net->problem->families != 0 ? net->problem->families : 3;
-    families &= seed->family != 0 ? seed->family : 3;
+    const int families = families_of(net->problem, seed);
     taut_status status = check_seed(net, seed, index, error);
 
     if (status != TAUT_OK) {
@@ -847,10 +954,46 @@ static taut_status trace_seed(taut_net *net, const taut_trace_seed *seed, int in
     }
     for (int family = 0; status == TAUT_OK && family < 2; family++) {
         if (families & (1 << family)) {
-            status = seed_family(net, seed, family, index, error);
+            status = seed->kind == TAUT_TRACE_EDGE
+                         ? seed_edge(net, seed, family, index, error)
+                         : seed_line(net, seed, family, index, seed->at, seed->to, error);
         }
     }
     return status;
+}
+
+/* Of seed `first` and those that follow it, as many as are single places: *next is the one behind. */
+static taut_status trace_places(taut_net *net, int first, const taut_carrier *home, int *next,
+                                taut_error *error)
+{
+    const taut_trace_problem *problem = net->problem;
+    const int is_geodesic = problem->net == TAUT_TRACE_GEODESIC;
+    planned *list = new_list(net, 2 * (problem->seed_count - first));
+    int count = 0, k = first;
+
+    if (list == NULL) {
+        return taut_fail_memory(error);
+    }
+    for (; k < problem->seed_count; k++) {
+        const taut_trace_seed *seed = &problem->seeds[k];
+        taut_error later = {.status = TAUT_OK};
+        if (seed->kind != TAUT_TRACE_AT || goes_to(net, seed) ||
+            choose_carrier(net, seed, k, home, &later) != TAUT_OK ||
+            check_seed(net, seed, k, &later) != TAUT_OK) {
+            break; /* what is wrong with it is said when it is its turn */
+        }
+        const int families = families_of(problem, seed);
+        for (int family = 0; family < 2; family++) {
+            if (families & (1 << family)) {
+                list[count] = place_of(net->carrier, family, seed->at);
+                list[count].direction = is_geodesic ? seed->direction : NULL;
+                list[count].both = !is_geodesic || seed->both;
+                list[count++].seed = k;
+            }
+        }
+    }
+    *next = k;
+    return add_laths(net, list, count, error);
 }
 
 static taut_status find_nodes(taut_net *net, taut_error *error)
@@ -876,7 +1019,15 @@ taut_status taut_net_trace(taut_net *net, const taut_monitor *monitor, taut_erro
     for (int k = 0; status == TAUT_OK && k < count; k++) {
         const taut_trace_seed *seed =
             net->problem->seed_count > 0 ? &net->problem->seeds[k] : &usual;
+        int next = k;
         net->options.follow.done = (double)k / count;
+        if (net->problem->seed_count > 0) {
+            status = trace_places(net, k, home, &next, error);
+        }
+        if (next > k) {
+            k = next - 1;
+            continue;
+        }
         status = choose_carrier(net, seed, k, home, error);
         if (status == TAUT_OK) {
             status = trace_seed(net, seed, k, error);

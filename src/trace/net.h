@@ -25,6 +25,7 @@ typedef struct taut_net {
     const taut_carrier *carrier;   /* the one that seeds are looked at on */
     const taut_trace_problem *problem;
     taut_lath_options options;
+    int threads; /* that curves are followed by; 0: 1 */
     taut_arena *arena;
     taut_lath *laths;
     int count, room, of_family[2];
@@ -33,7 +34,8 @@ typedef struct taut_net {
     int left_count;
 } taut_net;
 
-/* Fills a net whose carriers, carrier (the first one's), problem, options and arena are set. Errors as of taut_trace_make. */
+/* Fills a net whose carriers, carrier (the first one's), problem, options, threads and arena are set; the same for any
+ * number of threads. Errors as of taut_trace_make. */
 taut_status taut_net_trace(taut_net *net, const taut_monitor *monitor, taut_error *error);
 
 #endif /* TAUT_TRACE_NET_H */

@@ -8,6 +8,13 @@
 
 made_net net_make(const char *net, const char *surface, const char *members)
 {
+    return net_make_by(net, surface, members, 1);
+}
+
+made_net net_make_by(const char *net, const char *surface, const char *members, int threads)
+{
+    const taut_make_options options = {.threads = threads};
+    const taut_certify_options proof = {.threads = threads};
     made_net made = {.status = TAUT_OK};
     const size_t room = strlen(surface) + strlen(members) + 200;
     char *text = malloc(room);
@@ -20,10 +27,10 @@ made_net net_make(const char *net, const char *surface, const char *members)
                                 net, surface, members[0] != '\0' ? ", " : "", members);
     made.status = taut_problem_read_text(text, (size_t)length, "net", &made.problem, &made.error);
     if (made.status == TAUT_OK) {
-        made.status = taut_make(made.problem, NULL, &made.model, &made.error);
+        made.status = taut_make(made.problem, &options, &made.model, &made.error);
     }
     if (made.status == TAUT_OK) {
-        made.status = taut_certify(made.model, made.problem, NULL, &made.proof, &made.error);
+        made.status = taut_certify(made.model, made.problem, &proof, &made.proof, &made.error);
     }
     free(text);
     return made;

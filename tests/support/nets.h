@@ -29,6 +29,8 @@ typedef struct made_net {
 
 /* "trace": net, "of": surface (JSON), and the rest of the members, such as "\"seeds\": [...]". */
 made_net net_make(const char *net, const char *surface, const char *members);
+/* The same by so many threads. */
+made_net net_make_by(const char *net, const char *surface, const char *members, int threads);
 void net_free(made_net *made);
 
 /* A lath of details by its name, or NULL; and a number of it, of a list in it. */

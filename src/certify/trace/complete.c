@@ -83,18 +83,22 @@ static int crosses(const double a[2], const double b[2])
     return is_between(b[0], a[0], a[1]) != is_between(b[1], a[0], a[1]);
 }
 
-/* How often a pair stands in details.nodes. */
-static int count_of(const taut_record *nodes, const char *a, const char *b)
+/* Counts of nodes, counts[i * count + j], by the names of the two curves that theirs are made of: "A3B5", "A3B5.2". */
+static void count_nodes(const taut_net_lines *lines, const taut_record *nodes, int *counts)
 {
-    char name[2 * TAUT_NAME_MAX + 2], again[2 * TAUT_NAME_MAX + 3];
-    int count = 0;
-    const int length = snprintf(name, sizeof name, "%s%s", a, b);
-    snprintf(again, sizeof again, "%s.", name);
     for (size_t k = 0; k < taut_record_count(nodes); k++) {
         const char *node = taut_record_text(taut_record_get(taut_record_at(nodes, k), "node"));
-        count += strcmp(node, name) == 0 || strncmp(node, again, (size_t)length + 1) == 0;
+        for (int i = 0; i < lines->count; i++) {
+            const char *a = taut_curve_name(lines->lines[i].space);
+            const size_t first = strlen(a);
+            for (int j = 0; strncmp(node, a, first) == 0 && j < lines->count; j++) {
+                const char *b = taut_curve_name(lines->lines[j].space), *rest = node + first;
+                const size_t last = strlen(b);
+                counts[(size_t)i * (size_t)lines->count + (size_t)j] +=
+                    strncmp(rest, b, last) == 0 && (rest[last] == '\0' || rest[last] == '.');
+            }
+        }
     }
-    return count;
 }
 
 taut_status taut_net_complete_add(const taut_net_lines *lines, int is_proved, taut_arena *arena,
@@ -109,6 +113,7 @@ taut_status taut_net_complete_add(const taut_net_lines *lines, int is_proved, ta
                         .where = ""};
     char where[160];
     double wrong = 0, known = 0;
+    const size_t count = (size_t)lines->count;
 
     if (ends == NULL) {
         return TAUT_NO_MEMORY;
@@ -133,6 +138,11 @@ taut_status taut_net_complete_add(const taut_net_lines *lines, int is_proved, ta
             }
         }
     }
+    int *counts = taut_arena_take(arena, count * count, sizeof *counts);
+    if (counts == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    count_nodes(lines, nodes, counts);
     for (int i = 0; i < lines->count; i++) {
         for (int j = 0; j < lines->count; j++) {
             if (lines->lines[i].family != 0 || lines->lines[j].family != 1) {
@@ -140,7 +150,8 @@ taut_status taut_net_complete_add(const taut_net_lines *lines, int is_proved, ta
             }
             const char *a = taut_curve_name(lines->lines[i].space);
             const char *b = taut_curve_name(lines->lines[j].space);
-            const int found = count_of(nodes, a, b), wanted = crosses(ends[i], ends[j]);
+            const int found = counts[(size_t)i * count + (size_t)j];
+            const int wanted = crosses(ends[i], ends[j]);
             known += found;
             if (found != wanted && wrong == 0) {
                 snprintf(where, sizeof where, "%.60s and %.60s", a, b);

@@ -7,19 +7,18 @@
 #ifndef TAUT_CERTIFY_TRACE_COMPOSE_H
 #define TAUT_CERTIFY_TRACE_COMPOSE_H
 
-#include "certify/trace/lines.h"
+#include "certify/trace/cells.h"
+#include "certify/trace/spans.h"
 
-enum { TAUT_NET_COMPOSE_DEGREE = 120 }; /* 5 (p + q) at most */
+/* Room to work in, of one thread. */
+typedef struct taut_net_composer taut_net_composer;
 
-typedef struct taut_net_cells taut_net_cells;
+/* In the arena. TAUT_NO_MEMORY. */
+taut_status taut_net_composer_new(taut_arena *arena, taut_net_cells *cells,
+                                  taut_net_composer **composer);
 
-/* The cells of surfaces about 1 in size, their points moved by -origin. The arena's. TAUT_NO_MEMORY. */
-taut_status taut_net_cells_new(taut_arena *arena, int count, const taut_surface *const *surfaces,
-                               taut_net_cells **cells);
-
-/* A number that the distance of the curve in space, times 2^-unit, from its surface at the window's place exceeds
- * nowhere, rounding counted. INFINITY where nothing is proved: other knots than the window's, no polynomials, a
- * degree above that, or a cell that a span leaves. */
-double taut_net_compose_distance(taut_net_cells *cells, const taut_net_line *line, int unit);
+/* A number that the distance of the span in space from its surface at the window's place exceeds nowhere, rounding
+ * counted. INFINITY where nothing is proved: no polynomials, a degree above that, or a cell that the span leaves. */
+double taut_net_compose_distance(taut_net_composer *composer, const taut_net_span *span);
 
 #endif /* TAUT_CERTIFY_TRACE_COMPOSE_H */

@@ -12,11 +12,11 @@
 #ifndef TAUT_CERTIFY_TRACE_EVERYWHERE_H
 #define TAUT_CERTIFY_TRACE_EVERYWHERE_H
 
-#include "core/arena.h"
+#include "certify/trace/cells.h"
 #include "taut/trace.h"
 
-/* Is it proved? 0 too for surfaces with weights, and where the number of pieces is spent. net: asymptotic or
- * principal. Of a surface about 1 in size. TAUT_NO_MEMORY. */
-taut_status taut_net_everywhere(const taut_surface *surface, taut_trace_net net, int *is_proved);
+/* Is it proved of the first surface? 0 too for surfaces with weights, and where the number of pieces is spent. net:
+ * asymptotic or principal. TAUT_NO_MEMORY. */
+taut_status taut_net_everywhere(taut_net_cells *cells, taut_trace_net net, int *is_proved);
 
 #endif /* TAUT_CERTIFY_TRACE_EVERYWHERE_H */

@@ -19,6 +19,7 @@ enum { PIECES = 16 /* between two breaks */, NODES = 8, HALVINGS = 60 };
 static const double on_line = 1e-12, along = 1e-5;
 
 typedef struct line {
+    taut_net_cells *cells;
     const taut_surface *surface;
     taut_trace_net net;
     taut_trace_by by;
@@ -45,7 +46,7 @@ static double rate_at(const line *l, double t)
         return 1;
     }
     place_on(l, t, at);
-    if (taut_surface_forms_points(l->surface, 1, &at[0], &at[1], 1, &f) != TAUT_OK) {
+    if (!taut_net_cells_look(l->cells, 0, at, NULL, &f)) {
         return 0;
     }
     const double u = l->way[0], v = l->way[1];
@@ -139,7 +140,7 @@ static int is_wanted(const line *l, int family, double t)
     taut_forms f;
 
     place_on(l, t, at);
-    if (taut_surface_forms_points(l->surface, 1, &at[0], &at[1], 1, &f) != TAUT_OK || !f.regular) {
+    if (!taut_net_cells_look(l->cells, 0, at, NULL, &f) || !f.regular) {
         return 0;
     }
     const double square = f.mean * f.mean - f.gaussian, a = l->way[0], b = l->way[1];
@@ -244,13 +245,14 @@ static taut_status judge(const line *l, const taut_net_lines *lines, int family,
     return TAUT_OK;
 }
 
-static line line_of(const taut_surface *surface, const taut_trace_problem *problem,
+static line line_of(taut_net_cells *cells, const taut_trace_problem *problem,
                     const taut_trace_seed *seed)
 {
+    const taut_surface *surface = cells->surfaces[0];
     const taut_basis *bu = taut_surface_u(surface), *bv = taut_surface_v(surface);
     const double lo[2] = {taut_basis_lo(bu), taut_basis_lo(bv)};
     const double hi[2] = {taut_basis_hi(bu), taut_basis_hi(bv)};
-    line l = {.surface = surface, .net = problem->net, .by = seed->by};
+    line l = {.cells = cells, .surface = surface, .net = problem->net, .by = seed->by};
 
     for (int d = 0; d < 2; d++) {
         double from = seed->at[d], to = seed->to[d];
@@ -291,7 +293,7 @@ static int forms_on(const parted *p, double t, taut_forms *f)
             d == 0 ? taut_surface_u(p->l->surface) : taut_surface_v(p->l->surface);
         at[d] = fmin(fmax(at[d], taut_basis_lo(basis)), taut_basis_hi(basis));
     }
-    return taut_surface_forms_points(p->l->surface, 1, &at[0], &at[1], 1, f) == TAUT_OK;
+    return taut_net_cells_look(p->l->cells, 0, at, NULL, f);
 }
 
 static double rate_on(const parted *p, double t)
@@ -495,7 +497,7 @@ static taut_status judge_cells(const taut_net_lines *lines, const line *l,
     return TAUT_OK;
 }
 
-taut_status taut_net_spacing(const taut_net_lines *lines, const taut_surface *surface,
+taut_status taut_net_spacing(const taut_net_lines *lines, taut_net_cells *cells,
                              const taut_trace_problem *problem, taut_arena *arena, double *residual,
                              int *where)
 {
@@ -509,7 +511,7 @@ taut_status taut_net_spacing(const taut_net_lines *lines, const taut_surface *su
         const taut_trace_seed *seed = &problem->seeds[k];
         int families = seed->family != 0 ? seed->family : 3;
         families &= problem->families != 0 ? problem->families : 3;
-        line l = line_of(surface, problem, seed);
+        line l = line_of(cells, problem, seed);
         if (seed->kind == TAUT_TRACE_AT || problem->net == TAUT_TRACE_GEODESIC) {
             continue;
         }

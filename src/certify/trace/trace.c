@@ -34,6 +34,7 @@
 #include "certify/common/of.h"
 #include "certify/common/unit.h"
 #include "certify/common/verdict.h"
+#include "certify/trace/cells.h"
 #include "certify/trace/complete.h"
 #include "certify/trace/compose.h"
 #include "certify/trace/everywhere.h"
@@ -54,7 +55,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { PLACES = 8, NODES = 16 };
+enum { PLACES = 8, NODES = 16, QUINTIC = TAUT_NET_QUINTIC };
 static const double tolerance_default = 1e-6, net_limit = 1e-6, length_limit = 1e-9,
                     ends_limit = 1e-9, crease_limit = 1e-9, spacing_limit = 1e-9,
                     isometric_limit = 1e-9;
@@ -70,7 +71,8 @@ typedef struct request {
     const taut_surface **surfaces; /* [lines.surface_count], scaled; the arena's */
     const taut_surface *surface;   /* the first one */
     taut_net_seams seams;          /* where they join */
-    taut_net_cells *cells;         /* their polynomials */
+    taut_net_cells *cells;         /* their polynomials, of one thread */
+    taut_net_composer *composer;   /* as well */
     int unit;
     double size;                /* of it */
     double roundest;            /* the largest R of a grid */
@@ -106,15 +108,10 @@ static void take(worst *w, double residual, const char *name, double t)
     w->residual = larger;
 }
 
-/* 0 where the curve's stretches in the window do not reach t, or leave the window. */
-static int place_at(const request *r, const taut_net_line *line, double t, place *p)
+/* The place of c[0] with derivatives c[1], c[2], all times 2^-unit, over p->at on p->on; 0 where that leaves the
+ * window. */
+static int fill_place(const request *r, const double c[3][3], place *p)
 {
-    double c[3][3];
-
-    taut_curve_eval(line->space, t, 2, c[0]);
-    if (!taut_net_line_window(line, t, p->at, &p->on)) {
-        return 0;
-    }
     const taut_surface *surface = r->surfaces[p->on];
     const taut_basis *basis[2] = {taut_surface_u(surface), taut_surface_v(surface)};
     for (int d = 0; d < 2; d++) {
@@ -125,22 +122,35 @@ static int place_at(const request *r, const taut_net_line *line, double t, place
         }
         p->at[d] = fmin(fmax(p->at[d], lo), hi);
     }
-    if (taut_surface_eval(surface, p->at[0], p->at[1], 1, p->s[0]) != TAUT_OK ||
-        taut_surface_forms_points(surface, 1, &p->at[0], &p->at[1], 1, &p->forms) != TAUT_OK) {
+    if (!taut_net_cells_look(r->cells, p->on, p->at, p->s, &p->forms)) {
         return 0;
     }
-    p->speed = taut_norm(c[1]);
+    p->speed = taut_length(c[1]);
     const double along = taut_dot(c[2], c[1]) / (p->speed * p->speed);
     for (int k = 0; k < 3; k++) {
-        p->x[k] = ldexp(c[0][k], -r->unit);
+        p->x[k] = c[0][k];
         p->tangent[k] = c[1][k] / p->speed;
-        p->second[k] = ldexp((c[2][k] - along * c[1][k]) / (p->speed * p->speed), r->unit);
+        p->second[k] = (c[2][k] - along * c[1][k]) / (p->speed * p->speed);
     }
     const double a = taut_dot(p->tangent, p->s[1]), b = taut_dot(p->tangent, p->s[2]);
     const double area = p->forms.w * p->forms.w;
     p->ab[0] = (p->forms.g * a - p->forms.f * b) / area;
     p->ab[1] = (p->forms.e * b - p->forms.f * a) / area;
     return 1;
+}
+
+/* 0 where the curve's stretches in the window do not reach t, or leave the window. */
+static int place_at(const request *r, const taut_net_line *line, double t, place *p)
+{
+    const double scale = ldexp(1, -r->unit);
+    double c[3][3];
+
+    taut_curve_eval(line->space, t, 2, c[0]);
+    for (int k = 0; k < 3; k++) {
+        c[0][k] *= scale; /* the parameter is a length too */
+        c[2][k] /= scale;
+    }
+    return taut_net_line_window(line, t, p->at, &p->on) && fill_place(r, (const double(*)[3])c, p);
 }
 
 static double radius_of(const taut_forms *f)
@@ -192,9 +202,66 @@ typedef struct found {
     int is_proved, is_bounded; /* the net's claim exactly, the distance by a bound */
 } found;
 
-/* One span of a curve, from a to b. */
-static void look_at_span(const request *r, const taut_net_line *line, double a, double b,
-                         const double clear[2], found *f)
+/* Bernstein's polynomials of degrees 5, 4 and 3 at the PLACES of a span, and of degree 4 at Gauss's nodes. */
+typedef struct tables {
+    double five[PLACES][QUINTIC + 1], four[PLACES][QUINTIC], three[PLACES][QUINTIC - 1];
+    double nodes[NODES], weights[NODES], speed[NODES][QUINTIC];
+} tables;
+
+static void bernstein(int degree, double t, double *b)
+{
+    b[0] = 1;
+    for (int n = 1; n <= degree; n++) {
+        b[n] = t * b[n - 1];
+        for (int i = n - 1; i > 0; i--) {
+            b[i] = (1 - t) * b[i] + t * b[i - 1];
+        }
+        b[0] = (1 - t) * b[0];
+    }
+}
+
+static void fill_tables(tables *t)
+{
+    taut_gauss_rule(NODES, t->nodes, t->weights);
+    for (int k = 0; k < NODES; k++) {
+        bernstein(QUINTIC - 1, (1 + t->nodes[k]) / 2, t->speed[k]);
+    }
+    for (int k = 0; k < PLACES; k++) {
+        bernstein(QUINTIC, (k + 0.5) / PLACES, t->five[k]);
+        bernstein(QUINTIC - 1, (k + 0.5) / PLACES, t->four[k]);
+        bernstein(QUINTIC - 2, (k + 0.5) / PLACES, t->three[k]);
+    }
+}
+
+/* Place k of a span. */
+static int place_of(const request *r, const tables *t, const taut_net_span *span, int k, place *p)
+{
+    const double h = ldexp(span->to - span->from, -r->unit);
+    double c[3][3] = {{0}};
+
+    p->on = span->on;
+    p->at[0] = p->at[1] = 0;
+    for (int i = 0; i <= QUINTIC; i++) {
+        p->at[0] += t->five[k][i] * span->window[i][0];
+        p->at[1] += t->five[k][i] * span->window[i][1];
+        for (int d = 0; d < 3; d++) {
+            const double *x = &span->space[i][d]; /* [j][3] */
+            c[0][d] += t->five[k][i] * x[0];
+            c[1][d] += i < QUINTIC ? t->four[k][i] * (x[3] - x[0]) : 0;
+            c[2][d] += i < QUINTIC - 1 ? t->three[k][i] * ((x[6] - x[3]) - (x[3] - x[0])) : 0;
+        }
+    }
+    for (int d = 0; d < 3; d++) {
+        c[1][d] *= QUINTIC / h;
+        c[2][d] *= QUINTIC * (QUINTIC - 1) / (h * h);
+    }
+    return fill_place(r, (const double(*)[3])c, p);
+}
+
+/* One span of a curve, from a to b; span: its coefficients, or NULL. */
+static void look_at_span(const request *r, const taut_net_line *line, const tables *rules,
+                         const taut_net_span *span, double a, double b, const double clear[2],
+                         found *f)
 {
     const char *name = taut_curve_name(line->space);
     double away[3];
@@ -202,7 +269,7 @@ static void look_at_span(const request *r, const taut_net_line *line, double a, 
 
     for (int k = 0; k < PLACES; k++) {
         const double t = a + (b - a) * (k + 0.5) / PLACES;
-        if (!place_at(r, line, t, &p)) {
+        if (span != NULL ? !place_of(r, rules, span, k, &p) : !place_at(r, line, t, &p)) {
             take(&f->distance, INFINITY, name, t);
             continue;
         }
@@ -214,40 +281,48 @@ static void look_at_span(const request *r, const taut_net_line *line, double a, 
     }
 }
 
-/* Integrals over a whole curve: its length, and of geodesics int |k_g| ds. */
-static void integrate(const request *r, const taut_net_line *line, found *f)
+/* The length of a span. */
+static double length_of(const request *r, const taut_net_line *line, const tables *rules,
+                        const taut_net_span *span, double a, double b)
 {
-    const taut_basis *basis = taut_curve_t(line->space);
-    const double *breaks = taut_basis_breaks(basis);
-    const char *name = taut_curve_name(line->space);
-    double nodes[NODES], weights[NODES], length = 0, turn = 0;
-
-    taut_gauss_rule(NODES, nodes, weights);
-    for (int i = 0; i < taut_basis_span_count(basis); i++) {
-        const double half = (breaks[i + 1] - breaks[i]) / 2, middle = breaks[i] + half;
-        for (int k = 0; k < NODES; k++) {
-            double c[2][3];
-            place p;
-            const double t = middle + half * nodes[k];
-            taut_curve_eval(line->space, t, 1, c[0]);
-            length += weights[k] * half * taut_norm(c[1]);
-            if (r->lines.net == TAUT_TRACE_GEODESIC) {
-                turn += place_at(r, line, t, &p)
-                            ? weights[k] * ldexp(half, -r->unit) * residual_of(r, line, &p)
-                            : INFINITY;
+    double sum = 0, scale = (b - a) / 2;
+    for (int k = 0; k < NODES; k++) {
+        double c[2][3] = {{0}};
+        if (span == NULL) {
+            taut_curve_eval(line->space, a + (b - a) * (1 + rules->nodes[k]) / 2, 1, c[0]);
+        }
+        for (int i = 0; span != NULL && i < QUINTIC; i++) {
+            for (int d = 0; d < 3; d++) {
+                c[1][d] += rules->speed[k][i] * (span->space[i + 1][d] - span->space[i][d]);
             }
         }
+        sum += rules->weights[k] * taut_length(c[1]);
     }
-    take(&f->length, fabs(length - line->length) / line->length, name, breaks[0]);
-    if (r->lines.net == TAUT_TRACE_GEODESIC) {
-        take(&f->net, turn, name, breaks[0]);
+    if (span != NULL) {
+        scale = ldexp(QUINTIC, r->unit) / 2;
     }
+    return sum * scale;
 }
 
-/* How far the curve is from the surface at most, of all places. */
-static void bound_distance(const request *r, const taut_net_line *line, found *f)
+/* int |k_g| ds of a geodesic over a span. */
+static double turn_of(const request *r, const taut_net_line *line, const tables *rules, double a,
+                      double b)
 {
-    const double distance = taut_net_compose_distance(r->cells, line, r->unit) / r->size;
+    double turn = 0;
+    for (int k = 0; k < NODES; k++) {
+        place p;
+        const double t = a + (b - a) * (1 + rules->nodes[k]) / 2;
+        turn += place_at(r, line, t, &p)
+                    ? rules->weights[k] * ldexp((b - a) / 2, -r->unit) * residual_of(r, line, &p)
+                    : INFINITY;
+    }
+    return turn;
+}
+
+/* How far the curve is from the surface at most, of all places: `most` of its spans. */
+static void bound_distance(const request *r, const taut_net_line *line, double most, found *f)
+{
+    const double distance = most / r->size;
     f->is_bounded &= distance <= r->tolerance;
     if (distance <= r->tolerance) {
         take(&f->distance, distance, taut_curve_name(line->space), 0);
@@ -259,14 +334,7 @@ static void bound_distance(const request *r, const taut_net_line *line, found *f
 static void prove_straight(const request *r, const taut_net_line *line, found *f)
 {
     double way[2];
-    const int has_ways =
-        r->lines.net == TAUT_TRACE_ASYMPTOTIC || r->lines.net == TAUT_TRACE_PRINCIPAL;
 
-    if (!r->straight.is_known || !has_ways) {
-        f->is_proved = 0;
-        bound_distance(r, line, f);
-        return;
-    }
     taut_net_straight_way(&r->straight, r->lines.net, line->family, way);
     const double angle = taut_net_straight_residual(line, way);
     const double distance =
@@ -285,16 +353,39 @@ static void look_at_line(const request *r, const taut_net_line *line, found *f)
 {
     const taut_basis *basis = taut_curve_t(line->space);
     const double *breaks = taut_basis_breaks(basis);
-    const int spans = taut_basis_span_count(basis);
+    const int spans = taut_basis_span_count(basis), is_quintic = taut_net_line_is_quintic(line);
+    const int is_geodesic = r->lines.net == TAUT_TRACE_GEODESIC;
+    const int is_straight = r->straight.is_known && (r->lines.net == TAUT_TRACE_ASYMPTOTIC ||
+                                                     r->lines.net == TAUT_TRACE_PRINCIPAL);
     const double room = near_end * r->lines.size;
     const double clear[2] = {is_soft(r, line, breaks[0]) ? breaks[0] + room : -INFINITY,
                              is_soft(r, line, breaks[spans]) ? breaks[spans] - room : INFINITY};
+    double length = 0, turn = 0, most = 0;
+    tables rules;
 
+    fill_tables(&rules);
     for (int i = 0; i < spans; i++) {
-        look_at_span(r, line, breaks[i], breaks[i + 1], clear, f);
+        const double a = breaks[i], b = breaks[i + 1];
+        taut_net_span span;
+        const int is_known = is_quintic && taut_net_span_of(line, i, r->unit, &span);
+        look_at_span(r, line, &rules, is_known ? &span : NULL, a, b, clear, f);
+        length += length_of(r, line, &rules, is_known ? &span : NULL, a, b);
+        turn += is_geodesic ? turn_of(r, line, &rules, a, b) : 0;
+        if (!is_straight && most < INFINITY) {
+            most = is_known ? fmax(most, taut_net_compose_distance(r->composer, &span)) : INFINITY;
+        }
     }
-    integrate(r, line, f);
-    prove_straight(r, line, f);
+    take(&f->length, fabs(length - line->length) / line->length, taut_curve_name(line->space),
+         breaks[0]);
+    if (is_geodesic) {
+        take(&f->net, turn, taut_curve_name(line->space), breaks[0]);
+    }
+    if (is_straight) {
+        prove_straight(r, line, f);
+    } else {
+        f->is_proved = 0;
+        bound_distance(r, line, most, f);
+    }
 }
 
 static taut_status add(taut_certificate *certificate, const char *name, taut_claim_kind kind,
@@ -584,7 +675,7 @@ static taut_status add_spacing(const request *r, taut_arena *arena, taut_certifi
     worst w = {0, ""};
     int seed = 0;
     const taut_status status =
-        taut_net_spacing(&r->lines, r->surface, r->problem, arena, &w.residual, &seed);
+        taut_net_spacing(&r->lines, r->cells, r->problem, arena, &w.residual, &seed);
     if (status != TAUT_OK || w.residual < 0) {
         return status;
     }
@@ -666,23 +757,87 @@ static taut_status add_complete(const request *r, taut_arena *arena, taut_certif
 
     if (!is_proved && r->lines.surface_count == 1 &&
         (net == TAUT_TRACE_ASYMPTOTIC || net == TAUT_TRACE_PRINCIPAL)) {
-        status = taut_net_everywhere(r->surface, net, &is_proved);
+        status = taut_net_everywhere(r->cells, net, &is_proved);
     }
     return status == TAUT_OK ? taut_net_complete_add(&r->lines, is_proved, arena, certificate)
                              : status;
 }
 
+/* ---- all curves, each by one thread ---- */
+
+typedef struct lookers {
+    const request *r;
+    request *own; /* a worker's: cells and composer of its own */
+    found *found; /* a curve's */
+} lookers;
+
+static void look_at(void *context, int worker, int64_t task)
+{
+    const lookers *all = context;
+    look_at_line(&all->own[worker], &all->r->lines.lines[task], &all->found[task]);
+}
+
+static void free_arena(void *arena)
+{
+    taut_arena_free(arena);
+}
+
+static void merge(worst *all, const worst *one)
+{
+    const double larger = taut_certify_max(all->residual, one->residual);
+    if (one->where[0] != '\0' && (all->where[0] == '\0' || !(larger == all->residual))) {
+        memcpy(all->where, one->where, sizeof all->where);
+    }
+    all->residual = larger;
+}
+
+static taut_status look_at_lines(const request *r, taut_arena *arena, found *f)
+{
+    const int workers = taut_crew_workers(r->crew, r->lines.count);
+    lookers all = {.r = r,
+                   .own = taut_arena_take(arena, (size_t)workers, sizeof *all.own),
+                   .found = taut_arena_take(arena, (size_t)r->lines.count, sizeof *all.found)};
+    taut_status status = taut_arena_status(arena);
+
+    for (int k = 0; status == TAUT_OK && k < workers; k++) {
+        taut_arena *scratch = k == 0 ? arena : taut_arena_new();
+        all.own[k] = *r;
+        if (k > 0 && (scratch == NULL || !taut_arena_keep(arena, scratch, free_arena) ||
+                      taut_net_cells_new(scratch, r->lines.surface_count, r->surfaces,
+                                         &all.own[k].cells) != TAUT_OK)) {
+            return TAUT_NO_MEMORY;
+        }
+        status = taut_net_composer_new(scratch, all.own[k].cells, &all.own[k].composer);
+    }
+    for (int k = 0; status == TAUT_OK && k < r->lines.count; k++) {
+        all.found[k] = (found){.is_proved = 1, .is_bounded = 1};
+    }
+    if (status == TAUT_OK &&
+        taut_crew_run(r->crew, workers, r->lines.count, TAUT_PULSE_WORK, look_at, &all)) {
+        return TAUT_INTERRUPTED;
+    }
+    for (int k = 0; status == TAUT_OK && k < workers; k++) {
+        status = taut_arena_status(all.own[k].cells->arena);
+    }
+    *f = (found){.is_proved = 1, .is_bounded = 1};
+    for (int k = 0; status == TAUT_OK && k < r->lines.count; k++) {
+        merge(&f->distance, &all.found[k].distance);
+        merge(&f->net, &all.found[k].net);
+        merge(&f->length, &all.found[k].length);
+        f->is_proved &= all.found[k].is_proved;
+        f->is_bounded &= all.found[k].is_bounded;
+    }
+    return status;
+}
+
 static taut_status prove(const request *r, taut_arena *arena, taut_certificate *certificate)
 {
     static const char *const names[] = {"asymptotic", "principal", "geodesic", "isoparametric"};
-    found f = {.is_proved = 1, .is_bounded = 1};
-    taut_status status = TAUT_OK;
+    found f;
+    taut_status status = look_at_lines(r, arena, &f);
 
-    for (int k = 0; k < r->lines.count; k++) {
-        look_at_line(r, &r->lines.lines[k], &f);
-        if (taut_crew_beat(r->crew, TAUT_PULSE_WORK)) {
-            return TAUT_INTERRUPTED;
-        }
+    if (status != TAUT_OK) {
+        return status;
     }
     status = add(certificate, "on-surface", f.is_bounded ? TAUT_BOUND : TAUT_CHECK, &f.distance,
                  r->tolerance);

@@ -1,8 +1,8 @@
 #include "construct/trace/details.h"
 
+#include "construct/trace/summary.h"
 #include "core/constants.h"
 #include "core/vec3.h"
-#include "trace/bending.h"
 #include "trace/panel.h"
 #include "trace/singular.h"
 #include "trace/straight.h"
@@ -16,34 +16,6 @@ static const char *const families[4][2] = {{"+", "-"}, {"max", "min"}, {"G", "G"
 static const char *const edges[] = {"u0", "u1", "v0", "v1"};
 /* A kink is worth a warning from this angle on. */
 static const double kink_warning = 1e-6;
-
-/* ---- what a lath does between its stations ---- */
-
-typedef struct summary {
-    double turn;
-    taut_lath_most most[TAUT_BENDINGS];
-} summary;
-
-static double size_of(const taut_lath_bending *bending, const void *which)
-{
-    return fabs(bending->value[*(const int *)which]);
-}
-
-static void sum_segment(const taut_net *net, const taut_lath *lath, const taut_segment *segment,
-                        summary *s)
-{
-    const taut_linefield_kind kind = {net->problem->net, lath->family};
-    const double length = segment->to.s - segment->from.s;
-    taut_lath_samples samples;
-
-    taut_lath_bending_sample(kind, segment, &samples);
-    for (int i = 1; i <= TAUT_BENDING_NODES; i++) {
-        s->turn += samples.weight[i] * length * fabs(samples.at[i].value[TAUT_K_G]);
-    }
-    for (int k = 0; k < TAUT_BENDINGS; k++) {
-        taut_lath_take_most(&samples, size_of, &k, 0, &s->most[k]);
-    }
-}
 
 /* ---- records ---- */
 
@@ -183,19 +155,15 @@ static void add_passed(const taut_net *net, const taut_lath *lath, taut_record *
     }
 }
 
-static void describe_lath(const taut_net *net, int index, const taut_strip *strip,
-                          taut_record *list)
+static void describe_lath(const taut_net *net, int index, const taut_lath_summary *s,
+                          const taut_strip *strip, taut_record *list)
 {
     const taut_lath *lath = &net->laths[index];
     const int scale = net->carrier->scale;
     taut_record *at = taut_record_add_object(list, NULL);
-    summary s = {0};
     const double seed[TAUT_BENDINGS] = {lath->at_seed.k_n, lath->at_seed.k_g, lath->at_seed.tau_g};
     static const char *const names[] = {"k_n", "k_g", "tau_g"};
 
-    for (int k = 0; k < lath->count; k++) {
-        sum_segment(net, lath, &lath->segments[k], &s);
-    }
     taut_record_add_text(at, "name", lath->name);
     taut_record_add_text(at, "family", families[net->problem->net][lath->family]);
     taut_record_add_numbers(at, "seed", 2, lath->seed);
@@ -208,14 +176,14 @@ static void describe_lath(const taut_net *net, int index, const taut_strip *stri
     add_ended(lath, 1, ended);
     taut_record_add_number(at, "length", ldexp(lath->length, scale));
     taut_record_add_number(at, "twist", lath->twist);
-    taut_record_add_number(at, "turn", s.turn);
+    taut_record_add_number(at, "turn", s->turn);
     taut_record_add_number(at, "steps", lath->steps);
     add_nodes_of(net, index, at);
     for (int k = 0; k < TAUT_BENDINGS; k++) {
         taut_record *bending = taut_record_add_object(at, names[k]);
         taut_record_add_number(bending, "seed", ldexp(seed[k], -scale));
-        taut_record_add_number(bending, "max", ldexp(s.most[k].value, -scale));
-        taut_record_add_number(bending, "max_at", ldexp(s.most[k].at, scale));
+        taut_record_add_number(bending, "max", ldexp(s->most[k].value, -scale));
+        taut_record_add_number(bending, "max_at", ldexp(s->most[k].at, scale));
     }
     if (strip != NULL) {
         describe_strip(net, strip, at);
@@ -289,60 +257,6 @@ static double mean_share(const taut_net *net)
         sum += hyperbolic_share(net->carriers[k]);
     }
     return sum / net->carrier_count;
-}
-
-/* How far an end of a curve, its first (0) or its last one, is from where the curve ends that is followed at a hundredth of the
- * tolerance. */
-static double drift_at(const taut_net *net, const taut_lath *lath, int end, taut_arena *arena)
-{
-    const taut_linefield_kind kind = {net->problem->net, lath->family};
-    const taut_carrier *carrier = lath->at_seed.on;
-    const double sign = end == 1 ? 1 : -1, *t = lath->seed_tangent;
-    const double along[3] = {sign * t[0], sign * t[1], sign * t[2]};
-    const double length = end == 1 ? lath->length - lath->seed_s : lath->seed_s;
-    const double *there =
-        end == 1 ? lath->segments[lath->count - 1].to.x : lath->segments[0].from.x;
-    taut_follow_options options = net->options.follow;
-    taut_walk *walk = taut_arena_take(arena, 1, sizeof *walk);
-    taut_walk_state state;
-    int span[2];
-
-    options.tolerance /= 100;
-    options.monitor = NULL; /* as long as the net took, which is done */
-    if (lath->ended[end] == TAUT_END_SEED || lath->ended[end] == TAUT_END_LENGTH) {
-        options.max_length = length; /* it does not end by itself */
-    }
-    taut_carrier_cell(carrier, lath->seed, NULL, span);
-    if (walk == NULL || !(length > 0) || taut_straight_way(carrier, kind) != NULL ||
-        taut_walk_start(carrier, kind, lath->seed, span, along, &state) != TAUT_LINEFIELD_FINE) {
-        return 0;
-    }
-    taut_carrier_cell(carrier, lath->seed, state.y + TAUT_WALK_A, span);
-    if (taut_walk_start(carrier, kind, lath->seed, span, along, &state) != TAUT_LINEFIELD_FINE ||
-        taut_follow(kind, &state, &options, arena, walk) != TAUT_OK || walk->count == 0) {
-        return 0;
-    }
-    return taut_length_between(walk->pieces[walk->count - 1].to.x, there);
-}
-
-/* The largest: how far a curve may be from the one through its seed. */
-static taut_status drift_of(const taut_net *net, double *drift)
-{
-    double most = 0;
-    for (int k = 0; k < net->count; k++) {
-        const taut_lath *lath = &net->laths[k];
-        taut_arena *arena = taut_arena_new();
-        for (int end = 0; arena != NULL && end < 2; end++) {
-            most = fmax(most, drift_at(net, lath, end, arena));
-        }
-        const taut_status status = arena != NULL ? taut_arena_status(arena) : TAUT_NO_MEMORY;
-        taut_arena_free(arena);
-        if (status != TAUT_OK) {
-            return status;
-        }
-    }
-    *drift = ldexp(most, net->carrier->scale);
-    return TAUT_OK;
 }
 
 static void describe_singular(const taut_net *net, taut_record *details)
@@ -482,21 +396,27 @@ static void warn_of_longer(const taut_net *net, taut_record *warnings)
 
 taut_status taut_trace_describe(const taut_net *net, const taut_strip *strips, taut_record *details)
 {
+    taut_lath_summary *summaries = NULL;
+    taut_status status = taut_lath_summaries_new(net, &summaries);
+    double drift = 0;
+
+    if (status != TAUT_OK) {
+        return status;
+    }
     taut_record_add_text(details, "trace", nets[net->problem->net]);
     taut_record *laths = taut_record_add_list(details, "laths");
     for (int k = 0; k < net->count; k++) {
-        describe_lath(net, k, strips != NULL ? &strips[k] : NULL, laths);
+        describe_lath(net, k, &summaries[k], strips != NULL ? &strips[k] : NULL, laths);
+        drift = fmax(drift, summaries[k].drift);
     }
     taut_record *nodes = taut_record_add_list(details, "nodes");
     for (int k = 0; k < net->nodes.count; k++) {
         describe_node(net, &net->nodes.list[k], nodes);
     }
     taut_record_add_number(details, "hyperbolic_share", mean_share(net));
-    double drift = 0;
-    taut_status status = drift_of(net, &drift);
-    taut_record_add_number(details, "drift", drift);
+    taut_record_add_number(details, "drift", ldexp(drift, net->carrier->scale));
     describe_singular(net, details);
-    status = status == TAUT_OK ? describe_panels(net, details) : status;
+    status = describe_panels(net, details);
     describe_left_out(net, details);
     describe_kinks(net, details);
     taut_record *warnings = taut_record_add_list(details, "warnings");

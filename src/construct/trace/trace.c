@@ -221,7 +221,7 @@ static taut_status build(void *context, taut_arena *arena, taut_model *model, ta
     const request *r = context;
     const taut_model *of = NULL;
     taut_atlas atlas;
-    taut_net net = {.problem = r->problem, .arena = arena};
+    taut_net net = {.problem = r->problem, .arena = arena, .threads = r->options->threads};
     taut_status status =
         taut_construct_of(r->problem->model, r->problem->of, r->options, arena, &of, error);
 

@@ -275,18 +275,117 @@ static void test_everywhere(void)
             taut_basis_new(&spec, 4 - d, &bases[d], NULL);
         }
         taut_surface_new("s", bases[0], bases[1], points[0][0], NULL, &surface, NULL);
+        const taut_surface *surfaces[1] = {surface};
+        taut_arena *arena = taut_arena_new();
+        taut_net_cells *cells = NULL;
+        taut_net_cells_new(arena, 1, surfaces, &cells);
         for (int net = 0; net < 2; net++) {
             int is_proved = -1;
-            CHECK(taut_net_everywhere(surface,
+            CHECK(taut_net_everywhere(cells,
                                       net == 0 ? TAUT_TRACE_ASYMPTOTIC : TAUT_TRACE_PRINCIPAL,
                                       &is_proved) == TAUT_OK,
                   "row %zu", k);
             CHECK(is_proved == (net == 0 ? rows[k].saddle : rows[k].round), "row %zu net %d: %d", k,
                   net, is_proved);
         }
+        taut_arena_free(arena);
         taut_surface_free(surface);
         taut_basis_free(bases[0]);
         taut_basis_free(bases[1]);
+    }
+}
+
+/* What the cells tell of a place is what the surface tells by other formulas, polynomial or not, clear or not. */
+static void test_cells(void)
+{
+    static const char *const kinds[] = {"bspline", "bezier"};
+    for (int trial = 0; trial < 40; trial++) {
+        const int p = 1 + trial % 5, q = 1 + trial / 5 % 5, is_spline = trial % 2 == 0;
+        const int nu = p + 1 + (is_spline ? 2 : 0), nv = q + 1 + (is_spline ? 1 : 0);
+        const int has_weights = trial % 7 == 6, is_pole = trial % 7 == 5;
+        double points[10 * 10][3], weights[10 * 10];
+        taut_basis *bases[2] = {NULL, NULL};
+        taut_surface *surface = NULL;
+        for (int k = 0; k < nu * nv; k++) {
+            const int i = k / nv, j = k % nv;
+            points[k][0] = is_pole && j == 0 ? 0 : i + random_in(-0.1, 0.1);
+            points[k][1] = is_pole && j == 0 ? 0 : j + random_in(-0.1, 0.1);
+            points[k][2] = is_pole && j == 0 ? 0 : random_in(-0.5, 0.5);
+            weights[k] = random_in(0.5, 2);
+        }
+        for (int d = 0; d < 2; d++) {
+            const taut_basis_spec spec = {.type = kinds[!is_spline],
+                                          .degree = d == 0 ? p : q,
+                                          .count = is_spline ? (d == 0 ? nu : nv) : 0};
+            taut_basis_new(&spec, d == 0 ? nu : nv, &bases[d], NULL);
+        }
+        taut_surface_new("s", bases[0], bases[1], points[0], has_weights ? weights : NULL, &surface,
+                         NULL);
+        const taut_surface *surfaces[1] = {surface};
+        taut_arena *arena = taut_arena_new();
+        taut_net_cells *cells = NULL;
+        taut_net_cells_new(arena, 1, surfaces, &cells);
+        for (int k = 0; k < 20; k++) {
+            const double at[2] = {
+                random_in(taut_basis_lo(bases[0]), taut_basis_hi(bases[0])),
+                is_pole && k == 0 ? taut_basis_lo(bases[1])
+                                  : random_in(taut_basis_lo(bases[1]), taut_basis_hi(bases[1]))};
+            double s[3][3], other[3][3];
+            taut_forms f, g;
+            CHECK(taut_net_cells_look(cells, 0, at, s, &f), "trial %d", trial);
+            taut_surface_eval(surface, at[0], at[1], 1, other[0]);
+            taut_surface_forms_points(surface, 1, &at[0], &at[1], 1, &g);
+            for (int c = 0; c < 9; c++) { /* 2e-14 was seen */
+                CHECK_NEAR(s[c / 3][c % 3], other[c / 3][c % 3], 2e-13, "trial %d", trial);
+            }
+            CHECK(f.regular == g.regular, "trial %d", trial);
+            if (g.regular) { /* 2e-14 was seen */
+                CHECK_NEAR(f.w, g.w, 2e-13 * (1 + g.w), "trial %d", trial);
+                CHECK_NEAR(f.mean, g.mean, 2e-13 * (1 + fabs(g.mean)), "trial %d", trial);
+                CHECK_NEAR(f.gaussian, g.gaussian, 2e-13 * (1 + fabs(g.gaussian)), "trial %d",
+                           trial);
+                CHECK_NEAR(f.l, g.l, 2e-13 * (1 + fabs(g.l)), "trial %d", trial);
+                CHECK_NEAR(f.m, g.m, 2e-13 * (1 + fabs(g.m)), "trial %d", trial);
+                CHECK_NEAR(f.n, g.n, 2e-13 * (1 + fabs(g.n)), "trial %d", trial);
+            }
+        }
+        taut_arena_free(arena);
+        taut_surface_free(surface);
+        taut_basis_free(bases[0]);
+        taut_basis_free(bases[1]);
+    }
+}
+
+/* The same net, and the same certificate, by any number of threads. */
+static void test_threads(void)
+{
+    static const char *const seeds[] = {
+        "\"seeds\": [{ \"at\": [0.3, 0.2] }, { \"at\": [-0.2, 0.4] }, { \"at\": [0.3, 0.2] }, "
+        "{ \"edge\": \"v0\", \"count\": 5 }]",
+        "\"seeds\": [{ \"cells\": 4 }]",
+        "\"seeds\": [{ \"at\": [0.1, 0.1] }, { \"lath\": \"A1\", \"count\": 6 }]"};
+    for (size_t k = 0; k < sizeof seeds / sizeof *seeds; k++) {
+        made_net made[3];
+        char *texts[3] = {NULL, NULL, NULL};
+        for (int i = 0; i < 3; i++) {
+            const int threads = 1 + 3 * i;
+            size_t length = 0;
+            made[i] = net_make_by("asymptotic", SURFACE, seeds[k], threads);
+            CHECK(made[i].status == TAUT_OK, "seeds %zu: %s", k, made[i].error.message);
+            taut_model_write_text(made[i].model, "json", NULL, &texts[i], &length, NULL);
+            CHECK(texts[i] != NULL && strcmp(texts[0], texts[i]) == 0, "seeds %zu, %d threads", k,
+                  threads);
+            for (int c = 0; c < taut_certificate_claim_count(made[0].proof); c++) {
+                const taut_claim *a = taut_certificate_claim(made[0].proof, c);
+                const taut_claim *b = taut_certificate_claim(made[i].proof, c);
+                CHECK(b != NULL && a->residual == b->residual && strcmp(a->where, b->where) == 0,
+                      "seeds %zu, %d threads: %s", k, threads, a->claim);
+            }
+        }
+        for (int i = 0; i < 3; i++) {
+            taut_text_free(texts[i]);
+            net_free(&made[i]);
+        }
     }
 }
 
@@ -406,6 +505,8 @@ int main(void)
     test_straight();
     test_isometric();
     test_everywhere();
+    test_cells();
+    test_threads();
     test_seams();
     test_moved();
     test_told();

@@ -1,0 +1,105 @@
+/* summary.c -- of each lath, by one thread each: its bends between stations, and how far it drifts. */
+#include "construct/trace/summary.h"
+
+#include "core/crew.h"
+#include "core/vec3.h"
+#include "trace/straight.h"
+
+static double size_of(const taut_lath_bending *bending, const void *which)
+{
+    return fabs(bending->value[*(const int *)which]);
+}
+
+static void sum_segment(const taut_net *net, const taut_lath *lath, const taut_segment *segment,
+                        taut_lath_summary *s)
+{
+    const taut_linefield_kind kind = {net->problem->net, lath->family};
+    const double length = segment->to.s - segment->from.s;
+    taut_lath_samples samples;
+
+    taut_lath_bending_sample(kind, segment, &samples);
+    for (int i = 1; i <= TAUT_BENDING_NODES; i++) {
+        s->turn += samples.weight[i] * length * fabs(samples.at[i].value[TAUT_K_G]);
+    }
+    for (int k = 0; k < TAUT_BENDINGS; k++) {
+        taut_lath_take_most(&samples, size_of, &k, 0, &s->most[k]);
+    }
+}
+
+/* How far an end of a curve, its first (0) or its last one, is from where the curve ends that is followed at a hundredth of the
+ * tolerance. */
+static double drift_at(const taut_net *net, const taut_lath *lath, int end, taut_arena *arena)
+{
+    const taut_linefield_kind kind = {net->problem->net, lath->family};
+    const taut_carrier *carrier = lath->at_seed.on;
+    const double sign = end == 1 ? 1 : -1, *t = lath->seed_tangent;
+    const double along[3] = {sign * t[0], sign * t[1], sign * t[2]};
+    const double length = end == 1 ? lath->length - lath->seed_s : lath->seed_s;
+    const double *there =
+        end == 1 ? lath->segments[lath->count - 1].to.x : lath->segments[0].from.x;
+    taut_follow_options options = net->options.follow;
+    taut_walk *walk = taut_arena_take(arena, 1, sizeof *walk);
+    taut_walk_state state;
+    int span[2];
+
+    options.tolerance /= 100;
+    options.is_bare = 1;
+    options.monitor = NULL; /* as long as the net took, which is done */
+    if (lath->ended[end] == TAUT_END_SEED || lath->ended[end] == TAUT_END_LENGTH) {
+        options.max_length = length; /* it does not end by itself */
+    }
+    taut_carrier_cell(carrier, lath->seed, NULL, span);
+    if (walk == NULL || !(length > 0) || taut_straight_way(carrier, kind) != NULL ||
+        taut_walk_start(carrier, kind, lath->seed, span, along, &state) != TAUT_LINEFIELD_FINE) {
+        return 0;
+    }
+    taut_carrier_cell(carrier, lath->seed, state.y + TAUT_WALK_A, span);
+    if (taut_walk_start(carrier, kind, lath->seed, span, along, &state) != TAUT_LINEFIELD_FINE ||
+        taut_follow(kind, &state, &options, arena, walk) != TAUT_OK || walk->count == 0) {
+        return 0;
+    }
+    double x[TAUT_CARRIER_VECTORS][3];
+    taut_carrier_at(walk->last.on, walk->last.span, walk->last.y, 0, x);
+    return taut_length_between(x[0], there);
+}
+
+/* The threads that look at laths. */
+typedef struct lookers {
+    const taut_net *net;
+    taut_lath_summary *list;
+} lookers;
+
+static void look_at(void *context, int worker, int64_t task)
+{
+    const lookers *all = context;
+    const taut_lath *lath = &all->net->laths[task];
+    taut_lath_summary *s = &all->list[task];
+    taut_arena *arena = taut_arena_new();
+
+    (void)worker;
+    for (int k = 0; k < lath->count; k++) {
+        sum_segment(all->net, lath, &lath->segments[k], s);
+    }
+    for (int end = 0; arena != NULL && end < 2; end++) {
+        s->drift = fmax(s->drift, drift_at(all->net, lath, end, arena));
+    }
+    s->status = arena != NULL ? taut_arena_status(arena) : TAUT_NO_MEMORY;
+    taut_arena_free(arena);
+}
+
+taut_status taut_lath_summaries_new(const taut_net *net, taut_lath_summary **summaries)
+{
+    const taut_crew crew = {.threads = net->threads};
+    lookers all = {.net = net,
+                   .list = taut_arena_take(net->arena, (size_t)net->count, sizeof *all.list)};
+    taut_status status = all.list != NULL ? TAUT_OK : TAUT_NO_MEMORY;
+
+    if (status == TAUT_OK) {
+        taut_crew_run(&crew, taut_crew_workers(&crew, net->count), net->count, 0, look_at, &all);
+    }
+    for (int k = 0; status == TAUT_OK && k < net->count; k++) {
+        status = all.list[k].status;
+    }
+    *summaries = all.list;
+    return status;
+}
