@@ -360,8 +360,8 @@ static void test_cells(void)
 static void test_threads(void)
 {
     static const char *const seeds[] = {
-        "\"seeds\": [{ \"at\": [0.3, 0.2] }, { \"at\": [-0.2, 0.4] }, { \"at\": [0.3, 0.2] }, "
-        "{ \"edge\": \"v0\", \"count\": 5 }]",
+        "\"seeds\": [{ \"edge\": \"v0\", \"count\": 5 }]",
+        "\"seeds\": [{ \"at\": [0.3, 0.2] }, { \"at\": [-0.2, 0.4] }]",
         "\"seeds\": [{ \"cells\": 4 }]",
         "\"seeds\": [{ \"at\": [0.1, 0.1] }, { \"lath\": \"A1\", \"count\": 6 }]"};
     for (size_t k = 0; k < sizeof seeds / sizeof *seeds; k++) {
