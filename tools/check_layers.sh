@@ -20,12 +20,12 @@ trace:     core numeric basis geometry pattern
 construct: core platform numeric basis geometry problem trace pattern
 certify:   core platform/parallel.h numeric/kernel/name.h numeric/quadrature.h numeric/sum.h basis geometry measure problem
 mesh:      core basis geometry measure
-shell:     core numeric/quadrature.h basis geometry measure mesh
+shell:     core numeric/quadrature.h numeric/strip.h basis geometry measure mesh
 io:        core platform numeric/bernstein.h basis geometry problem measure mesh shell
 draw:      core platform basis geometry measure mesh io
 page:      core basis geometry measure mesh io draw
 cli:       core/decimal.h core/elementary/elementary.h core/printf.h platform/system.h
-web:       core io measure/dual/density.h mesh/parts.h numeric/modes_lent.h certify/film/complex/complex.h construct/film/complex/complex.h certify/common certify/certify_ops.h construct/construct_ops.h
+web:       core io measure/dual/density.h mesh/parts.h shell/thick/thick.h numeric/modes_lent.h certify/film/complex/complex.h construct/film/complex/complex.h certify/common certify/certify_ops.h construct/construct_ops.h
 modules/*: core draw
 modules/exact: core <flint/fmpq.h>
 modules/cairo: core draw <cairo.h> <cairo-svg.h> <cairo-pdf.h>

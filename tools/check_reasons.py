@@ -25,6 +25,7 @@ MAY_USE = {  # folder of src, or cad: lists besides that of status.h
     "geometry": "basis surface read",
     "measure": "basis surface read",
     "mesh": "basis surface read",
+    "shell": "basis surface read",
     "trace": "basis surface read trace",
     "construct": "basis surface read",
     "certify": "basis surface read construct",

@@ -97,9 +97,11 @@ typedef struct taut_write_options {
     const char *const *labels; /* of taut_outputs_models: what stands above each, or NULL */
     taut_monitor monitor;
     /* NULL, or where a format that approximates within a proved bound puts it: a length, 0 where
-     * all is exact. Other formats leave it alone. */
+     * all is exact; with a thickness the largest distance met between the sides and where they belong. Other formats leave
+     * it alone. */
     double *bound;
-    double thickness; /* meshes: of a sheet (taut/mesh.h), in the model's unit; 0: none */
+    double
+        thickness; /* meshes (taut/mesh.h), step, iges: of a sheet, in the model's unit; 0: none */
     int coefficients; /* vtu: nonzero: fields of Bezier cells as coefficients, not as values */
     int reactions;    /* figures: nonzero: arrows, as the supports of a film pull at it */
     int column; /* figures: nonzero: 88 mm wide, a paper's column, no letter smaller than 6 point */

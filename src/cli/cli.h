@@ -140,7 +140,7 @@ typedef struct cli_command {
 #define CLI_SHEET                                                                                  \
     {                                                                                              \
         "--thickness", CLI_NUMBER, offsetof(cli_options, sheet), 0, 1e-9, 1e9, "T",                \
-            "meshes: surfaces as sheets of this thickness, in the model's unit, closed"            \
+            "CAD and meshes: surfaces as closed sheets of this thickness, in the model's unit"     \
     }
 #define CLI_COEFFICIENTS                                                                           \
     {                                                                                              \

@@ -13,6 +13,7 @@
 #include "io/problem/film_curves.h"
 #include "io/problem/film_patches.h"
 #include "mesh/parts.h"
+#include "shell/thick/thick.h"
 
 static taut_status write_nothing(const taut_model *model, const taut_write_options *options,
                                  FILE *out, taut_error *error)
@@ -43,6 +44,15 @@ taut_status taut_mesh_thicken(const taut_mesh *thin, const taut_model *model, do
     return taut_fail(
         error, TAUT_IO, "not-installed", NULL, taut_none, taut_none,
         "surfaces are not made thick in the browser: let the program `taut convert` do it");
+}
+
+taut_status taut_thick_new(const taut_model *nurbs, const taut_thick_request *request,
+                           taut_arena *arena, taut_thick *sheet, taut_error *error)
+{
+    (void)request;
+    (void)arena;
+    (void)sheet;
+    return taut_mesh_thicken(NULL, nurbs, 0, 0, NULL, error);
 }
 
 static void refuse_file(taut_reader *document)

@@ -76,10 +76,27 @@ static const char sheets_text[] =
     "[[2,0,0],[2,1,1],[2,2,0]]], \"weights\": [[1,1,1],[1,2,1]]}], \"curves\": [{\"t\": {\"type\": "
     "\"bezier\", \"degree\": 1}, \"points\": [[2,0,0],[2,2,0]]}]}";
 
+/* Two pieces of a saddle, which meet smoothly. */
+static const char plate_text[] =
+    "{\"taut\": 1, \"surfaces\": [{\"u\": {\"type\": \"bezier\", \"degree\": 1}, \"v\": "
+    "{\"type\": \"bezier\", \"degree\": 1}, \"points\": [[[0,0,0],[0,1,0]], [[1,0,0],[1,1,1]]]}, "
+    "{\"u\": {\"type\": \"bezier\", \"degree\": 1}, \"v\": {\"type\": \"bezier\", \"degree\": 1}, "
+    "\"points\": [[[1,1,1],[1,0,0]], [[2,1,2],[2,0,0]]]}]}";
+
 static taut_status write_step(const void *context, void **result, taut_error *error)
 {
     (void)result;
     return write_file(context, "a.step", error);
+}
+
+static taut_status write_thick(const void *context, void **result, taut_error *error)
+{
+    const taut_write_options options = {.thickness = 0.01, .tolerance = 1e-4};
+    const char *const path = in_folder("b.step");
+    const taut_status status = taut_model_write(context, path, &options, error);
+    (void)result;
+    CHECK((unlink(path) == 0) == (status == TAUT_OK), "b.step is there although it failed");
+    return status;
 }
 
 static taut_status write_geomdl(const void *context, void **result, taut_error *error)
@@ -187,6 +204,7 @@ int main(void)
     taut_model *surfaces = model_of(surfaces_text), *frame = model_of(frame_text);
     taut_model *cables = model_of(cables_text), *bends = model_of(bends_text);
     taut_model *sheets = model_of(sheets_text), *body = shape_model(shape_sphere(2));
+    taut_model *plate = model_of(plate_text);
 
     folder_make();
     /* the side of two spans as one: its middle point and a knot blotted out */
@@ -200,6 +218,7 @@ int main(void)
     fault_check("geomdl of curves", write_geomdl, NULL, frame, 10);
     fault_check("step", write_step, NULL, sheets, 20);
     fault_check("step of a body", write_step, NULL, body, 20);
+    fault_check("step of a sheet", write_thick, NULL, plate, 40);
     fault_check("glb", write_glb, NULL, surfaces, 20);
     fault_check("3mf", write_3mf, NULL, sheets, 30);
     fault_check("dxf", write_dxf, NULL, frame, 20);
@@ -228,6 +247,7 @@ int main(void)
     taut_model_free(cables);
     taut_model_free(bends);
     taut_model_free(body);
+    taut_model_free(plate);
     free(single);
     folder_remove();
     return check_failures != 0;

@@ -92,15 +92,16 @@ static taut_status write_iges(const taut_model *model, const taut_write_options 
 {
     taut_model *nurbs = NULL;
     taut_cad_facts facts;
-    taut_status status = taut_cad_prepare(model, options, &nurbs, &facts, error);
+    taut_arena *arena = taut_arena_new();
+    taut_status status = taut_cad_prepare(model, options, arena, &nurbs, &facts, error);
 
-    if (status != TAUT_OK) {
-        return status;
+    if (status == TAUT_OK) {
+        status = write_items(nurbs, &facts, path, error);
     }
-    status = write_items(nurbs, &facts, path, error);
     taut_model_free(nurbs);
+    taut_arena_free(arena);
     if (status == TAUT_OK && options->bound != NULL) {
-        *options->bound = facts.bound;
+        *options->bound = facts.bound + facts.measured;
     }
     return status;
 }

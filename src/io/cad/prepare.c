@@ -4,6 +4,8 @@
 #include "core/vec3.h"
 #include "geometry/exponent.h"
 #include "io/cad/format_nurbs.h"
+#include "io/format.h"
+#include "shell/thick/thick.h"
 #include "taut/version.h"
 
 #include <math.h>
@@ -14,6 +16,8 @@
 
 enum { DEGREE_MAX = 25 };
 static const double default_tolerance = 1e-6;
+static const double side_of_thickness =
+    1e-4; /* sides of sheets come nearer than that of T, as said or not */
 static const double precision_of_size = 1e-7; /* what CAD systems take for one point */
 static const double least_precision = 1e-290, largest_precision = 1e290;
 
@@ -85,7 +89,11 @@ static taut_status check_degrees(const taut_model *nurbs, taut_error *error)
 
 void taut_cad_say_bound(const char *unit, taut_cad_facts *facts)
 {
-    if (facts->bound > 0) {
+    if (facts->thickness > 0) {
+        snprintf(facts->exact, sizeof facts->exact,
+                 "sheets of thickness %.6g %s, found within %.3g %s of both sides",
+                 facts->thickness, unit, facts->bound + facts->measured, unit);
+    } else if (facts->bound > 0) {
         snprintf(facts->exact, sizeof facts->exact,
                  "proved to lie within %.3g %s of the exact model", facts->bound, unit);
     } else {
@@ -116,17 +124,77 @@ static void fill_facts(const taut_model *model, const taut_model *nurbs, taut_ca
              fmax(fmax(facts->bound, precision_of_size * size_of(nurbs)), least_precision));
 }
 
+/* The colours that the file had which the model was read from, for the surfaces that are there now. */
+static taut_status keep_colours(const taut_model *model, const taut_write_options *options,
+                                const int *from, taut_model *nurbs, taut_error *error)
+{
+    const taut_record *said = taut_record_get(taut_model_details(model), "colours");
+    const int count = taut_model_surface_count(nurbs);
+    if (said == NULL) {
+        return TAUT_OK;
+    }
+    taut_record *details = taut_record_new();
+    taut_record *colours = taut_record_add_list(details, "colours");
+    for (int i = 0, chosen = -1, at = -1; i < count; i++) {
+        for (; chosen < (from != NULL ? from[i] : i); chosen += at >= 0) {
+            for (at++; !taut_format_wants(model, options, at); at++) {
+            }
+        }
+        const char *text = taut_record_text(taut_record_at(said, (size_t)at));
+        taut_record_add_text(colours, NULL, text != NULL ? text : "");
+    }
+    if (taut_record_status(details) != TAUT_OK) {
+        taut_record_free(details);
+        return taut_fail_memory(error);
+    }
+    taut_model_set_details(nurbs, details);
+    return TAUT_OK;
+}
+
+/* Puts the sheets of the surfaces in their place. */
+static taut_status make_sheets(const taut_write_options *options, double tolerance,
+                               taut_arena *arena, taut_model **nurbs, taut_cad_facts *facts,
+                               taut_error *error)
+{
+    taut_thick sheet;
+    const taut_thick_request request = {
+        .thickness = options->thickness,
+        .tolerance = fmin(tolerance * size_of(*nurbs), side_of_thickness * options->thickness),
+        .moved = facts->bound,
+        .threads = options->threads};
+    if (taut_model_surface_count(*nurbs) == 0) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-surface", NULL, 0, 1,
+                         "a thickness is for surfaces, and the model has none");
+    }
+    const taut_status status = taut_thick_new(*nurbs, &request, arena, &sheet, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    taut_model_free(*nurbs);
+    *nurbs = sheet.model;
+    facts->from = sheet.from;
+    facts->thickness = options->thickness;
+    facts->measured = sheet.distance;
+    return TAUT_OK;
+}
+
 taut_status taut_cad_prepare(const taut_model *model, const taut_write_options *options,
-                             taut_model **nurbs, taut_cad_facts *facts, taut_error *error)
+                             taut_arena *arena, taut_model **nurbs, taut_cad_facts *facts,
+                             taut_error *error)
 {
     const double tolerance = options->tolerance > 0 ? options->tolerance : default_tolerance;
     taut_model *made = NULL;
+    *facts = (taut_cad_facts){.bound = 0};
     taut_status status = taut_format_nurbs(model, options, tolerance, &made, &facts->bound, error);
 
     if (status != TAUT_OK) {
         return status;
     }
-    status = check_degrees(made, error);
+    status = options->thickness > 0 ? make_sheets(options, tolerance, arena, &made, facts, error)
+                                    : check_degrees(made, error);
+    if (status == TAUT_OK) {
+        status = keep_colours(model, options, facts->from, made, error);
+    }
     if (status != TAUT_OK) {
         taut_model_free(made);
         return status;

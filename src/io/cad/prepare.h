@@ -2,11 +2,16 @@
 #ifndef TAUT_IO_CAD_PREPARE_H
 #define TAUT_IO_CAD_PREPARE_H
 
+#include "core/arena.h"
 #include "taut/limits.h"
 #include "taut/write.h"
 
 typedef struct taut_cad_facts {
     double bound;     /* how far the NURBS may be from the model: a length, proved */
+    double thickness; /* of the sheets that they are; 0: none */
+    double measured;  /* how far the sides of these were found from where they belong, a check */
+    const int
+        *from; /* the surface that each comes from of those that were asked for; NULL: the same */
     double precision; /* what the file states as its uncertainty, above 0 */
     char date[32]; /* "2026-03-01T12:00:00": SOURCE_DATE_EPOCH, else 1970: same model, same bytes */
     char made[64], exact[128];    /* lines for people */
@@ -15,12 +20,15 @@ typedef struct taut_cad_facts {
 
 /* The surfaces and curves that options ask for as NURBS, the caller's. What is polynomial or
  * rational stays exactly as it is; c- and h- directions come within the tolerance, with a proved
- * bound (taut/operations.h). TAUT_NO_SOLUTION: nothing, or a degree above 25, the most that
- * OpenCASCADE and what is made of it have; else as taut_model_to_nurbs. */
+ * bound (taut/operations.h). With a thickness: sheets of the surfaces (shell/thick), without the
+ * curves. details.colours are those of the model. What facts point at is in the arena.
+ * TAUT_NO_SOLUTION: nothing, or a degree above 25, the most that OpenCASCADE and what is made of it
+ * have; else as taut_model_to_nurbs and taut_thick_new. */
 taut_status taut_cad_prepare(const taut_model *model, const taut_write_options *options,
-                             taut_model **nurbs, taut_cad_facts *facts, taut_error *error);
+                             taut_arena *arena, taut_model **nurbs, taut_cad_facts *facts,
+                             taut_error *error);
 
-/* facts->exact, of facts->bound. */
+/* facts->exact, of facts->bound and what was measured. */
 void taut_cad_say_bound(const char *unit, taut_cad_facts *facts);
 
 #endif /* TAUT_IO_CAD_PREPARE_H */

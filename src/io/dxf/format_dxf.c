@@ -145,11 +145,12 @@ static taut_status write_curves(const taut_model *model, const taut_write_option
     taut_model *curves = NULL, *nurbs = NULL;
     taut_cad_facts facts;
     all.surface = NULL; /* the curves are of the whole */
+    all.thickness = 0;
     taut_status status = taut_model_new(&curves);
     if (status == TAUT_OK) {
         status = copy_curves(model, curves);
     }
-    status = status == TAUT_OK ? taut_cad_prepare(curves, &all, &nurbs, &facts, error)
+    status = status == TAUT_OK ? taut_cad_prepare(curves, &all, NULL, &nurbs, &facts, error)
                                : taut_fail_memory(error);
     if (status == TAUT_OK) {
         status = put_curves(model, nurbs, out, error);

@@ -36,12 +36,12 @@ size_t taut_step_put_surface(taut_part21 *out, const taut_surface *surface, size
 size_t taut_step_put_curve(taut_part21 *out, const taut_curve *curve);
 size_t taut_step_put_edge(taut_part21 *out, const taut_surface *surface, size_t points, int edge);
 
-/* topology.c: all faces, of these forms, as solids and surface models, which enter `content` with their styles.
- * TAUT_NO_MEMORY. */
+/* topology.c: all faces, of these forms, as solids and surface models, which enter `content` with their styles. outside[face] is -1, or
+ * for a face of the inside of a hollow one of the outside of its body. TAUT_NO_MEMORY. */
 taut_status taut_step_put_faces(taut_part21 *out, const taut_model *model,
                                 const taut_shells *shells, const taut_step_form *forms,
-                                const taut_step_spaces *spaces, taut_arena *arena,
-                                taut_step_content *content);
+                                const int *outside, const taut_step_spaces *spaces,
+                                taut_arena *arena, taut_step_content *content);
 
 /* style.c: what gives an item the i-th colour of surfaces or of curves, as figures and pages have
  * them; style[i % TAUT_STEP_COLOURS] keeps the number of what was written, at first 0. */

@@ -116,12 +116,44 @@ static void add_distances(const taut_model *nurbs, const taut_step_form *forms,
     taut_cad_say_bound(taut_model_unit(nurbs), facts);
 }
 
+/* Sheets are bodies, every one. */
+static taut_status check_bodies(const taut_model *nurbs, const taut_shells *shells,
+                                taut_error *error)
+{
+    int i = 0;
+    while (i < shells->shell_count && shells->shells[i].solid) {
+        i++;
+    }
+    return i == shells->shell_count
+               ? TAUT_OK
+               : taut_fail(
+                     error, TAUT_NO_SOLUTION, "sheet", NULL, taut_none, taut_none,
+                     "the sheet around \"%.60s\" does not close: surfaces meet three at an "
+                     "edge, or at a corner only, or their sides touch",
+                     taut_surface_name(taut_model_surface(nurbs, shells->shells[i].faces[0])));
+}
+
+/* The face that is the other side of a body's, for each face of a hollow's inside; -1 for all else. Sides come one after the
+ * other; those of a sheet with an outline are in one shell. */
+static taut_status find_hollows(const taut_cad_facts *facts, const taut_shells *shells,
+                                taut_arena *arena, int **outside)
+{
+    *outside = taut_arena_take(arena, (size_t)shells->face_count, sizeof **outside);
+    for (int f = 0; *outside != NULL && f < shells->face_count; f++) {
+        const int apart = facts->from != NULL && f > 0 && facts->from[f] == facts->from[f - 1] &&
+                          shells->faces[f].shell != shells->faces[f - 1].shell;
+        (*outside)[f] = apart ? f - 1 : -1;
+    }
+    return *outside != NULL ? TAUT_OK : TAUT_NO_MEMORY;
+}
+
 /* All between the header and the end. */
 static taut_status put_data(taut_part21 *out, const taut_model *nurbs, taut_cad_facts *facts,
-                            taut_arena *arena)
+                            taut_arena *arena, taut_error *error)
 {
     taut_shells shells;
     taut_step_form *forms = NULL;
+    int *outside = NULL;
     taut_step_content content;
     taut_step_spaces spaces;
     taut_status status = take_content(nurbs, arena, &content);
@@ -132,13 +164,19 @@ static taut_status put_data(taut_part21 *out, const taut_model *nurbs, taut_cad_
     if (status == TAUT_OK) {
         status = find_forms(nurbs, &shells, arena, &forms);
     }
+    if (status == TAUT_OK) {
+        status = find_hollows(facts, &shells, arena, &outside);
+    }
+    if (status == TAUT_OK && facts->thickness > 0) {
+        status = check_bodies(nurbs, &shells, error);
+    }
     if (status != TAUT_OK) {
         return status;
     }
     add_distances(nurbs, forms, facts);
     put_header(out, facts);
     taut_step_put_spaces(out, taut_model_unit(nurbs), fmax(facts->precision, shells.gap), &spaces);
-    status = taut_step_put_faces(out, nurbs, &shells, forms, &spaces, arena, &content);
+    status = taut_step_put_faces(out, nurbs, &shells, forms, outside, &spaces, arena, &content);
     put_curves(out, nurbs, &content);
     taut_step_put_product(out, facts->name, &spaces, &content);
     taut_part21_put(out, "ENDSEC;\nEND-ISO-10303-21;\n", NULL);
@@ -146,33 +184,14 @@ static taut_status put_data(taut_part21 *out, const taut_model *nurbs, taut_cad_
 }
 
 static taut_status put_file(const taut_model *nurbs, taut_cad_facts *facts, FILE *file,
-                            taut_error *error)
+                            taut_arena *arena, taut_error *error)
 {
     taut_part21 out = {.sink = taut_sink_to(file)};
-    taut_arena *arena = taut_arena_new();
-    const taut_status put = put_data(&out, nurbs, facts, arena);
+    const taut_status put = put_data(&out, nurbs, facts, arena, error);
     const taut_status sent = taut_sink_finish(&out.sink);
-    taut_arena_free(arena);
-    return put != TAUT_OK           ? taut_fail_status(error, put)
-           : sent == TAUT_NO_MEMORY ? taut_fail_memory(error)
-                                    : sent;
-}
-
-/* Colours that the file had which the model was read from. */
-static taut_status keep_colours(const taut_model *model, taut_model *nurbs, taut_error *error)
-{
-    const taut_record *colours = taut_record_get(taut_model_details(model), "colours");
-    if (colours == NULL) {
-        return TAUT_OK;
-    }
-    taut_record *details = taut_record_new();
-    taut_record_add_record(details, "colours", colours);
-    if (taut_record_status(details) != TAUT_OK) {
-        taut_record_free(details);
-        return taut_fail_memory(error);
-    }
-    taut_model_set_details(nurbs, details);
-    return TAUT_OK;
+    return put == TAUT_NO_MEMORY || sent == TAUT_NO_MEMORY ? taut_fail_memory(error)
+           : put != TAUT_OK                                ? put
+                                                           : sent;
 }
 
 static taut_status write_step(const taut_model *model, const taut_write_options *options,
@@ -180,21 +199,19 @@ static taut_status write_step(const taut_model *model, const taut_write_options 
 {
     taut_model *nurbs = NULL;
     taut_cad_facts facts;
-    taut_status status = taut_cad_prepare(model, options, &nurbs, &facts, error);
+    taut_arena *arena = taut_arena_new();
+    taut_status status = taut_cad_prepare(model, options, arena, &nurbs, &facts, error);
 
-    if (status != TAUT_OK) {
-        return status;
-    }
-    status = check_faces(nurbs, error);
     if (status == TAUT_OK) {
-        status = keep_colours(model, nurbs, error);
+        status = check_faces(nurbs, error);
     }
     if (status == TAUT_OK) {
-        status = put_file(nurbs, &facts, file, error);
+        status = put_file(nurbs, &facts, file, arena, error);
     }
     taut_model_free(nurbs);
+    taut_arena_free(arena);
     if (status == TAUT_OK && options->bound != NULL) {
-        *options->bound = facts.bound;
+        *options->bound = facts.bound + facts.measured;
     }
     return status;
 }

@@ -7,7 +7,8 @@
  *               expect; all of it one point: that vertex
  *     form      a disc, cylinder or torus (elementary.h) has no curves in its parameters; a plane has no seam
  *               either, and a loop for each of its rings
- *     shell     with a volume a MANIFOLD_SOLID_BREP, turned outwards; else in a surface model
+ *     shell     with a volume a MANIFOLD_SOLID_BREP, turned outwards; that of a hollow within another, a
+ *               BREP_WITH_VOIDS; else in a surface model
  */
 #include "core/fail.h"
 #include "io/step/elementary.h"
@@ -22,6 +23,7 @@ typedef struct placing {
     const taut_shells *shells;
     const taut_step_spaces *spaces;
     const taut_step_form *forms;       /* [faces] */
+    const int *outside;                /* [faces]; see entities.h */
     size_t *points, *surfaces, *faces; /* [faces]; points: the first of each net */
     size_t *edges, *vertices;
 } placing;
@@ -221,33 +223,68 @@ static void put_edges(placing *p)
     }
 }
 
-/* A shell's item; a body that is one face bears its name. `list` is room for its faces. */
-static void put_shell(const placing *p, const taut_shell *shell, size_t *list,
-                      taut_step_content *content)
+static size_t put_faces_of(const placing *p, const taut_shell *shell, size_t *list)
 {
+    for (int k = 0; k < shell->face_count; k++) {
+        list[k] = p->faces[shell->faces[k]];
+    }
+    return TAUT_NEW(p->out, "%('',%)", TAUT_WORD(shell->closed ? "CLOSED_SHELL" : "OPEN_SHELL"),
+                    TAUT_REFS((size_t)shell->face_count, list));
+}
+
+/* The shell of a hollow within this one, or -1. */
+static int hollow_of(const placing *p, int shell)
+{
+    int f = 0;
+    while (f < p->shells->face_count &&
+           !(p->outside[f] >= 0 && p->shells->faces[p->outside[f]].shell == shell)) {
+        f++;
+    }
+    return f < p->shells->face_count ? p->shells->faces[f].shell : -1;
+}
+
+/* A body with a hollow, whose shell looks out of the material when it is turned. */
+static size_t put_hollow(const placing *p, const char *name, size_t outer, const taut_shell *inner,
+                         size_t *list)
+{
+    const size_t made = put_faces_of(p, inner, list);
+    const size_t against = TAUT_NEW(p->out, "ORIENTED_CLOSED_SHELL('',*,%,.F.)", TAUT_REF(made));
+    return TAUT_NEW(p->out, "BREP_WITH_VOIDS(%,%,(%))", TAUT_TEXT(name), TAUT_REF(outer),
+                    TAUT_REF(against));
+}
+
+/* A shell's item; a body that is one face bears its name. `list` is room for its faces. */
+static void put_shell(const placing *p, int s, size_t *list, taut_step_content *content)
+{
+    const taut_shell *shell = &p->shells->shells[s];
+    if (p->outside[shell->faces[0]] >= 0) {
+        return; /* with its outside */
+    }
+    const int hollow = hollow_of(p, s);
     const int kind = shell->solid ? TAUT_STEP_SOLIDS : TAUT_STEP_SHELLS;
     const char *name = shell->face_count == 1
                            ? taut_surface_name(taut_model_surface(p->model, shell->faces[0]))
                            : "";
-    for (int k = 0; k < shell->face_count; k++) {
-        list[k] = p->faces[shell->faces[k]];
-    }
-    const size_t made =
-        TAUT_NEW(p->out, "%('',%)", TAUT_WORD(shell->closed ? "CLOSED_SHELL" : "OPEN_SHELL"),
-                 TAUT_REFS((size_t)shell->face_count, list));
+    const size_t made = put_faces_of(p, shell, list);
     content->items[kind][++content->counts[kind]] =
-        shell->solid
+        hollow >= 0 ? put_hollow(p, name, made, &p->shells->shells[hollow], list)
+        : shell->solid
             ? TAUT_NEW(p->out, "MANIFOLD_SOLID_BREP(%,%)", TAUT_TEXT(name), TAUT_REF(made))
             : TAUT_NEW(p->out, "SHELL_BASED_SURFACE_MODEL(%,(%))", TAUT_TEXT(name), TAUT_REF(made));
 }
 
 taut_status taut_step_put_faces(taut_part21 *out, const taut_model *model,
                                 const taut_shells *shells, const taut_step_form *forms,
-                                const taut_step_spaces *spaces, taut_arena *arena,
-                                taut_step_content *content)
+                                const int *outside, const taut_step_spaces *spaces,
+                                taut_arena *arena, taut_step_content *content)
 {
     const size_t count = (size_t)shells->face_count;
-    placing p = {.out = out, .model = model, .shells = shells, .forms = forms, .spaces = spaces};
+    placing p = {.out = out,
+                 .model = model,
+                 .shells = shells,
+                 .forms = forms,
+                 .outside = outside,
+                 .spaces = spaces};
     size_t styles[TAUT_STEP_COLOURS] = {0};
 
     p.points = taut_arena_take(arena, count, sizeof *p.points);
@@ -271,7 +308,7 @@ taut_status taut_step_put_faces(taut_part21 *out, const taut_model *model,
             taut_step_style_face(out, p.faces[f], taut_colour_of_surface(model, f), styles);
     }
     for (int s = 0; s < shells->shell_count; s++) {
-        put_shell(&p, &shells->shells[s], list, content);
+        put_shell(&p, s, list, content);
     }
     return TAUT_OK;
 }
