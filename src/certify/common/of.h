@@ -23,7 +23,5 @@ taut_status taut_certify_of(const taut_model *model, const taut_surface *surface
                             taut_error *error);
 /* The surface that a document names in a model, or the first one; NULL. */
 const taut_surface *taut_certify_named(const taut_model *model, const char *name);
-/* An item of details.domain as a curve of points (u, v, 0), the arena's; NULL where it is none. TAUT_NO_MEMORY. */
-taut_status taut_certify_stretch(const taut_record *item, taut_arena *arena, taut_curve **stretch);
 
 #endif /* TAUT_CERTIFY_COMMON_OF_H */

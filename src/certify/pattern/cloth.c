@@ -1,11 +1,11 @@
 #include "certify/pattern/cloth.h"
 
-#include "certify/common/of.h"
 #include "certify/common/unit.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 #include "geometry/exponent.h"
 #include "geometry/keep.h"
+#include "geometry/stretch.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -86,7 +86,7 @@ static taut_status read_sides(taut_cloth *cloth, const taut_record *details, tau
         const taut_record *seam = object_named(seams, name);
         taut_cloth_side *side = &cloth->sides[cloth->side_count];
         taut_curve *window = NULL;
-        const taut_status status = taut_certify_stretch(item, arena, &window);
+        const taut_status status = taut_stretch_read(item, arena, &window);
         if (status != TAUT_OK) {
             return status;
         }

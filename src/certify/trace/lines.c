@@ -1,8 +1,8 @@
 #include "certify/trace/lines.h"
 
-#include "certify/common/of.h"
 #include "core/fail.h"
 #include "geometry/exponent.h"
+#include "geometry/stretch.h"
 
 #include <math.h>
 #include <string.h>
@@ -62,7 +62,7 @@ static taut_status read_window(const taut_net_lines *lines, const taut_record *d
             continue;
         }
         taut_curve *stretch = NULL;
-        const taut_status status = taut_certify_stretch(item, arena, &stretch);
+        const taut_status status = taut_stretch_read(item, arena, &stretch);
         if (status != TAUT_OK) {
             return status;
         }
