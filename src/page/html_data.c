@@ -148,7 +148,7 @@ static int colour_of(const taut_page_model *p, int i)
 static taut_status put_surface(taut_json_out *out, const taut_page_model *p,
                                const taut_page_surface *s)
 {
-    static const char *const names[TAUT_PAGE_FIELDS] = {"H", "K", "I", "G"};
+    static const char *const names[TAUT_PAGE_FIELDS] = {"H", "K", "I", "G", "S"};
     const taut_surface *surface = s->surface;
     const size_t count = (size_t)s->u.count * (size_t)s->v.count;
     const size_t net = (size_t)taut_page_kept(net_u(surface), s->every[0]) *
@@ -174,13 +174,23 @@ static taut_status put_surface(taut_json_out *out, const taut_page_model *p,
     }
     put_shorts(out, "normals", 2 * count, room.shorts, room.text);
     for (int k = 0; k < TAUT_PAGE_FIELDS; k++) {
-        if (k == TAUT_PAGE_GAP && !s->has_gap) {
+        if ((k == TAUT_PAGE_GAP && !s->has_gap) || (k == TAUT_PAGE_STRAIN && s->mounted == NULL)) {
             continue;
         }
         for (size_t i = 0; i < count; i++) {
             room.shorts[i] = taut_page_value(s->fields[k][i], p->limits[k]);
         }
         put_shorts(out, names[k], count, room.shorts, room.text);
+    }
+    if (s->mounted != NULL) {
+        for (size_t i = 0; i < count; i++) {
+            taut_page_point(&p->box, s->mounted + 3 * i, room.shorts + 3 * i);
+        }
+        put_shorts(out, "mounted", 3 * count, room.shorts, room.text);
+        for (size_t i = 0; i < count; i++) {
+            taut_page_normal(s->mounted_normals + 3 * i, room.shorts + 2 * i);
+        }
+        put_shorts(out, "mounted_normals", 2 * count, room.shorts, room.text);
     }
     put_net(out, p, net_u(surface), net_v(surface), s->every, taut_surface_points(surface), room);
     taut_json_close(out, '}');

@@ -78,9 +78,9 @@ static taut_status sample_model(taut_page_model *p)
             continue;
         }
         const taut_status status =
-            taut_page_sample(taut_model_surface(p->model, i), taut_model_details(p->model), each,
-                             p->options->divide, clamp(NET_MAX / p->count, 9, NET_ONE),
-                             p->options->threads, p->arena, &p->surfaces[k++]);
+            taut_page_sample(taut_model_surface(p->model, i), p->model, each, p->options->divide,
+                             clamp(NET_MAX / p->count, 9, NET_ONE), p->options->threads, p->arena,
+                             &p->surfaces[k++]);
         if (status != TAUT_OK) {
             return status;
         }
@@ -132,7 +132,7 @@ static int choose_box(taut_page_model *p)
 static taut_status choose_limits(taut_page_model *p)
 {
     const double noise[TAUT_PAGE_FIELDS] = {1e-9 / p->box.half, 1e-9 / p->box.half / p->box.half,
-                                            1e-9, 1e-15};
+                                            1e-9, 1e-15, 1e-9};
     size_t count = 0;
     double *values = NULL;
 
@@ -149,7 +149,8 @@ static taut_status choose_limits(taut_page_model *p)
             at += own;
         }
         const double none = fmin(fmax(noise[k], 1e-290), 1e290);
-        p->sign[k] = k >= TAUT_PAGE_I ? 1 : taut_colour_sign(count, values, none);
+        p->sign[k] =
+            k == TAUT_PAGE_I || k == TAUT_PAGE_GAP ? 1 : taut_colour_sign(count, values, none);
         p->limits[k] = taut_colour_limit(count, values, none, &p->cut[k]);
     }
     return values != NULL ? TAUT_OK : TAUT_NO_MEMORY;

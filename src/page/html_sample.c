@@ -1,6 +1,7 @@
 #include "page/html_page.h"
 
 #include "core/elementary/elementary.h"
+#include "measure/cloth/mounted.h"
 #include "measure/dual/density.h"
 #include "taut/measure.h"
 
@@ -99,6 +100,32 @@ static taut_status fill_gaps(const taut_record *details, taut_page_surface *page
     return status;
 }
 
+/* Where a flat piece is mounted, and its strain; NaN all over of any other surface. */
+static taut_status fill_strain(const taut_model *model, taut_arena *arena, taut_page_surface *page)
+{
+    const size_t nv = (size_t)page->v.count, count = (size_t)page->u.count * nv;
+    taut_mounted piece;
+    const taut_status status = taut_mounted_new(model, page->surface, arena, &piece);
+
+    page->mounted = page->mounted_normals = NULL;
+    if (status == TAUT_OK && piece.flat != NULL) {
+        page->mounted = taut_arena_take(arena, count, 3 * sizeof(double));
+        page->mounted_normals = taut_arena_take(arena, count, 3 * sizeof(double));
+        if (page->mounted == NULL || page->mounted_normals == NULL) {
+            return TAUT_NO_MEMORY;
+        }
+    }
+    for (size_t at = 0; status == TAUT_OK && at < count; at++) {
+        double *strain = &page->fields[TAUT_PAGE_STRAIN][at];
+        *strain = (double)NAN;
+        if (page->mounted != NULL) {
+            taut_mounted_at(&piece, page->u.at[at / nv], page->v.at[at % nv],
+                            page->mounted + 3 * at, page->mounted_normals + 3 * at, strain);
+        }
+    }
+    return status;
+}
+
 /* The least step, the same along u and v, that leaves at most `most` points of the net. */
 static void thin_net(const taut_surface *surface, int most, int every[2])
 {
@@ -117,7 +144,7 @@ static int cells_of(const taut_basis *basis, int most, int divide)
     return divide > 0 && asked < most ? (int)asked : most;
 }
 
-taut_status taut_page_sample(const taut_surface *surface, const taut_record *details, int vertices,
+taut_status taut_page_sample(const taut_surface *surface, const taut_model *model, int vertices,
                              int divide, int net, int threads, taut_arena *arena,
                              taut_page_surface *page)
 {
@@ -133,7 +160,10 @@ taut_status taut_page_sample(const taut_surface *surface, const taut_record *det
         return TAUT_NO_MEMORY;
     }
     status = fill_grid(threads, arena, page);
-    return status == TAUT_OK ? fill_gaps(details, page) : status;
+    if (status == TAUT_OK) {
+        status = fill_gaps(taut_model_details(model), page);
+    }
+    return status == TAUT_OK ? fill_strain(model, arena, page) : status;
 }
 
 int taut_page_kept(int count, int every)

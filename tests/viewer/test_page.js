@@ -427,6 +427,48 @@ async function testNodes(browser) {
     await page.close();
 }
 
+/* Pieces of cloth: coloured by their strain, flat beside the surface, then mounted on it, each place where the surface has it,
+ * and back as they were. */
+async function testCloth(browser) {
+    const made = path.join(folder, 'cloth.json');
+    fs.writeFileSync(made, execFileSync(taut, ['example', 'pattern-sail']));
+    execFileSync(taut, ['make', made, '-o', path.join(folder, 'cloth-made.json'), '--quiet']);
+    const cloth = JSON.parse(fs.readFileSync(path.join(folder, 'cloth-made.json')));
+    const page = await Page.open(browser, makePage('cloth', cloth), 1000, 700);
+    await page.until(drawn);
+    const flat = snap(await page.picture('#stage'), 'cloth-flat');
+    check(await page.evaluate('document.querySelector("[name=colour][value=S]").checked && !document.getElementById("cloth").hidden'), 'cloth is not coloured by its strain');
+    check((await page.evaluate('document.getElementById("legend").getAttribute("aria-label")')).includes('Strain'), 'the scale of the strain has no name');
+    await mustChange(page, 'cloth-mounted', async () => {
+        await page.click('[name=cloth][value=mounted]');
+        await page.until('document.getElementById("canvas").dataset.flight === "1"');
+    });
+    const found = [];
+    const box = await page.evaluate('(() => { const b = document.getElementById("canvas").getBoundingClientRect(); return [b.left, b.top, b.width, b.height]; })()');
+    for (let k = 0; k < 36; k++) {
+        await clickAt(page, box[0] + box[2] * (0.1 + 0.16 * (k % 6)), box[1] + box[3] * (0.1 + 0.16 * Math.floor(k / 6)));
+        const seen = await probed(page);
+        if (seen) {
+            found.push(seen);
+        }
+    }
+    check(new Set(found.map((seen) => seen.name)).size > 2, 'mounted pieces are not found: ' + found.length);
+    for (const seen of found) {
+        const [x, y, z] = ['x', 'y', 'z'].map((name) => numberIn(seen[name]));
+        check(/^P[1-4]$/.test(seen.name), 'mounted, ' + seen.name + ' is seen');
+        check(Math.abs(z - 0.3 * (x * x - y * y)) < 1e-3, seen.name + ' is not on the surface: ' + [x, y, z]);
+        check(Math.abs(numberIn(seen.strain)) < 0.02, 'the strain of ' + seen.name + ' is ' + seen.strain);
+    }
+    await page.key('Escape');
+    await page.key('o');
+    await page.until('document.getElementById("canvas").dataset.flight === "0"');
+    await page.evaluate('document.activeElement.blur()');
+    const again = snap(await page.picture('#stage'), 'cloth-again');
+    check(differs(flat, again) < 0.001, 'pieces do not come back as they were: ' + differs(flat, again));
+    quiet(page, 'the page of cloth');
+    await page.close();
+}
+
 async function main() {
     testPlaces();
     const browser = new Browser(process.env.CHROMIUM || 'chromium');
@@ -441,6 +483,7 @@ async function main() {
         await testLarge(browser);
         await testFarNet(browser);
         await testNodes(browser);
+        await testCloth(browser);
     } finally {
         await browser.close();
     }

@@ -5,7 +5,8 @@ const headings = {
     H: ['Mean curvature H', '1/', ''],
     K: ['Gaussian curvature K', '1/', '²'],
     I: ['Isothermality, 0 where isothermal', '', ''],
-    G: ['Gap to the least area, 0 where none', '', '']
+    G: ['Gap to the least area, 0 where none', '', ''],
+    S: ['Strain of the cloth, beyond the compensation', '', '']
 };
 
 /* A round step of 1, 2 or 5 that gives two to five ticks to the limit. */
@@ -133,7 +134,7 @@ function step(by) {
 }
 
 const hasGap = model.surfaces.some((s) => s.G !== undefined);
-const colours = ['plain', 'H', 'K', 'I'].concat(hasGap ? ['G'] : []);
+const colours = ['plain', 'H', 'K', 'I'].concat(hasGap ? ['G'] : [], hasStrain ? ['S'] : []);
 const keys = {
     ArrowLeft: () => turn(-6, 0),
     ArrowRight: () => turn(6, 0),
@@ -155,6 +156,7 @@ const keys = {
     4: () => lookFrom(...views.iso),
     x: () => change({ section: shown.section < 2 ? shown.section + 1 : -1 }),
     m: () => change({ measure: !shown.measure }),
+    o: () => { if (hasStrain) mount(flight.to === 0); },
     s: savePicture,
     f: fullScreen,
     d: () => setDark(!isDark),
@@ -219,5 +221,7 @@ function setControls() {
         }
     });
     byId('gap-choice').hidden = !hasGap;
+    byId('strain-choice').hidden = byId('cloth').hidden = !hasStrain;
+    document.querySelectorAll('[name=cloth]').forEach((radio) => radio.addEventListener('change', () => mount(radio.value === 'mounted')));
     fillParts();
 }

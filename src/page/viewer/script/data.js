@@ -1,6 +1,6 @@
 /* data.js -- the model out of the page: html_page.h says how its numbers are packed. */
 const model = JSON.parse(document.getElementById('model').textContent);
-const fieldNames = ['H', 'K', 'I', 'G'];
+const fieldNames = ['H', 'K', 'I', 'G', 'S'];
 
 /* 16-bit numbers out of base64, low byte first whatever the machine. */
 function shorts(text) {
@@ -64,7 +64,7 @@ function unpackSurface(packed) {
             normals: unpackNormals(packed.normals),
             fields: fields
         };
-        packed.points = packed.normals = packed.H = packed.K = packed.I = packed.G = null;
+        packed.points = packed.normals = packed.H = packed.K = packed.I = packed.G = packed.S = null;
     }
     return packed.grid;
 }

@@ -5,7 +5,7 @@ try {
     setStage();
     setControls();
     setDark(matchMedia('(prefers-color-scheme: dark)').matches);
-    change({ layout: model.frames ? 'frames' : 'together' });
+    change({ layout: model.frames ? 'frames' : 'together', colour: hasStrain ? 'S' : 'plain' });
     canvas.dataset.ready = '1';
 } catch (fault) {
     const note = byId('fault');

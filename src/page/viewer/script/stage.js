@@ -130,12 +130,12 @@ function present() {
     if (shown.layout === 'apart' && all.length > APART_MAX) {
         return Array.from({ length: APART_MAX }, (_, k) => Math.floor(k * (all.length - 1) / (APART_MAX - 1)));
     }
-    return all.filter((i) => !shown.hidden.has('surface ' + i));
+    return all.filter((i) => !shown.hidden.has('surface ' + i) && !isUnderCloth(i));
 }
 
 function updatePanels(made, i) {
-    const key = shown.panelCount + ' ' + shown.colour;
-    if (shown.panels && made.panelKey !== key) {
+    const key = shown.panelCount + ' ' + shown.colour + ' ' + flight.at;
+    if (shown.panels && made.panelKey !== key && flight.at === flight.to) {
         if (made.panels) {
             made.group.remove(made.panels);
             disposeOf(made.panels);
@@ -165,7 +165,7 @@ function refresh() {
         colourMesh(made.mesh, model.surfaces[i], shown.colour);
         made.mesh.visible = !shown.panels;
         made.outline.children.forEach((line, number) => { line.visible = number === 0 || (!shown.panels && (made.knots <= KNOTS_MOST || shown.net)); });
-        made.net.visible = shown.net;
+        made.net.visible = shown.net && (isFlat() || !pieces.includes(i));
         updatePanels(made, i);
         made.group.position.set(0, 0, 0);
         if (shown.layout === 'apart') { /* a grid across the view from the start */
@@ -179,7 +179,7 @@ function refresh() {
     stage.curves.visible = shown.layout === 'together';
     stage.nodes.visible = stage.curves.visible;
     stage.curves.children.forEach((group, i) => {
-        group.visible = !shown.hidden.has('curve ' + i);
+        group.visible = !shown.hidden.has('curve ' + i) && (isFlat() || !isCutLine(model.curves[i]));
         group.children[1].visible = shown.net;
     });
     draw();
@@ -217,10 +217,16 @@ function measure(list) {
 function reach(list) {
     const every = Math.ceil(model.surfaces.length / 20);
     const some = shown.layout === 'frames' ? model.surfaces.map((_, i) => i).filter((i) => i % every === 0) : list;
+    Object.assign(stage, reachOf(some.flatMap((i) => [unpackSurface(model.surfaces[i]).points, unpackPoints(model.surfaces[i].net.points)])
+        .concat(model.curves.map((curve) => unpackPoints(curve.points)))));
+}
+
+/* How far lists of points reach on the screen, and their middle. */
+function reachOf(lists) {
     const [right, up] = axes();
     const low = [Infinity, Infinity];
     const high = [-Infinity, -Infinity];
-    const visit = (points) => {
+    lists.forEach((points) => {
         for (let k = 0; k < points.length; k += 3) {
             [right, up].forEach((axis, c) => {
                 const at = points[k] * axis.x + points[k + 1] * axis.y + points[k + 2] * axis.z;
@@ -228,17 +234,12 @@ function reach(list) {
                 high[c] = Math.max(high[c], at);
             });
         }
-    };
-    some.forEach((i) => {
-        visit(unpackSurface(model.surfaces[i]).points);
-        visit(unpackPoints(model.surfaces[i].net.points));
     });
-    model.curves.forEach((curve) => visit(unpackPoints(curve.points)));
-    stage.reach = [0, 1].map((c) => high[c] > low[c] ? Math.max((high[c] - low[c]) / 2, 0.05) : 1);
-    stage.centre.set(0, 0, 0);
+    const centre = new THREE.Vector3();
     if (high[0] >= low[0]) {
-        stage.centre.addScaledVector(right, (low[0] + high[0]) / 2).addScaledVector(up, (low[1] + high[1]) / 2);
+        centre.addScaledVector(right, (low[0] + high[0]) / 2).addScaledVector(up, (low[1] + high[1]) / 2);
     }
+    return { reach: [0, 1].map((c) => high[c] > low[c] ? Math.max((high[c] - low[c]) / 2, 0.05) : 1), centre: centre };
 }
 
 /* Light or dark, all that is drawn. */

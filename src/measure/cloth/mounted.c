@@ -1,0 +1,131 @@
+#include "measure/cloth/mounted.h"
+
+#include "core/elementary/elementary.h"
+#include "core/vec3.h"
+#include "geometry/stretch.h"
+
+#include <math.h>
+#include <string.h>
+
+/* The object of this name; NULL. */
+static const taut_record *named(const taut_record *list, const char *name)
+{
+    for (size_t k = 0; k < taut_record_count(list); k++) {
+        const taut_record *one = taut_record_at(list, k);
+        if (strcmp(taut_record_text(taut_record_get(one, "name")), name) == 0) {
+            return one;
+        }
+    }
+    return NULL;
+}
+
+static taut_status read_side(const taut_record *details, const taut_record *edge, taut_arena *arena,
+                             const taut_curve **side)
+{
+    const taut_record *seam = taut_record_get(edge, "seam");
+    const char *name = taut_record_text(seam != NULL ? seam : taut_record_get(edge, "edge"));
+    taut_curve *made = NULL;
+    const taut_status status =
+        taut_stretch_read(named(taut_record_get(details, "domain"), name), arena, &made);
+    *side = made;
+    return status;
+}
+
+taut_status taut_mounted_new(const taut_model *model, const taut_surface *flat, taut_arena *arena,
+                             taut_mounted *mounted)
+{
+    static const char *const edges[2] = {"right", "left"}, *const ways[2] = {"warp", "weft"};
+    const taut_record *details = taut_model_details(model);
+    const char *pattern = taut_record_text(taut_record_get(details, "pattern"));
+    const taut_record *piece = named(taut_record_get(details, "pieces"), taut_surface_name(flat));
+    const taut_record *shares = taut_record_get(details, "compensation");
+
+    *mounted = (taut_mounted){.surface = taut_model_surface(model, 0)};
+    if (strcmp(pattern, "cloth") != 0 || piece == NULL || mounted->surface == flat) {
+        return TAUT_OK;
+    }
+    for (int k = 0; k < 2; k++) {
+        const taut_status status =
+            read_side(details, taut_record_get(taut_record_get(piece, "edges"), edges[k]), arena,
+                      &mounted->sides[k]);
+        if (status != TAUT_OK || mounted->sides[k] == NULL) {
+            return status;
+        }
+        const taut_record *share = taut_record_get(shares, ways[k]);
+        mounted->shrink[k] = 1 - (share != NULL ? taut_record_number(share) : 0);
+    }
+    mounted->flat = flat;
+    return TAUT_OK;
+}
+
+/* w, w_s and w_t, in the window. */
+static void window_at(const taut_mounted *m, double s, double t, double w[3][2])
+{
+    const taut_basis *bases[2] = {taut_surface_u(m->surface), taut_surface_v(m->surface)};
+    double sides[2][2][3];
+    for (int k = 0; k < 2; k++) {
+        const taut_basis *basis = taut_curve_t(m->sides[k]);
+        const double lo = taut_basis_lo(basis), hi = taut_basis_hi(basis);
+        taut_curve_eval(m->sides[k], s < 1 ? lo + s * (hi - lo) : hi, 1, sides[k][0]);
+        for (int d = 0; d < 2; d++) {
+            sides[k][1][d] *= hi - lo;
+        }
+    }
+    for (int d = 0; d < 2; d++) {
+        w[0][d] = (1 - t) * sides[0][0][d] + t * sides[1][0][d];
+        w[1][d] = (1 - t) * sides[0][1][d] + t * sides[1][1][d];
+        w[2][d] = sides[1][0][d] - sides[0][0][d];
+        w[0][d] = fmin(fmax(w[0][d], taut_basis_lo(bases[d])), taut_basis_hi(bases[d]));
+    }
+}
+
+/* The principal strain that is larger in size, of the metric and y_s, y_t. */
+static double strain_of(const double g[3], const double y[3][3], const double shrink[2])
+{
+    const double det = y[1][0] * y[2][1] - y[2][0] * y[1][1];
+    const double inverse[2][2] = {{y[2][1] / det, -y[2][0] / det}, {-y[1][1] / det, y[1][0] / det}};
+    double c[2][2];
+    if (!(det > 0)) {
+        return (double)NAN;
+    }
+    for (int i = 0; i < 2; i++) {
+        for (int k = 0; k < 2; k++) {
+            c[i][k] = shrink[i] * shrink[k] *
+                      (inverse[0][i] * (g[0] * inverse[0][k] + g[1] * inverse[1][k]) +
+                       inverse[1][i] * (g[1] * inverse[0][k] + g[2] * inverse[1][k]));
+        }
+    }
+    const double half = (c[0][0] + c[1][1]) / 2;
+    const double radius = taut_hypot((c[0][0] - c[1][1]) / 2, c[0][1]);
+    const double high = sqrt(half + radius) - 1, low = sqrt(half - radius) - 1;
+    return fabs(high) >= fabs(low) ? high : low;
+}
+
+void taut_mounted_at(const taut_mounted *mounted, double s, double t, double point[3],
+                     double normal[3], double *strain)
+{
+    double w[3][2], x[3][3], y[3][3], along[2][3];
+
+    *strain = (double)NAN;
+    window_at(mounted, s, t, w);
+    if (taut_surface_eval(mounted->surface, w[0][0], w[0][1], 1, x[0]) != TAUT_OK ||
+        taut_surface_eval(mounted->flat, s, t, 1, y[0]) != TAUT_OK) {
+        memset(point, 0, 3 * sizeof(double));
+        memset(normal, 0, 3 * sizeof(double));
+        return;
+    }
+    for (int k = 0; k < 2; k++) {
+        for (int c = 0; c < 3; c++) {
+            along[k][c] = x[1][c] * w[1 + k][0] + x[2][c] * w[1 + k][1];
+        }
+    }
+    const double g[3] = {taut_dot(along[0], along[0]), taut_dot(along[0], along[1]),
+                         taut_dot(along[1], along[1])};
+    memcpy(point, x[0], sizeof x[0]);
+    taut_cross(along[0], along[1], normal);
+    const double area = taut_norm(normal);
+    for (int c = 0; c < 3; c++) {
+        normal[c] = area > 0 ? normal[c] / area : (double)NAN;
+    }
+    *strain = area > 0 ? strain_of(g, (const double(*)[3])y, mounted->shrink) : (double)NAN;
+}

@@ -1,0 +1,26 @@
+/* mounted.h -- where a place of a flat piece of cloth is when it is mounted, and how it is strained there: by the model and details of a
+ * pattern (docs/pattern.md). To be looked at: what is proved is the certificate's.
+ *
+ *     x(s, t) = X((1 - t) right(s) + t left(s)),     C = J^-T G J^-1,     strains sqrt(eigenvalues of F0^-1 C F0^-1) - 1
+ */
+#ifndef TAUT_MEASURE_CLOTH_MOUNTED_H
+#define TAUT_MEASURE_CLOTH_MOUNTED_H
+
+#include "core/arena.h"
+#include "taut/model.h"
+
+typedef struct taut_mounted {
+    const taut_surface *surface, *flat; /* flat: NULL where there is no such piece */
+    const taut_curve *sides[2];         /* right and left in the window */
+    double shrink[2];                   /* 1 / F0, of warp and weft */
+} taut_mounted;
+
+/* Of a flat surface of the model; what it makes is the arena's. TAUT_NO_MEMORY. */
+taut_status taut_mounted_new(const taut_model *model, const taut_surface *flat, taut_arena *arena,
+                             taut_mounted *mounted);
+
+/* The place, its normal, and the principal strain beyond the compensation that is larger in size; NaN where there is none. */
+void taut_mounted_at(const taut_mounted *mounted, double s, double t, double point[3],
+                     double normal[3], double *strain);
+
+#endif /* TAUT_MEASURE_CLOTH_MOUNTED_H */

@@ -1,0 +1,61 @@
+/* test_mounted.c -- flat pieces put back on the surface: both pieces of a seam meet all along it, places are on the saddle, the largest
+ * strains are those that the construction tells, and normals are the surface's. */
+#include "check.h"
+#include "cloths.h"
+#include "measure/cloth/mounted.h"
+
+#include <math.h>
+#include <stdio.h>
+
+enum { PARTS = 64 };
+
+static void test_sail(void)
+{
+    made_cloth made =
+        cloth_make(SADDLE, "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 3 }],"
+                           "\"compensation\": { \"warp\": 0.02, \"weft\": 0.045 }");
+    taut_arena *arena = taut_arena_new();
+    taut_mounted pieces[3];
+
+    CHECK(made.status == TAUT_OK && arena != NULL, "%s", made.error.message);
+    for (int k = 0; k < 3; k++) {
+        double low = INFINITY, high = -INFINITY;
+        char name[8];
+        CHECK(taut_mounted_new(made.model, taut_model_surface(made.model, k + 1), arena,
+                               &pieces[k]) == TAUT_OK &&
+                  pieces[k].flat != NULL,
+              "P%d", k + 1);
+        for (int i = 0; i <= PARTS * PARTS; i++) {
+            const double s = (double)(i / PARTS) / PARTS, t = (double)(i % PARTS) / (PARTS - 1);
+            double point[3], normal[3], strain;
+            taut_mounted_at(&pieces[k], s, t, point, normal, &strain);
+            CHECK_NEAR(point[2], 0.3 * (point[0] * point[0] - point[1] * point[1]), 1e-14, "z");
+            const double up = 1 / sqrt(1 + 0.36 * (point[0] * point[0] + point[1] * point[1]));
+            CHECK_NEAR(normal[2], up, 1e-12, "normal");
+            low = fmin(low, strain);
+            high = fmax(high, strain);
+        }
+        snprintf(name, sizeof name, "P%d", k + 1);
+        CHECK_NEAR(low, cloth_number(&made, "pieces", name, "strain/min"), 2e-5, "%s low", name);
+        CHECK_NEAR(high, cloth_number(&made, "pieces", name, "strain/max"), 2e-4, "%s high", name);
+    }
+    for (int i = 0; i <= PARTS; i++) { /* strips count from low u, and t runs towards it */
+        double right[3], left[3], normal[3], strain;
+        taut_mounted_at(&pieces[0], (double)i / PARTS, 0, right, normal, &strain);
+        taut_mounted_at(&pieces[1], (double)i / PARTS, 1, left, normal, &strain);
+        CHECK_NEAR(hypot(right[0] - left[0], right[1] - left[1]), 0, 1e-15, "seam");
+    }
+    taut_mounted none;
+    CHECK(taut_mounted_new(made.model, taut_model_surface(made.model, 0), arena, &none) ==
+                  TAUT_OK &&
+              none.flat == NULL,
+          "the surface itself is no piece");
+    taut_arena_free(arena);
+    cloth_free(&made);
+}
+
+int main(void)
+{
+    test_sail();
+    return check_failures != 0;
+}
