@@ -51,6 +51,7 @@ check cmd:gmsh                       gmsh                   reads STEP and IGES 
 check file:/usr/lib/x86_64-linux-gnu/lib3MF.so.1 lib3mf1     the 3MF Consortium's reader
 check py:ezdxf                       python3-ezdxf          reads DXF back
 check cmd:evolver                evolver                Surface Evolver, which finds the same sails
+check file:/usr/share/doc/evolver/examples/cat.fe evolver-doc its sample files
 check cmd:node                       nodejs                 runs the Khronos validator of glTF
 check cmd:npm                        npm                    fetches it
 check cmd:tsc                        node-typescript        checks the types of scripts
