@@ -22,6 +22,7 @@ export class Engine {
     this.start = start;
     /** @type {Channel | null} */
     this.making = null; // films, which take long: opened when there is the first
+    this.filmTook = 0; // milliseconds, the last one
     this.stats = { solves: 0, draft_ms: 0, final_ms: 0 };
     this.draftBegan = 0;
     this.proofBegan = 0;
@@ -78,10 +79,22 @@ export class Engine {
     this.making ??= new Channel(this.start);
     const reply = await this.making.newest({ kind: "draft", text, budget: 0, hasFields, hasModel: true });
     if (reply === null) return null;
-    await this.drawing.ask({ kind: "base", text: reply.model }); // drafts go on from it
+    this.filmTook = reply.took;
+    this.drawing.ask({ kind: "base", text: reply.model }).catch(() => {}); // drafts go on from it
     this.stats.solves++;
     this.stats.draft_ms = performance.now() - start;
     return reply;
+  }
+
+  /**
+   * Begins with what is drawn first, while the page makes its picture ready: what is asked for then is there already.
+   * @param {string} text
+   * @param {boolean} isFilm
+   */
+  foresee(text, isFilm) {
+    const message = { kind: "draft", text, budget: 0, hasFields: false };
+    const first = isFilm ? (this.making = new Channel(this.start)).newest(message) : this.drawing.ask(message);
+    first.catch(() => {}); // it fails again where it is asked for
   }
 
   /** A newer film is on the way: the one that is being made is not waited for. */

@@ -10,7 +10,7 @@ import { showProof } from "./proof.js";
 import { remedyOf } from "./remedy.js";
 import { Scene } from "./scene.js";
 import { documentOf, fragmentOf, keep, kept } from "./share.js";
-import { Studio } from "./studio.js";
+import { isFilm, parsed, Studio } from "./studio.js";
 
 const EXPORTS = [["step", "STEP"], ["obj", "OBJ mesh"], ["stl", "STL mesh"], ["ply", "PLY mesh"], ["glb", "GLB mesh"], ["vtu", "VTU"], ["svg", "SVG picture"]];
 
@@ -26,6 +26,7 @@ let studio;
 let scene;
 /** @type {import("./remedy.js").Remedies} */
 let remedies = {};
+let opened = 0; // milliseconds from opening the page to its first picture
 
 /** What is wrong, where, and what helps: in the picture and at the member. */
 function showFault(/** @type {Panel} */ panel, /** @type {import("./studio.js").Failure | null} */ error) {
@@ -217,11 +218,32 @@ function offerKept(/** @type {string | null} */ before, /** @type {any} */ given
   at("resume-no").addEventListener("click", () => { at("resume").hidden = true; });
 }
 
+/** Until what the page says while it loads is seen. A page that nobody looks at draws nothing, and does not wait for that. */
+const seen = () => new Promise((resolve) => {
+  requestAnimationFrame(() => setTimeout(resolve));
+  setTimeout(resolve, document.hidden ? 0 : 100);
+});
+
+/** The problem of the page's address, or the one that it was written for. */
+async function problemGiven() {
+  return parsed(await documentOf(location.hash) ?? at("given").textContent ?? "null");
+}
+
+/** The library, which begins with the first surface while the picture is made ready. */
+async function beginEngine(/** @type {any} */ problem) {
+  const [wasm, worker] = await Promise.all([bytesOf("wasm").then((bytes) => WebAssembly.compile(bytes)), textOf("worker")]);
+  const engine = new Engine(worker, wasm);
+  engine.foresee(JSON.stringify(problem), isFilm(problem));
+  return engine;
+}
+
 async function start() {
-  const [wasm, worker, schema, examples, reasons] = await Promise.all(
-    [bytesOf("wasm").then((bytes) => WebAssembly.compile(bytes)), textOf("worker"), textOf("schema"), textOf("examples"), textOf("reasons"), runPart("three")]);
+  const before = kept();
+  await seen();
+  const given = await problemGiven();
+  const [engine, schema, examples, reasons] = await Promise.all(
+    [beginEngine(given), textOf("schema"), textOf("examples"), textOf("reasons"), runPart("three")]);
   remedies = JSON.parse(reasons);
-  const engine = new Engine(worker, wasm), before = kept();
   scene = new Scene(/** @type {HTMLCanvasElement} */ (at("canvas")));
   const panel = new Panel(at("panel"), JSON.parse(schema), (pointer, value) => studio.set(pointer, value), (pointer, value) => studio.preview([{ pointer, value }]));
   studio = new Studio(engine, scene, viewsOf(panel));
@@ -240,9 +262,9 @@ async function start() {
   wireSources(JSON.parse(examples));
   wireTools();
   scene.resize();
-  const given = JSON.parse(at("given").textContent ?? "null");
-  const shared = await documentOf(location.hash);
-  await studio.begin(shared !== null ? shared : given);
+  await studio.begin(given);
+  scene.render();
+  opened = performance.now();
   offerKept(before, studio.document);
 }
 
@@ -264,6 +286,6 @@ Object.assign(window, {
     model: async () => { await ready; return studio.model(); },
     undo: async () => { await ready; return studio.step("undo"); },
     redo: async () => { await ready; return studio.step("redo"); },
-    stats: () => ({ ...studio.engine.stats, frames: scene.frames }),
+    stats: () => ({ ...studio.engine.stats, frames: scene.frames, open_ms: opened }),
   }),
 });

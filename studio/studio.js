@@ -5,8 +5,10 @@ import { edgesOf, freePlacesOf, placesOf } from "./places.js";
 import { withEdits, withValue } from "./pointer.js";
 
 const PROOF_FOLLOWS_MS = 60; // a proof as quick as this is made while dragging, too
-const FILMS = new Set(["film", "plateau"]); // which have drafts, and may take seconds to make
 const DRAG_MS = 8, REST_MS = 100; // steps of a draft while dragging, and when the hand lets go
+
+/** Those that have drafts, and may take seconds to make. */
+export const isFilm = (/** @type {any} */ document) => ["film", "plateau"].includes(document?.construct);
 
 /**
  * @typedef {import("./pointer.js").Edit} Edit
@@ -58,7 +60,7 @@ export class Studio {
   async draw(/** @type {any} */ document) {
     try {
       const text = JSON.stringify(document), { needsFields } = this.scene;
-      const drawn = FILMS.has(document?.construct) ? await this.engine.film(text, needsFields) : await this.engine.draft(text, false, 0, needsFields);
+      const drawn = isFilm(document) ? await this.engine.film(text, needsFields) : await this.engine.draft(text, false, 0, needsFields);
       if (drawn === null) return; // a hand drags on, from the draft there is
       this.scene.setStale(false);
       this.views.fault(null);
@@ -191,24 +193,29 @@ export class Studio {
     }
   }
 
-  /** What took steps to draw comes to rest in the picture before it is made. */
-  async commit(/** @type {Edit[]} */ edits) {
-    const text = JSON.stringify(withEdits(this.document, edits));
+  /** What took steps to draw comes to rest in the picture while it is made, in another worker, unless that takes no longer. */
+  commit(/** @type {Edit[]} */ edits) {
+    const document = withEdits(this.document, edits);
+    if (isFilm(document) && this.engine.filmTook > REST_MS) this.rest(JSON.stringify(document));
+    return this.change((now) => withEdits(now, edits)).catch(() => this.cancel(false));
+  }
+
+  async rest(/** @type {string} */ text) {
     const drawn = await this.engine.draft(text, true, REST_MS, this.scene.needsFields).catch(() => null);
     if (drawn?.isRough && this.moving === text) this.show(drawn);
-    return this.change((document) => withEdits(document, edits)).catch(() => this.cancel(false));
   }
 
   /** Back to the document; `mayForget`: an error is forgotten, too. */
   cancel(mayForget = true) {
     this.moving = undefined;
     this.handOn(this.document);
+    this.prove(this.text()); // what was proved last may be a place that the hand went through
     if (mayForget) this.inOrder(() => this.draw(this.document)).catch(() => {});
   }
 }
 
 /** A JSON text, or an error as the library's are. */
-function parsed(/** @type {string} */ text) {
+export function parsed(/** @type {string} */ text) {
   try {
     return JSON.parse(text);
   } catch (/** @type {any} */ error) {

@@ -6,8 +6,8 @@ const LINES = 65, ALL_POINTS = 40000; // of one surface; of all
 
 /** @type {any} */
 let library = null;
-/** @type {{ text: string, surface: any } | null} */
-let made = null; // the document that was asked for last
+/** @type {{ text: string, surface: any, took: number } | null} */
+let made = null; // the document that was asked for last, and milliseconds that it took
 /** @type {any} */
 let shown = null; // the model that was drawn last: made, or a draft
 const ROUNDS = 30; // of a draft at once: it is at rest by then
@@ -53,7 +53,7 @@ function roughly(/** @type {string} */ text, /** @type {number} */ budget) {
 /** The model of a document; that of the last one is kept. */
 function modelOf(/** @type {string} */ text) {
   if (made !== null && made.text === text) return made.surface;
-  const surface = library.open(text);
+  const start = performance.now(), surface = library.open(text);
   try {
     surface.make();
   } catch (error) {
@@ -61,7 +61,7 @@ function modelOf(/** @type {string} */ text) {
     throw error;
   }
   const before = made?.surface ?? null;
-  made = { text, surface };
+  made = { text, surface, took: performance.now() - start };
   drop(before);
   return surface;
 }
@@ -106,7 +106,7 @@ const answers = {
     const rough = budget > 0 ? roughly(text, budget) : null;
     const surface = showing(rough ?? modelOf(seenOf(text)));
     const model = hasModel ? surface.write("json") : "";
-    return { surfaces: draft(surface, hasFields), curves: curvesOf(surface), isRough: rough !== null, model };
+    return { surfaces: draft(surface, hasFields), curves: curvesOf(surface), isRough: rough !== null, model, took: made?.took ?? 0 };
   },
   /** A model that another worker made: drafts begin from it. */
   base({ text }) {

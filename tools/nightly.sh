@@ -9,7 +9,7 @@
 #     sanitize   all tests with addresses and undefined behaviour watched
 #     windows    all C tests under wine, and every example
 #     wasm       every example in the WebAssembly module, byte for byte
-#     studio     ten thousand random gestures in the studio, without a complaint, and what they leave behind in memory
+#     studio     ten thousand random gestures in the studio, without a complaint, and what they and an hour of dragging leave behind in memory
 #     fuzz       every fuzz target, NIGHTLY_FUZZ seconds in all (3600)
 #     mutants    every mutant that was made by hand
 #     generated  mutants made by rule, for NIGHTLY_GENERATED seconds (7200)
@@ -55,7 +55,7 @@ do_wasm() {
 do_studio() {
     tools/deps.sh wasm && tools/deps.sh browser && cmake --preset release > /dev/null &&
         cmake --build --preset release -j "$jobs" --target taut --target studio &&
-        GESTURES="${NIGHTLY_GESTURES:-10000}" ONLY=gestures node tests/studio/test_studio.js "$native" "$(mktemp -d)" -
+        GESTURES="${NIGHTLY_GESTURES:-10000}" DRAG="${NIGHTLY_DRAG:-3600}" ONLY=gestures node tests/studio/test_studio.js "$native" "$(mktemp -d)" -
 }
 do_fuzz() {
     tools/deps.sh check && cmake --preset sanitize > /dev/null && cmake --build --preset sanitize -j "$jobs" &&
@@ -70,7 +70,7 @@ do_forge() { tools/forge_night.sh "${NIGHTLY_SEED:-$(date +%j)}" "${NIGHTLY_SEED
 
 # What a step says of itself: of tests how many, of examples how many.
 told() { # told LOG
-    grep -hE '^[0-9]+ of [0-9]+ examples|tests passed, |^# (pass|fail) |^[0-9]+ (passed|failed)|mutants tried|^seed [0-9]|^[0-9]+ films, |^after [0-9]+ gestures' "$1" | tail -n 3 |
+    grep -hE '^[0-9]+ of [0-9]+ examples|tests passed, |^# (pass|fail) |^[0-9]+ (passed|failed)|mutants tried|^seed [0-9]|^[0-9]+ films, |^after [0-9]+ (gestures|s of dragging)' "$1" | tail -n 3 |
         tr '\n|' ' /' | sed 's/  */ /g; s/ $//'
 }
 

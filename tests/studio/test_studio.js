@@ -1,6 +1,7 @@
 /* test_studio.js TAUT FOLDER AXE [PICTURES] -- the page of `taut studio` in Chromium, from the disk: it loads without a complaint and without
  * asking for any other address; window.taut makes, changes, undoes and proves; hands and keys do the same; what it saves and exports
- * are the program's bytes; axe (the file of axe-core, or -) finds nothing. GESTURES: how many at random, 100; ONLY=gestures: they alone.
+ * are the program's bytes; axe (the file of axe-core, or -) finds nothing. GESTURES: how many at random, 100; DRAG: for how many seconds a
+ * corner is led about, none; ONLY=gestures: these alone.
  * With PICTURES, states are written there as PNG, to be looked at. */
 'use strict';
 const { execFileSync, spawnSync } = require('node:child_process');
@@ -67,7 +68,7 @@ async function testScripts(browser) {
     await page.until('document.getElementById("proof").dataset.state === "proved"');
 
     const stats = await page.evaluate('taut.stats()');
-    check(stats.solves >= 2 && stats.draft_ms > 0 && stats.final_ms > 0 && stats.frames > 0, 'stats ' + JSON.stringify(stats));
+    check(stats.solves >= 2 && stats.draft_ms > 0 && stats.final_ms > 0 && stats.frames > 0 && stats.open_ms > 0, 'stats ' + JSON.stringify(stats));
     check(await page.evaluate('taut.undo()') === true && same(await page.evaluate('taut.problem()'), first), 'undo');
     check(await page.evaluate('taut.undo()') === false, 'no undo beyond the first document');
     check(await page.evaluate('taut.redo()') === true && same(await page.evaluate('taut.problem()'), changed), 'redo');
@@ -271,6 +272,59 @@ async function testGestures(browser, count) {
     await page.close();
 }
 
+/* Bytes that the page and its workers hold, the memory of their modules with it, where the browser tells. */
+async function heldBy(page, workers) {
+    let sum = 0;
+    for (const send of [page.send, ...workers.values()]) {
+        await send('HeapProfiler.collectGarbage');
+        const { usedSize, backingStorageSize } = await send('Runtime.getHeapUsage');
+        sum += usedSize + (backingStorageSize || 0);
+    }
+    return sum;
+}
+
+/* A corner is led around a circle, and let go once a turn, for so many seconds; after the first minute, or the first tenth of less, page and
+ * workers may not grow by 2 MB. */
+async function testDragging(browser, name, seconds) {
+    const page = await open(browser, write('dragging', name), '', 840, 420), workers = new Map();
+    browser.listeners.push(({ method, params }) => {
+        if (method === 'Target.attachedToTarget' && params.targetInfo.type === 'worker') {
+            workers.set(params.sessionId, (method2, params2) => browser.send(method2, params2, params.sessionId));
+        } else if (method === 'Target.detachedFromTarget') {
+            workers.delete(params.sessionId);
+        }
+    });
+    await page.send('Target.setAutoAttach', { autoAttach: true, waitForDebuggerOnStart: false, flatten: true });
+    await page.evaluate('document.getElementById("canvas").focus()');
+    await page.key('3', '3');
+    await page.settled();
+    const document = await page.evaluate('taut.problem()'), points = document.corners ? Object.values(document.corners) : document.points.flat();
+    const [x, y] = seenFrom(await canvasOf(page), points.filter((point) => point !== null))(points.at(-1)); /* below are the tools */
+    const begin = Date.now(), warm = Math.min(60, seconds / 10), marks = [];
+    let moves = 0;
+    for (let next = warm; Date.now() - begin < seconds * 1000;) {
+        await page.mouse('mousePressed', x, y, { buttons: 1 });
+        for (let k = 0; k <= 60; k++, moves++) {
+            const angle = k / 60 * 2 * Math.PI;
+            await page.mouse('mouseMoved', x - 15 * (1 - Math.cos(angle)), y + 15 * Math.sin(angle), { buttons: 1 });
+            await page.evaluate('new Promise((resolve) => setTimeout(resolve, 15))');
+        }
+        await page.mouse('mouseReleased', x, y);
+        await page.evaluate('taut.model().then(() => true)');
+        if (Date.now() - begin > next * 1000) {
+            next += Math.max(warm, seconds / 10);
+            marks.push(await heldBy(page, workers));
+        }
+    }
+    const grown = marks.at(-1) - marks[0], { solves } = await page.evaluate('taut.stats()');
+    console.log('after ' + seconds + ' s of dragging ' + name + ', ' + moves + ' moves, ' + solves + ' solves, page and workers hold ' + Math.round(grown / 1000) +
+        ' kB more than at first (' + marks.map((bytes) => (bytes / 1e6).toFixed(1)).join(', ') + ' MB)');
+    check(grown < 2e6, 'page and workers grow by ' + grown + ' bytes');
+    check(solves > moves / 20, 'the surface follows ' + moves + ' moves by ' + solves + ' solves');
+    quiet(page, 'dragging');
+    await page.close();
+}
+
 async function testShare(browser) {
     const file = write('share', 'dirichlet-tent');
     const page = await open(browser, file);
@@ -319,6 +373,9 @@ async function main() {
             await testAll(browser);
         }
         await testGestures(browser, Number(process.env.GESTURES || 100));
+        for (const name of Number(process.env.DRAG) > 0 ? ['dirichlet-tent', 'film-sail'] : []) {
+            await testDragging(browser, name, Number(process.env.DRAG) / 2);
+        }
     } catch (error) {
         failures++;
         console.log('FAILED: ' + error.stack);
