@@ -209,9 +209,16 @@ INLINE void substitute_any(int n, int width, int count, const double *factor, do
     }
 }
 
+/* Where code is to be small, rows of pencils have one loop for any width. */
+#ifdef TAUT_SMALL_KERNEL
+#define PENCIL static TARGET __attribute__((noinline))
+#else
+#define PENCIL INLINE
+#endif
+
 /* r = K x - lambda M x and mx = M x on rows first..end-1, where all of row i reaches `up` rows up
  * and `down` rows down; adds to the dots. */
-INLINE void pencil_rows(int first, int end, int width, int up, int down, const double *k,
+PENCIL void pencil_rows(int first, int end, int width, int up, int down, const double *k,
                         const double *m, const double *lambda, const double *x, double *r,
                         double *mx, v_double (*dots)[GROUPS])
 {
