@@ -94,7 +94,7 @@ static int name_rows(const taut_pane *pane, int drawn, int most, named *rows)
     int count = 0;
     for (int i = 0; i < pane->sheet_count + pane->curve_count; i++) {
         const int c = i - pane->sheet_count, is_curve = c >= 0;
-        if (is_curve && drawn && !pane->curves[c].is_seen) {
+        if (drawn && !(is_curve ? pane->curves[c].is_seen : pane->sheets[i].is_seen)) {
             continue;
         }
         const int colour =

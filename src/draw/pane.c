@@ -350,10 +350,26 @@ static double length_of(const taut_polyline *line, const taut_camera *camera)
     return length;
 }
 
+/* Is at least one of a hundred of its points, or any of a few, hidden by nothing? */
+static int is_seen(const taut_sheet *sheet, const double *page, const taut_depth *depth)
+{
+    const size_t count = (size_t)sheet->u.count * (size_t)sheet->v.count;
+    size_t seen = 0;
+    for (size_t i = 0; i < count; i++) {
+        const double *at = page + 3 * i;
+        seen += isfinite(at[0]) && isfinite(at[1]) && isfinite(at[2]) &&
+                !taut_depth_hides(depth, at, 0);
+    }
+    return 100 * seen > count;
+}
+
 taut_status taut_pane_add_curves(taut_pane *pane, const taut_write_options *options,
                                  taut_arena *arena, taut_scene *scene)
 {
     taut_status status = TAUT_OK;
+    for (int i = 0; i < pane->sheet_count; i++) {
+        pane->sheets[i].is_seen = is_seen(&pane->sheets[i], pane->pages[i], &scene->depth);
+    }
     for (int i = 0; i < pane->curve_count && status == TAUT_OK; i++) {
         taut_polyline *line = &pane->curves[i];
         const size_t before = scene->stroke_count;

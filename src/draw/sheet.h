@@ -18,6 +18,7 @@ typedef struct taut_grid_lines {
 
 typedef struct taut_sheet {
     const taut_surface *surface;
+    int is_seen; /* once drawn: some of it, in front of all else */
     taut_grid_lines u, v;
     double *points;  /* [u.count][v.count][3]; not finite where the surface overflows */
     double *values;  /* [u.count-1][v.count-1] what the colour shows; NaN: none; NULL when plain */

@@ -461,6 +461,33 @@ static void test_full_device(void)
     taut_model_free(model);
 }
 
+static taut_surface *square(const char *name, double x, double half, double height)
+{
+    const double points[4][3] = {{x - half, -half, height},
+                                 {x - half, half, height},
+                                 {x + half, -half, height},
+                                 {x + half, half, height}};
+    return patch(name, 1, points[0], NULL);
+}
+
+/* What is behind something else has no name, from above; from below it has. */
+static void test_hidden_names(void)
+{
+    taut_model *model = shape_model(square("above", 0, 1, 1));
+    CHECK(taut_model_add_surface(model, square("behind", 0, 0.5, 0)) == TAUT_OK, "behind");
+    CHECK(taut_model_add_surface(model, square("beside", 3, 1, 0)) == TAUT_OK, "beside");
+    for (int below = 0; below < 2; below++) {
+        const taut_write_options options = {
+            .has_view = 1, .view = {0, below ? -90 : 90}, .no_net = 1};
+        size_t size = 0;
+        char *svg = draw(model, &options, "svg", &size, TAUT_OK);
+        CHECK(strstr(svg, ">above<") != NULL && strstr(svg, ">beside<") != NULL, "below %d", below);
+        CHECK((strstr(svg, ">behind<") != NULL) == below, "below %d", below);
+        free(svg);
+    }
+    taut_model_free(model);
+}
+
 int main(void)
 {
     test_png();
@@ -474,5 +501,6 @@ int main(void)
     test_options();
     test_far_net();
     test_full_device();
+    test_hidden_names();
     return check_failures != 0;
 }

@@ -14,10 +14,11 @@ const stage = {
     asked: false   /* is a picture on its way? */
 };
 
-/* Nets that cover what they belong to are off at first: those of pipes, wide ones, those of many curves. */
+/* Nets that cover what they belong to are off at first: those of pipes, wide ones, those of many patches or curves. */
 const NET_MOST = 400;
 const sizeOf = ({ net }) => net.nu * net.nv;
 const coversAll = (model.certificate && model.certificate.construct === 'pipe') || model.surfaces.some((s) => sizeOf(s) > NET_MOST)
+    || (!model.frames && model.surfaces.reduce((sum, s) => sum + sizeOf(s), 0) > 2 * NET_MOST)
     || model.curves.reduce((sum, c) => sum + sizeOf(c), 0) > NET_MOST;
 const KNOTS_MOST = 12; /* lines of knots that are drawn without the net, which they belong to */
 
