@@ -154,6 +154,16 @@ typedef struct pencil {
     double small[4][4]; /* D - G^T K^-1 G as L D L^T: below the diagonal L, on it D */
 } pencil;
 
+/* The first node behind those that see the functions of node a. */
+static int end_of_run(const taut_table *table, int a)
+{
+    int end = a + 1;
+    while (end < table->count && table->first[end] == table->first[a]) {
+        end++;
+    }
+    return end;
+}
+
 /* The moves that are alive together begin no later than the first of them. */
 static void begin_rows(const taut_film_sheet *sheet, const taut_film_moves *moves, int i, int j,
                        int *begin)
@@ -187,8 +197,8 @@ static taut_status make_pencil(const taut_film_sheet *sheet, const taut_film_mov
     for (int k = 0; k < moves->count; k++) {
         begin[k] = k;
     }
-    for (int a = 0; a < u->count; a++) {
-        for (int b = 0; b < v->count; b++) {
+    for (int a = 0; a < u->count; a = end_of_run(u, a)) {
+        for (int b = 0; b < v->count; b = end_of_run(v, b)) {
             begin_rows(sheet, moves, u->first[a], v->first[b], begin);
         }
     }
@@ -225,16 +235,6 @@ typedef struct cell {
     int count;
     double *k, *m; /* [count (count + 1) / 2] */
 } cell;
-
-/* The first node behind those that see the functions of node a. */
-static int end_of_run(const taut_table *table, int a)
-{
-    int end = a + 1;
-    while (end < table->count && table->first[end] == table->first[a]) {
-        end++;
-    }
-    return end;
-}
 
 static void enter_cell(const taut_film_sheet *sheet, const taut_film_moves *moves, cell *c)
 {
@@ -332,6 +332,7 @@ static void add_cell(const taut_film_sheet *sheet, const taut_film_moves *moves,
 {
     enter_cell(sheet, moves, c);
     for (int a = c->u; a < c->end_u; a++) {
+        taut_film_sheet_line(sheet, a);
         for (int b = c->v; b < c->end_v; b++) {
             taut_film_place place;
             double n[3];

@@ -94,6 +94,7 @@ double taut_film_sheet_stored(const taut_film_sheet *sheet)
     taut_sum sum = {0, 0};
 
     for (int a = 0; a < sheet->u.table->count; a++) {
+        taut_film_sheet_line(sheet, a);
         for (int b = 0; b < sheet->v.table->count; b++) {
             taut_film_place place;
             double threads[2];
@@ -343,7 +344,12 @@ taut_status taut_film_sheet_new(const taut_surface *surface, const taut_film_pro
     sheet->nu = taut_basis_count(taut_surface_u(surface));
     sheet->nv = taut_basis_count(taut_surface_v(surface));
     sheet->points = taut_arena_take(arena, taut_point_count(surface), 3 * sizeof(double));
-    if (sheet->points == NULL ||
+    sheet->still = taut_arena_take(arena, (size_t)sheet->nv, 3 * sizeof(double));
+    sheet->along = taut_arena_take(arena, (size_t)sheet->nv, 3 * sizeof(double));
+    for (int k = 0; k < 3; k++) {
+        sheet->back[k] = taut_arena_take(arena, (size_t)sheet->nv, 3 * sizeof(double));
+    }
+    if (taut_arena_status(arena) != TAUT_OK ||
         make_nodes(taut_surface_u(surface), extra, arena, &sheet->u) != TAUT_OK ||
         make_nodes(taut_surface_v(surface), extra, arena, &sheet->v) != TAUT_OK) {
         return TAUT_NO_MEMORY;
@@ -400,23 +406,35 @@ void taut_film_sheet_tangent(const taut_film_sheet *sheet, int e, int k, double 
     }
 }
 
+void taut_film_sheet_line(const taut_film_sheet *sheet, int a)
+{
+    const taut_table *u = sheet->u.table;
+    const double *n = taut_table_row(u, a, 0), *d = taut_table_row(u, a, 1);
+    const size_t numbers = 3 * (size_t)sheet->nv;
+
+    memset(sheet->still, 0, numbers * sizeof(double));
+    memset(sheet->along, 0, numbers * sizeof(double));
+    for (int i = 0; i < u->local; i++) {
+        const double *row = sheet->points + numbers * (size_t)(u->first[a] + i);
+        for (size_t k = 0; k < numbers; k++) {
+            sheet->still[k] += n[i] * row[k];
+            sheet->along[k] += d[i] * row[k];
+        }
+    }
+}
+
 void taut_film_sheet_place(const taut_film_sheet *sheet, int a, int b, taut_film_place *place)
 {
-    const taut_table *u = sheet->u.table, *v = sheet->v.table;
-    const double *n = taut_table_row(u, a, 0), *d = taut_table_row(u, a, 1);
+    const taut_table *v = sheet->v.table;
     const double *m = taut_table_row(v, b, 0), *s = taut_table_row(v, b, 1);
+    const size_t first = 3 * (size_t)v->first[b];
 
     *place = (taut_film_place){.weight = sheet->u.weights[a] * sheet->v.weights[b]};
-    for (int i = 0; i < u->local; i++) {
-        const double *row = sheet->points + 3 * ((size_t)(u->first[a] + i) * (size_t)sheet->nv +
-                                                 (size_t)v->first[b]);
-        double still[3] = {0, 0, 0}, along[3] = {0, 0, 0};
-        for (int j = 0; j < v->local; j++) {
-            taut_add_scaled(m[j], row + 3 * j, still);
-            taut_add_scaled(s[j], row + 3 * j, along);
+    for (size_t j = 0; j < (size_t)v->local; j++) {
+        for (size_t c = 0; c < 3; c++) {
+            place->u[c] += m[j] * sheet->along[first + 3 * j + c];
+            place->v[c] += s[j] * sheet->still[first + 3 * j + c];
         }
-        taut_add_scaled(d[i], still, place->u);
-        taut_add_scaled(n[i], along, place->v);
     }
     taut_cross(place->u, place->v, place->normal);
     place->e = taut_dot(place->u, place->u);
@@ -449,12 +467,10 @@ void taut_film_sheet_slope(const taut_film_sheet *sheet, int e, int node, double
     }
 }
 
-/* The two fluxes and the normal go back to the points that are alive at the node. */
-static void spread_place(const taut_film_sheet *sheet, int a, int b, const taut_film_place *p,
-                         double *gradient, double *moments)
+/* The two fluxes and the normal go back to the functions of v that are alive at the node. */
+static void spread_place(const taut_film_sheet *sheet, int a, int b, const taut_film_place *p)
 {
-    const taut_table *u = sheet->u.moves, *v = sheet->v.moves;
-    const double *n = taut_table_row(u, a, 0), *d = taut_table_row(u, a, 1);
+    const taut_table *v = sheet->v.moves;
     const double *m = taut_table_row(v, b, 0), *s = taut_table_row(v, b, 1);
     double along_u[3], along_v[3], threads[2];
 
@@ -469,13 +485,27 @@ static void spread_place(const taut_film_sheet *sheet, int a, int b, const taut_
             along_v[c] = p->weight * threads[1] * p->v[c];
         }
     }
+    for (int j = 0; j < v->local; j++) {
+        const size_t at = 3 * (size_t)(v->first[b] + j);
+        taut_add_scaled(m[j], along_u, sheet->back[0] + at);
+        taut_add_scaled(s[j], along_v, sheet->back[1] + at);
+        taut_add_scaled(p->weight * m[j], p->normal, sheet->back[2] + at);
+    }
+}
+
+/* And from there to the points that are alive on the line. */
+static void spread_line(const taut_film_sheet *sheet, int a, double *gradient, double *moments)
+{
+    const taut_table *u = sheet->u.moves;
+    const double *n = taut_table_row(u, a, 0), *d = taut_table_row(u, a, 1);
+
     for (int i = 0; i < u->local; i++) {
-        for (int j = 0; j < v->local; j++) {
-            const int owner = taut_film_sheet_owner(sheet, u->first[a] + i, v->first[b] + j);
-            double *g = gradient + 3 * (size_t)owner, *q = moments + 3 * (size_t)owner;
-            taut_add_scaled(d[i] * m[j], along_u, g);
-            taut_add_scaled(n[i] * s[j], along_v, g);
-            taut_add_scaled(p->weight * n[i] * m[j], p->normal, q);
+        for (int j = 0; j < sheet->nv; j++) {
+            const size_t at = 3 * (size_t)j;
+            const size_t owner = (size_t)taut_film_sheet_owner(sheet, u->first[a] + i, j);
+            taut_add_scaled(d[i], sheet->back[0] + at, gradient + 3 * owner);
+            taut_add_scaled(n[i], sheet->back[1] + at, gradient + 3 * owner);
+            taut_add_scaled(n[i], sheet->back[2] + at, moments + 3 * owner);
         }
     }
 }
@@ -519,12 +549,17 @@ void taut_film_sheet_gradient(const taut_film_sheet *sheet, double *gradient, do
     memset(gradient, 0, size);
     memset(moments, 0, size);
     for (int a = 0; a < sheet->u.table->count; a++) {
+        taut_film_sheet_line(sheet, a);
+        for (int k = 0; k < 3; k++) {
+            memset(sheet->back[k], 0, 3 * (size_t)sheet->nv * sizeof(double));
+        }
         for (int b = 0; b < sheet->v.table->count; b++) {
             taut_film_place place;
             taut_film_sheet_place(sheet, a, b, &place);
             taut_sum_add(&sum, place.weight * place.w);
-            spread_place(sheet, a, b, &place, gradient, moments);
+            spread_place(sheet, a, b, &place);
         }
+        spread_line(sheet, a, gradient, moments);
     }
     *area = taut_sum_total(&sum);
     *largest = 0;

@@ -46,6 +46,9 @@ typedef struct taut_film_sheet {
     double forces[4];    /* of each cable, in the user's unit */
     double stiffness[4]; /* k of elastic cables, scaled; else 0 */
     taut_film_nodes u, v;
+    double *still,
+        *along;      /* [nv][3]: of the line last laid, what is x and x_u on it as functions of v */
+    double *back[3]; /* [nv][3]: what goes back to a line */
 } taut_film_sheet;
 
 /* Are forces given along threads, in place of a tension? */
@@ -109,6 +112,8 @@ int taut_film_sheet_normals(const taut_film_sheet *sheet, int i, int j, double n
 taut_status taut_film_sheet_new(const taut_surface *surface, const taut_film_problem *problem,
                                 int extra, taut_arena *arena, taut_film_sheet *sheet);
 
+/* Lays the line u = const of node a, and node b on it. */
+void taut_film_sheet_line(const taut_film_sheet *sheet, int a);
 void taut_film_sheet_place(const taut_film_sheet *sheet, int a, int b, taut_film_place *place);
 
 /* Where the points of edge e lie: the first, from one to the next, how many. */

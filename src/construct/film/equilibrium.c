@@ -37,7 +37,7 @@
 #include <string.h>
 
 enum {
-    RULES = 8,
+    RULES = 9,
     AGREEING = 3 /* rules, since one may agree by chance */,
     POLISHES = 6,
     MULTIPLIERS = 40,
@@ -46,11 +46,13 @@ enum {
 };
 
 /* Nodes on a span beyond the functions alive there. */
-static const int extra_nodes[RULES] = {1, 3, 6, 10, 16, 26, 42, 68};
+static const int extra_nodes[RULES] = {1, 3, 5, 8, 11, 14, 20, 34, 68};
 static const double energy_agreement = 1e-13; /* share: two rules that agree */
+static const double energy_near = 1e-9;       /* share: a few steps lead from one to the next */
 static const double residual_agreement = 0.1; /* of the tolerance */
 static const double residual_settled = 0.01;  /* of the tolerance: no step more is worth its cost */
 static const double residual_any = 5e-7;      /* of all coordinates: the certificate allows 1e-6 */
+static const double residual_held = 1e-8;     /* the same where no line slides along itself */
 static const double residual_rough = 1e-3;    /* of all coordinates, by the method `normal` */
 /* Of given lengths: share. Rounding is 1e-15, the certificate's limit 1e-10. */
 static const double length_agreement = 1e-12;
@@ -310,36 +312,45 @@ static taut_status minimise(taut_film_work *w, taut_error *error)
     status = w->space->problem->method == TAUT_FILM_NORMAL
                  ? approach(w, newton, &inner)
                  : taut_trust_region_minimise(w->functional, newton, &w->region, w->net, &inner);
+    w->region.theta = 0;
+    taut_film_memory_clear(&w->memory); /* the net is another */
     taut_newton_step_free(newton);
     return status == TAUT_OK ? TAUT_OK : tell_ending(w, &inner, status, error);
 }
 
+/* What derivatives of all coordinates may be left: of lines that slide along themselves more, and whatever there is by the
+ * method `normal`. */
+static double most_any(const taut_film_work *w)
+{
+    return w->space->problem->method == TAUT_FILM_NORMAL ? INFINITY
+           : w->space->leader != NULL                    ? residual_any
+                                                         : residual_held;
+}
+
 /* Steps along the moves that the energy sees. Where lines slide along themselves these leave something to the other
- * coordinates, and steps in all of them follow, until both are at rest. residual: as taut_film_polish has it. */
-static taut_status polish_moves(taut_film_work *w, double residual[3], taut_error *error)
+ * coordinates, and steps in all of them follow, until both are at rest. */
+static taut_status polish_moves(taut_film_work *w, taut_film_polished *all, taut_error *error)
 {
     const int patience = w->region.patience;
     taut_status status = TAUT_OK;
 
     for (int k = 0; status == TAUT_OK; k++) {
-        double found[3];
+        taut_film_polished found;
         if (w->space->problem->method == TAUT_FILM_NORMAL) {
             taut_film_rest_point at;
             w->is_definite = 0;
             status = taut_film_seek(w->functional, w->space, w->net, SEEKS, &at);
-            residual[0] = at.first;
-            residual[1] = at.residual;
-            residual[2] = at.any;
+            *all = (taut_film_polished){.first = at.first, .residual = at.residual, .any = at.any};
+            all->area = taut_area_functional_value(w->functional, w->net).area;
             return status == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
         }
-        if (taut_film_polish(w->functional, w->space, w->net, w->enough, found, &w->is_definite) !=
-            TAUT_OK) {
+        if (taut_film_polish(w->functional, w->space, w->net, w->enough, &w->memory, &found,
+                             &w->is_definite) != TAUT_OK) {
             return taut_fail_memory(error);
         }
-        residual[0] = k == 0 ? found[0] : residual[0];
-        residual[1] = found[1];
-        residual[2] = found[2];
-        if (w->space->leader == NULL || found[2] <= residual_any || k == POLISHES) {
+        found.first = k == 0 ? found.first : all->first;
+        *all = found;
+        if (w->space->leader == NULL || found.any <= residual_any || k == POLISHES) {
             break;
         }
         w->region.patience = 0;
@@ -352,15 +363,16 @@ static taut_status polish_moves(taut_film_work *w, double residual[3], taut_erro
 /* The same; refused where the film has a fold. *before: the residual along the moves. */
 static taut_status polish(taut_film_work *w, double *before, taut_error *error)
 {
-    double residual[3] = {0, 0, 0};
-    const taut_status status = polish_moves(w, residual, error);
+    taut_film_polished found = {.first = 0};
+    const taut_status status = polish_moves(w, &found, error);
 
     if (status != TAUT_OK) {
         return status;
     }
-    *before = residual[0];
-    w->region.residual = residual[1];
-    w->region.area = taut_area_functional_value(w->functional, w->net).area;
+    *before = found.first;
+    w->any = found.any;
+    w->region.residual = found.residual;
+    w->region.area = found.area;
     return is_folded(w->functional) ? refuse_fold(w, error) : TAUT_OK;
 }
 
@@ -373,24 +385,29 @@ static taut_status refuse_rules(const taut_film_work *w, taut_error *error)
         "or the tolerance");
 }
 
-/* The next rule: *agree where it gives the same energy, and derivatives within the tolerance. */
-static taut_status refine_rule(taut_film_work *w, double factor, int *agree, taut_error *error)
+/* The next rule: *agree where it gives the same energy, and derivatives within the tolerance; *rested where the film is at rest by
+ * it, after a few steps. */
+static taut_status refine_rule(taut_film_work *w, double factor, int *agree, int *rested,
+                               taut_error *error)
 {
     const double before = w->region.area;
     double residual = 0;
 
-    *agree = 0;
+    *agree = *rested = 0;
     if (taut_film_take_rule(w, w->rule + 1, factor) != TAUT_OK) {
         return taut_fail_memory(error);
     }
     const double after = taut_area_functional_value(w->functional, w->net).area;
-    if (!(fabs(after - before) <= energy_agreement * after)) {
+    if (!(fabs(after - before) <= energy_near * after)) {
         return TAUT_OK;
     }
     w->enough = residual_settled * w->region.tolerance;
     const taut_status status = polish(w, &residual, error);
-    *agree = residual <= residual_agreement * w->region.tolerance;
     w->enough = 0;
+    *rested =
+        w->region.residual <= residual_agreement * w->region.tolerance && w->any <= most_any(w);
+    *agree = *rested && fabs(after - before) <= energy_agreement * after &&
+             residual <= residual_agreement * w->region.tolerance;
     return status;
 }
 
@@ -476,7 +493,7 @@ static taut_status settle(taut_film_work *w, int far, taut_error *error)
 static taut_status enforce_laws(taut_film_work *w, taut_error *error)
 {
     double off[4];
-    int changed = 0, rests = w->space->leader == NULL; /* in all coordinates, or does not mind */
+    int changed = 0, rests = 0; /* in all coordinates */
     taut_status status = TAUT_OK;
 
     harden(w, &changed);
@@ -552,17 +569,19 @@ taut_status taut_film_rest(taut_film_work *w, double factor, taut_error *error)
     }
     taut_status status = taut_film_take_rule(w, 0, factor);
 
-    w->region.iterations = 0; /* its work goes on to be counted: all films on the way share it */
+    w->region.iterations = w->begun; /* work goes on to be counted: all films on the way share it */
+    w->iterations += w->begun;
+    w->begun = 0;
     if (status != TAUT_OK) {
         return taut_fail_memory(error);
     }
-    for (int agreed = 0, agree = 0; status == TAUT_OK && agreed < AGREEING;) {
-        status = rest_by_rule(w, agree, error);
+    for (int agreed = 0, agree = 0, rested = 0; status == TAUT_OK && agreed < AGREEING;) {
+        status = rest_by_rule(w, rested, error);
         if (status == TAUT_OK && w->rule + 1 == RULES) {
             return agreed > 0 ? TAUT_OK : refuse_rules(w, error);
         }
         if (status == TAUT_OK) {
-            status = refine_rule(w, factor, &agree, error);
+            status = refine_rule(w, factor, &agree, &rested, error);
         }
         agreed = agree ? agreed + 1 : 0;
     }

@@ -29,7 +29,10 @@ typedef struct taut_film_work {
     int rule;
     double *net;
     taut_trust_region region;
-    int iterations;  /* of all films on the way */
+    int iterations; /* of all films on the way */
+    int begun;      /* those that led to the net at hand, of the next of them */
+    taut_film_memory memory;
+    double any;      /* residual of all coordinates after the last steps along the moves */
     double enough;   /* residual along the moves that the last steps need not go below */
     int is_definite; /* did the last step along the moves find no eigenvalue below 0? */
     int negative;    /* eigenvalues below 0 of the film; -1: not known */

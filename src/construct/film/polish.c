@@ -1,9 +1,9 @@
 #include "construct/film/polish.h"
 
 #include "construct/film/greville.h"
-#include "construct/plateau/hessian_band.h"
 #include "core/constants.h"
 #include "core/elementary/elementary.h"
+#include "core/memory.h"
 #include "core/vec3.h"
 
 #include <math.h>
@@ -17,6 +17,7 @@ static const double residual_far = 10,
                                                                * what there was, or so much */
 static const double falls =
     0.25; /* of a step's length: the least share of the residual that it has to take */
+static const double falls_again = 0.1; /* of the residual: what a step by older factors may leave */
 static const double gauge_most = 0.1;
 static const double gauge = 1e-6; /* of the metric, in steps in all coordinates */
 static const double gauge_enough = 1e-9,
@@ -34,7 +35,8 @@ typedef struct work {
     double *net, *gradient, *step, *before, *tried, *kept; /* [nu][nv][3] */
     double *directions;                                    /* [nu][nv][3][3] */
     double *moments;                                       /* [nu][nv][3] */
-    double any;                                            /* of the last look */
+    double *rows;                                          /* [3][nv][3] */
+    double any, area;                                      /* of the last look */
     const taut_basis *bases[2];
     double *greville[2];
 } work;
@@ -47,24 +49,38 @@ static void make_unit(double x[3])
     }
 }
 
-/* x_u x x_v times the weight at Gauss point (line, k). */
-static void weighted_normal(const work *w, int line, int k, double normal[3])
+/* x and x_u on line u = const, as functions of v: by the points of a row of the net. */
+static void find_row(const work *w, int line, double *still, double *along)
+{
+    const taut_area_axis *u = &w->functional->u;
+    const size_t numbers = 3 * (size_t)w->mask->nv;
+
+    memset(still, 0, numbers * sizeof(double));
+    memset(along, 0, numbers * sizeof(double));
+    for (int a = 0; a < u->local; a++) {
+        const double n = u->value[line * u->local + a], d = u->slope[line * u->local + a];
+        const double *row = w->net + numbers * (size_t)(u->first[line] + a);
+        for (size_t i = 0; i < numbers; i++) {
+            still[i] += n * row[i];
+            along[i] += d * row[i];
+        }
+    }
+}
+
+/* x_u x x_v times the weight at Gauss point (line, k), of the row on that line. */
+static void weighted_normal(const work *w, int line, int k, const double *still,
+                            const double *along, double normal[3])
 {
     const taut_area_axis *u = &w->functional->u, *v = &w->functional->v;
-    const double *n = u->value + line * u->local, *d = u->slope + line * u->local;
     const double *m = v->value + k * v->local, *s = v->slope + k * v->local;
+    const size_t first = 3 * (size_t)v->first[k];
     double xu[3] = {0, 0, 0}, xv[3] = {0, 0, 0};
 
-    for (int a = 0; a < u->local; a++) {
-        const double *row =
-            w->net + 3 * ((size_t)(u->first[line] + a) * (size_t)w->mask->nv + (size_t)v->first[k]);
-        double still[3] = {0, 0, 0}, along[3] = {0, 0, 0};
-        for (int b = 0; b < v->local; b++) {
-            taut_add_scaled(m[b], row + 3 * b, still);
-            taut_add_scaled(s[b], row + 3 * b, along);
+    for (size_t b = 0; b < (size_t)v->local; b++) {
+        for (size_t c = 0; c < 3; c++) {
+            xu[c] += m[b] * along[first + 3 * b + c];
+            xv[c] += s[b] * still[first + 3 * b + c];
         }
-        taut_add_scaled(d[a], still, xu);
-        taut_add_scaled(n[a], along, xv);
     }
     taut_cross(xu, xv, normal);
     for (int c = 0; c < 3; c++) {
@@ -72,23 +88,47 @@ static void weighted_normal(const work *w, int line, int k, double normal[3])
     }
 }
 
+/* to[j] += sum over the nodes of a line of N_j(v) what is there, [nodes][3]. */
+static void spread_node(const work *w, int k, const double x[3], double *to)
+{
+    const taut_area_axis *v = &w->functional->v;
+    double *at = to + 3 * (size_t)v->first[k];
+
+    for (int b = 0; b < v->local; b++) {
+        taut_add_scaled(v->value[k * v->local + b], x, at + 3 * b);
+    }
+}
+
+/* net += N_i(u) row on that line. */
+static void spread_row(const work *w, int line, const double *row, double *net)
+{
+    const taut_area_axis *u = &w->functional->u;
+    const size_t numbers = 3 * (size_t)w->mask->nv;
+
+    for (int a = 0; a < u->local; a++) {
+        const double n = u->value[line * u->local + a];
+        double *to = net + numbers * (size_t)(u->first[line] + a);
+        for (size_t i = 0; i < numbers; i++) {
+            to[i] += n * row[i];
+        }
+    }
+}
+
 static void find_moments(work *w)
 {
-    const taut_area_axis *u = &w->functional->u, *v = &w->functional->v;
+    const size_t row = 3 * (size_t)w->mask->nv;
+    double *const still = w->rows, *const along = w->rows + row, *const back = w->rows + 2 * row;
 
     memset(w->moments, 0, 3 * w->count * sizeof(double));
-    for (int line = 0; line < u->count; line++) {
-        for (int k = 0; k < v->count; k++) {
+    for (int line = 0; line < w->functional->u.count; line++) {
+        find_row(w, line, still, along);
+        memset(back, 0, row * sizeof(double));
+        for (int k = 0; k < w->functional->v.count; k++) {
             double normal[3];
-            weighted_normal(w, line, k, normal);
-            for (int p = 0; p < u->local * v->local; p++) {
-                const int a = p / v->local, b = p % v->local;
-                const size_t at =
-                    (size_t)(u->first[line] + a) * (size_t)w->mask->nv + (size_t)(v->first[k] + b);
-                taut_add_scaled(u->value[line * u->local + a] * v->value[k * v->local + b], normal,
-                                w->moments + 3 * at);
-            }
+            weighted_normal(w, line, k, still, along, normal);
+            spread_node(w, k, normal, back);
         }
+        spread_row(w, line, back, w->moments);
     }
     taut_mask_reduce(w->mask, w->moments);
 }
@@ -229,7 +269,7 @@ static double look(work *w)
 {
     double along = 0, all = 0, any = 0;
 
-    taut_area_functional_gradient(w->functional, w->net, w->gradient);
+    w->area = taut_area_functional_gradient(w->functional, w->net, w->gradient).area;
     memset(w->step, 0, 3 * w->count * sizeof(double));
     for (size_t i = 0; i < w->count; i++) {
         all = fmax(all, taut_largest_coordinate(w->gradient + 3 * i));
@@ -249,36 +289,81 @@ static double look(work *w)
     return all > 0 ? along / all : 0;
 }
 
-static taut_status polish(work *w, taut_area_hessian *hessian, double least, double residual[3],
-                          int *is_definite)
+/* net -= the step by the factors: the residual then; the net before is kept. */
+static double make_step(work *w, taut_area_hessian *factors)
 {
-    double found = look(w);
+    taut_area_hessian_solve(factors, w->step);
+    memcpy(w->before, w->net, 3 * w->count * sizeof(double));
+    for (size_t i = 0; i < 3 * w->count; i++) {
+        w->net[i] -= w->step[i];
+    }
+    return look(w);
+}
 
-    residual[0] = found;
+static void undo_step(work *w)
+{
+    memcpy(w->net, w->before, 3 * w->count * sizeof(double));
+    look(w);
+}
+
+/* Factors of the net as it is, in the place of those in memory. */
+static taut_status renew_factors(work *w, taut_film_memory *memory)
+{
+    taut_area_hessian_free(memory->factors);
+    memory->factors = NULL;
+    taut_status status = taut_area_hessian_new(w->functional, w->mask, &memory->factors);
+    if (status == TAUT_OK) {
+        taut_area_hessian_assemble(memory->factors, w->functional);
+        taut_area_hessian_stiffen(memory->factors, w->directions, stiffness);
+        status = taut_area_hessian_factor(memory->factors, 0);
+    }
+    if (status != TAUT_OK) {
+        taut_area_hessian_free(memory->factors);
+        memory->factors = NULL;
+    }
+    return status;
+}
+
+/* Steps by the factors in memory for as long as each takes nearly all of the residual; returns what is left. */
+static double polish_again(work *w, taut_area_hessian *factors, double least, double found)
+{
     for (int k = 0; k < STEPS && found > fmax(least, enough); k++) {
-        taut_area_hessian_assemble(hessian, w->functional);
-        taut_area_hessian_stiffen(hessian, w->directions, stiffness);
-        const taut_status status = taut_area_hessian_factor(hessian, 0);
-        *is_definite = status == TAUT_OK && taut_area_hessian_is_definite(hessian);
-        if (status != TAUT_OK) {
-            break;
-        }
-        taut_area_hessian_solve(hessian, w->step);
-        memcpy(w->before, w->net, 3 * w->count * sizeof(double));
-        for (size_t i = 0; i < 3 * w->count; i++) {
-            w->net[i] -= w->step[i];
-        }
-        const double next = look(w);
-        if (!(next < 0.5 * found)) { /* rounding, or no minimum along these moves */
-            memcpy(w->net, w->before, 3 * w->count * sizeof(double));
+        const double next = make_step(w, factors);
+        if (!(next < falls_again * found)) {
+            undo_step(w);
             break;
         }
         found = next;
     }
-    residual[1] = found;
-    look(w);
-    residual[2] = w->any;
-    return TAUT_OK;
+    return found;
+}
+
+static taut_status polish(work *w, taut_film_memory *memory, double least,
+                          taut_film_polished *result, int *is_definite)
+{
+    double found = result->first = look(w);
+    taut_status status = TAUT_OK;
+
+    if (memory->factors != NULL) {
+        found = polish_again(w, memory->factors, least, found);
+    }
+    for (int k = 0; k < STEPS && found > fmax(least, enough); k++) {
+        status = renew_factors(w, memory);
+        *is_definite = status == TAUT_OK && taut_area_hessian_is_definite(memory->factors);
+        if (status != TAUT_OK) {
+            break;
+        }
+        const double next = make_step(w, memory->factors);
+        if (!(next < 0.5 * found)) { /* rounding, or no minimum along these moves */
+            undo_step(w);
+            break;
+        }
+        found = polish_again(w, memory->factors, least, next);
+    }
+    result->residual = found;
+    result->any = w->any;
+    result->area = w->area;
+    return status == TAUT_NO_MEMORY ? status : TAUT_OK;
 }
 
 /* net = dL of a cable. */
@@ -319,8 +404,8 @@ static taut_status respond(work *w, taut_area_hessian *hessian, double response[
     return TAUT_OK;
 }
 
-/* Arrays, directions, the matrix: what both calls below begin with. */
-static taut_status prepare(work *w, taut_arena *arena, taut_area_hessian **hessian)
+/* Arrays: what all calls below begin with. */
+static taut_status take_arrays(work *w, taut_arena *arena)
 {
     const taut_mask *mask = w->mask;
 
@@ -333,16 +418,30 @@ static taut_status prepare(work *w, taut_arena *arena, taut_area_hessian **hessi
     w->tried = taut_arena_take(arena, w->count, 3 * sizeof(double));
     w->kept = taut_arena_take(arena, w->count, 3 * sizeof(double));
     w->moments = taut_arena_take(arena, w->count, 3 * sizeof(double));
-    w->directions = taut_arena_take(arena, w->count, 9 * sizeof(double));
+    w->rows = taut_arena_take(arena, (size_t)mask->nv, 9 * sizeof(double));
     w->greville[0] = taut_arena_take(arena, (size_t)mask->nu, sizeof(double));
     w->greville[1] = taut_arena_take(arena, (size_t)mask->nv, sizeof(double));
-    taut_status status = taut_arena_status(arena);
+    if (taut_arena_status(arena) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    taut_film_greville(w->bases[0], w->greville[0]);
+    taut_film_greville(w->bases[1], w->greville[1]);
+    return TAUT_OK;
+}
+
+/* The same, directions and the matrix. */
+static taut_status prepare(work *w, taut_arena *arena, taut_area_hessian **hessian)
+{
+    taut_status status = take_arrays(w, arena);
+
     if (status == TAUT_OK) {
-        status = taut_area_hessian_new(w->functional, mask, hessian);
+        w->directions = taut_arena_take(arena, w->count, 9 * sizeof(double));
+        status = taut_arena_status(arena);
     }
     if (status == TAUT_OK) {
-        taut_film_greville(w->bases[0], w->greville[0]);
-        taut_film_greville(w->bases[1], w->greville[1]);
+        status = taut_area_hessian_new(w->functional, w->mask, hessian);
+    }
+    if (status == TAUT_OK) {
         find_directions(w);
     }
     return status;
@@ -367,22 +466,38 @@ taut_status taut_film_respond(taut_area_functional *functional, const taut_film_
     return status;
 }
 
+void taut_film_memory_clear(taut_film_memory *memory)
+{
+    taut_area_hessian_free(memory->factors);
+    taut_free(memory->directions);
+    *memory = (taut_film_memory){.factors = NULL};
+}
+
 taut_status taut_film_polish(taut_area_functional *functional, const taut_film_space *space,
-                             double *net, double least, double residual[3], int *is_definite)
+                             double *net, double least, taut_film_memory *memory,
+                             taut_film_polished *found, int *is_definite)
 {
     work w = {.functional = functional, .space = space, .mask = &space->mask, .net = net};
-    taut_area_hessian *hessian = NULL;
 
-    residual[0] = residual[1] = residual[2] = 0;
+    *found = (taut_film_polished){.first = 0};
     if (!taut_area_hessian_pays(functional, w.mask)) {
+        found->area = taut_area_functional_value(functional, net).area;
         return TAUT_OK;
     }
     taut_arena *arena = taut_arena_new();
-    taut_status status = prepare(&w, arena, &hessian);
-    if (status == TAUT_OK) {
-        status = polish(&w, hessian, least, residual, is_definite);
+    taut_status status = take_arrays(&w, arena);
+    const int is_new = memory->directions == NULL;
+    if (status == TAUT_OK && is_new) {
+        memory->directions = taut_alloc_zero(w.count, 9 * sizeof(double));
+        status = memory->directions != NULL ? TAUT_OK : TAUT_NO_MEMORY;
     }
-    taut_area_hessian_free(hessian);
+    w.directions = memory->directions;
+    if (status == TAUT_OK && is_new) {
+        find_directions(&w);
+    }
+    if (status == TAUT_OK) {
+        status = polish(&w, memory, least, found, is_definite);
+    }
     taut_arena_free(arena);
     return status;
 }
@@ -478,26 +593,30 @@ static int count_waves(const work *w)
 static void weigh(const work *w, const double *in, double *out)
 {
     const taut_area_axis *u = &w->functional->u, *v = &w->functional->v;
+    const size_t row = 3 * (size_t)w->mask->nv;
+    double *const still = w->rows, *const along = w->rows + row, *const back = w->rows + 2 * row;
 
     memset(out, 0, 3 * w->count * sizeof(double));
     for (int line = 0; line < u->count; line++) {
+        find_row(w, line, still, along);
+        memset(back, 0, row * sizeof(double));
         for (int k = 0; k < v->count; k++) {
-            double normal[3], along = 0;
-            weighted_normal(w, line, k, normal);
-            for (int round = 0; round < 2; round++) {
-                for (int p = 0; p < u->local * v->local; p++) {
-                    const int a = p / v->local, b = p % v->local;
-                    const size_t at = (size_t)(u->first[line] + a) * (size_t)w->mask->nv +
-                                      (size_t)(v->first[k] + b);
-                    const double value = u->value[line * u->local + a] * v->value[k * v->local + b];
-                    if (round == 0) {
-                        along += value * taut_dot(normal, in + 3 * at);
-                    } else {
-                        taut_add_scaled(value * along / taut_length(normal), normal, out + 3 * at);
-                    }
-                }
+            double normal[3], part = 0;
+            weighted_normal(w, line, k, still, along, normal);
+            for (int p = 0; p < u->local * v->local; p++) {
+                const int a = p / v->local, b = p % v->local;
+                const size_t at =
+                    (size_t)(u->first[line] + a) * (size_t)w->mask->nv + (size_t)(v->first[k] + b);
+                part += u->value[line * u->local + a] * v->value[k * v->local + b] *
+                        taut_dot(normal, in + 3 * at);
             }
+            const double size = taut_length(normal);
+            for (int c = 0; c < 3; c++) {
+                normal[c] *= part / size;
+            }
+            spread_node(w, k, normal, back);
         }
+        spread_row(w, line, back, out);
     }
     taut_mask_reduce(w->mask, out);
 }

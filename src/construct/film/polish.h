@@ -10,12 +10,29 @@
 
 #include "construct/film/space.h"
 #include "construct/plateau/area.h"
+#include "construct/plateau/hessian_band.h"
 
-/* Improves net double[nu][nv][3] in place, until a residual of `least` or rounding. residual: the largest derivative along those moves over the largest in the net, before and after, and the largest in any way that is allowed
- * after. *is_definite: without what cables store the second derivative has been seen to be positive definite along the moves;
- * else as it was. Nets whose factors do not pay stay as they are. TAUT_NO_MEMORY. */
+/* What the last steps of one net leave for those of the next, nearly the same: by another Gauss rule, or other forces. */
+typedef struct taut_film_memory {
+    taut_area_hessian *factors; /* or NULL */
+    double *directions;         /* [nu][nv][3][3], or NULL */
+} taut_film_memory;
+
+void taut_film_memory_clear(taut_film_memory *memory);
+
+typedef struct taut_film_polished {
+    double first,
+        residual; /* the largest derivative along those moves over the largest in the net, before and after */
+    double any;  /* the largest in any way that is allowed, after */
+    double area; /* of the functional, after */
+} taut_film_polished;
+
+/* Improves net double[nu][nv][3] in place, until a residual of `least` or rounding, by the factors in memory for as long as they
+ * serve. *is_definite: without what cables store the second derivative has been seen to be positive definite along the moves; else as
+ * it was. Nets whose factors do not pay stay as they are. TAUT_NO_MEMORY. */
 taut_status taut_film_polish(taut_area_functional *functional, const taut_film_space *space,
-                             double *net, double least, double residual[3], int *is_definite);
+                             double *net, double least, taut_film_memory *memory,
+                             taut_film_polished *found, int *is_definite);
 
 /* How lengths answer to forces: response[k][l] = dL_k . B^-1 dL_l over those moves, B the second
  * derivative of all, for the cables that give way (others 0). TAUT_NO_SOLUTION: B is not positive

@@ -8,6 +8,7 @@
 #include "construct/film/solve.h"
 
 #include "construct/film/apart.h"
+#include "construct/film/coarse.h"
 #include "construct/film/freedom.h"
 #include "construct/film/ring.h"
 #include "construct/film/stronger.h"
@@ -23,6 +24,9 @@ enum { ITERATIONS_DEFAULT = 200, PATIENCE = 40, SEEKS = 40, SEEKS_NEAR = 8 };
 static const double tolerance_default = 1e-10;
 static const double gain_enough =
     3e-10; /* of all coordinates: points that slide along themselves creep */
+static const double gain_held = 0.01; /* of the tolerance: of films whose edges do not slide */
+static const double residual_enough =
+    3e-7;                               /* of all coordinates there: the certificate allows 1e-6 */
 static const double moved_near = 0.1;   /* 0.05 of the size: a start that lies at a film */
 static const double area_none = 1e-12;  /* of the size squared */
 static const double theta_least = 1e-6; /* of the metric operator in every step */
@@ -122,6 +126,10 @@ static taut_status find_net(taut_film_work *w, taut_arena *arena, taut_error *er
     }
     if (status != TAUT_OK || done) {
         return status;
+    }
+    const taut_status begun = taut_film_begin_coarse(w, 1);
+    if (begun != TAUT_OK) {
+        return taut_fail_status(error, begun);
     }
     taut_error inner = {.status = TAUT_OK};
     inner.status = taut_film_rest(w, 1, &inner);
@@ -291,6 +299,10 @@ taut_status taut_film_solve(const taut_film_space *space, const taut_monitor *mo
     if (space->leader != NULL) {
         w.region.gain_enough = gain_enough;
         w.region.patience = PATIENCE;
+    } else {
+        w.region.gain_enough = gain_held * w.region.tolerance;
+        w.region.residual_enough = residual_enough;
+        w.region.theta_enough = theta_least;
     }
     w.net = taut_arena_copy(arena, space->start, space->count, 3 * sizeof(double));
     if (w.net == NULL) {
@@ -311,6 +323,7 @@ taut_status taut_film_solve(const taut_film_space *space, const taut_monitor *mo
     }
     taut_dirichlet_form_clear(&w.form);
     taut_surface_free(w.reference);
+    taut_film_memory_clear(&w.memory);
     taut_film_drop_rule(&w);
     return status;
 }

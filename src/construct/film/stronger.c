@@ -9,6 +9,7 @@
  */
 #include "construct/film/stronger.h"
 
+#include "construct/film/coarse.h"
 #include "core/fail.h"
 
 #include <math.h>
@@ -63,6 +64,10 @@ static taut_status find_strong(taut_film_work *w, double *factor, taut_error *er
     for (int k = 0; inner.status == TAUT_NOT_CONVERGED && k < DOUBLINGS; k++) {
         *factor *= 2;
         memcpy(w->net, w->space->start, 3 * w->space->count * sizeof(double));
+        const taut_status begun = taut_film_begin_coarse(w, *factor);
+        if (begun != TAUT_OK) {
+            return taut_fail_status(error, begun);
+        }
         inner.status = taut_film_rest(w, *factor, &inner);
     }
     return inner.status == TAUT_OK ? TAUT_OK : taut_film_pass_on(&inner, error);

@@ -109,10 +109,10 @@ typedef struct state {
     point here, there;                   /* where it stands; the net that is tried */
     double *right, *step, *image, *turn; /* unknowns */
     double *move, *bend;                 /* nets */
-    double theta;
-    double model;                 /* what the quadratic model says the step gains */
-    double first_norm;            /* residual at the start */
-    double start_area, work_done; /* area and work of the functional at the start */
+    double theta, used;                  /* the next step's; that of the last one */
+    double model;                        /* what the quadratic model says the step gains */
+    double first_norm;                   /* residual at the start */
+    double start_area, work_done;        /* area and work of the functional at the start */
     double barrier; /* no step may take the smallest area element, over the mean, below this */
     double fence;   /* the operator was last seen indefinite at this theta; forgotten by and by */
     double past[PAST];
@@ -329,6 +329,7 @@ static taut_status find_step(state *s)
         s->right[i] = -s->right[i];
     }
     for (int tries = 1; tries < THETA_TRIES && (tries == 1 || !is_spent(s)); tries++) {
+        s->used = s->theta;
         status = taut_newton_step_solve(s->newton, s->theta, forcing_term(s), s->right, s->step,
                                         &s->model);
         if (status != TAUT_NO_SOLUTION || s->theta >= 1) {
@@ -399,9 +400,11 @@ static int may_rest(state *s)
 static int is_enough(const state *s, double before)
 {
     const double area = s->here.value.area;
+    const double residual =
+        s->region->residual_enough > 0 ? s->region->residual_enough : limits.residual_enough;
     return s->region->gain_enough > 0 && s->steps >= s->region->patience &&
-           s->here.residual <= limits.residual_enough &&
-           before - area <= s->region->gain_enough * area;
+           s->here.residual <= residual && before - area <= s->region->gain_enough * area &&
+           !(s->region->theta_enough > 0 && s->used > s->region->theta_enough);
 }
 
 /* ---- one iteration ---- */
@@ -729,8 +732,10 @@ static taut_status iterate(state *s, taut_error *error)
         status = advance(s, &at_rest);
         region->iterations += !at_rest;
         note_area(s);
-        at_rest = at_rest || (status == TAUT_OK && is_enough(s, before));
-        if (at_rest) {
+        const int has_enough = status == TAUT_OK && is_enough(s, before);
+        at_rest = at_rest || has_enough;
+        if (at_rest &&
+            !(has_enough && s->used <= limits.curvature_slack)) { /* else it was definite */
             status = check_minimum(s, &at_rest, error);
         }
         if (status == TAUT_CHECK_FAILED) {
@@ -770,7 +775,7 @@ static taut_status start_state(taut_area_functional *functional, taut_newton_ste
         return TAUT_NO_MEMORY;
     }
     evaluate_point(s, &s->here);
-    s->theta = is_along_directions(s) ? 0 : limits.theta_first;
+    s->theta = is_along_directions(s) ? 0 : region->theta > 0 ? region->theta : limits.theta_first;
     s->first_norm = s->here.residual;
     s->start_area = s->here.value.area;
     s->barrier = fmin(limits.element_least, 0.5 * s->here.value.least);
@@ -794,6 +799,7 @@ static taut_status minimise(taut_area_functional *functional, taut_newton_step *
     }
     region->work += functional->work - s.work_done;
     region->area = s.here.value.area;
+    region->theta_next = s.theta;
     region->residual = s.here.residual;
     region->gain = s.here.value.area > 0 ? s.model / s.here.value.area : 0;
     if (status == TAUT_INTERRUPTED) {

@@ -23,12 +23,15 @@ typedef struct taut_trust_region {
     double theta_least; /* theta is not lowered below it: moves that the area does not see then
                          * stay smooth, and symmetric; at most 1e-6 */
     double
-        gain_enough; /* share: a step that gains less, where the residual is below 8e-7, is the last; 0: the area is
-                         * followed to rounding */
+        gain_enough; /* share: a step that gains less is the last, where the residual is below `residual_enough` (0: 8e-7) and
+                         * its theta was at most `theta_enough` (0: any); 0: the area is followed to rounding */
+    double residual_enough, theta_enough;
     int patience; /* steps before that counts */
+    double theta; /* of the first step; 0: 1e-2 */
     /* found; iterations and work are added to */
     int iterations;
     double work;
+    double theta_next; /* of the step that would be next */
     int areas_count;
     double area;
     double residual; /* largest derivative along an unknown over the largest in the net */
