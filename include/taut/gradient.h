@@ -94,10 +94,10 @@ typedef struct taut_film_slopes {
     double laws[4];       /* given of each cable: force, length, sag or unstressed length */
     double stiffness[4];  /* of elastic cables */
     double *points; /* double[nu][nv][3] of the caller's, or NULL: each held point of the net alone,
-                     * as those of an edge on a curve, the others 0 */
+                     * as those of an edge on a curve, the others 0; of a ring for moves that keep its edges closed */
 } taut_film_slopes;
 
-/* *slopes, written whole on success, else untouched. A film of one patch, open, of the method "full",
+/* *slopes, written whole on success, else untouched. A film of one patch, open or a ring, of the method "full",
  * without updates of a reference; request NULL: the energy. The energy does not change with what was found,
  * so nothing is solved for it; for all else one system with the second derivative of the energy in all
  * coordinates of the net is, and lengths and laws of cables ([GriewankWalther2008] ch. 15; docs/gradient.md).

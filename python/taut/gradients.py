@@ -69,7 +69,7 @@ class FilmGradient(NamedTuple):
     corners: dict[str, Array]  #: (3,) of each corner "u0v0", ...: of those that are held where they are given, else 0
     cables: dict[str, float]  #: of each cable "u0", ...: by its force, length, sag or unstressed length, whichever is given
     stiffness: dict[str, float]  #: of each elastic cable
-    points: Array  #: (nu, nv, 3): by each held point of the net alone, as those of an edge on a curve; 0 elsewhere
+    points: Array  #: (nu, nv, 3): by each held point of the net alone, of a ring by moves that keep it closed; 0 elsewhere
 
 
 def _index(name: str, names: tuple[str, ...], what: str) -> int:
@@ -92,8 +92,8 @@ def film_gradient(problem: Document, model: Model, of: str = "energy", edge: str
     of         F: "energy", "area", "length" or "tension" of the cable `edge`, or "reaction" at the held `corner` along `axis`
     progress   as of taut.make
 
-    By the adjoint: the energy needs no solve, all else one system, however much is given. A film of one patch, open, with the
-    method "full" and no updates of a reference; others are an InputError, reason "no-gradient". Source: docs/gradient.md.
+    By the adjoint: the energy needs no solve, all else one system, however much is given. A film of one patch, open or a ring,
+    with the method "full" and no updates of a reference; others are an InputError, reason "no-gradient". Source: docs/gradient.md.
     """
     problems = _problems(problem)
     if library.taut_problem_list_count(problems.pointer) != 1:

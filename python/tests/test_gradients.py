@@ -150,11 +150,32 @@ def test_films(of, edge):
     assert set(found.cables) == {"u0", "v0", "v1"} and set(found.stiffness) == {"v0"} and found.points.shape == (8, 8, 3)
 
 
+def test_rings():
+    """By the radius of a held circle and the force of the other edge's cable, against rings made anew."""
+    def ring(h):
+        return {"construct": "film", "u": taut.bspline(3, count=9), "v": taut.bspline(3, count=5), "seams": [["u0", "u1"]],
+                "tolerance": 1e-12, "least": False,
+                "edges": {"v0": {"fixed": {"circle": {"center": [0, 0, 0], "normal": [0, 0, 1], "radius": 1 + h}}},
+                          "v1": {"cable": {"force": 0.3 - 0.5 * h}, "plane": {"point": [0, 0, 0.2], "normal": [0, 0, 1]}}}}
+
+    h, at = 1e-3, (1, -1, 2, -2)
+    made, moved = taut.make(ring(0)), [taut.make(ring(k * h)) for k in at]
+
+    def slope(values):
+        return (8 * (values[0] - values[1]) - (values[2] - values[3])) / (12 * h)
+    edge = slope([m.surfaces[0].points for m in moved])  # of the held edge, as it is fitted to its circle
+    for of in ("energy", "area"):
+        found = taut.film_gradient(ring(0), made, of)
+        assert not any(corner.any() for corner in found.corners.values()) and set(found.cables) == {"v1"}
+        terms = (found.points * edge).sum() - 0.5 * found.cables["v1"]
+        assert abs(terms - slope([m.certificate.figures[of] for m in moved])) < 1e-8 * (1 + abs(terms))
+
+
 def test_films_refused(examples):
     model = taut.make(SAIL)
-    ring = document(examples["film-ring"])
+    patches = document(examples["film-ridge"])
     for wrong, reason in (((SAIL, model, "volume"), "name"), ((SAIL, model, "length", "u2"), "name"),
-                          ((SAIL, model, "tension", "u1"), "argument"), ((ring, taut.make(ring)), "no-gradient")):
+                          ((SAIL, model, "tension", "u1"), "argument"), ((patches, taut.make(patches)), "no-gradient")):
         with pytest.raises(taut.InputError) as caught:
             taut.film_gradient(*wrong)
         assert caught.value.reason == reason

@@ -8,6 +8,8 @@
  *     H l + sum_k m_k c_k,L L_k,x = F_x,    L_k,x . l + m_k c_k,r = F_r,
  *     dF/dq = F_q - R_q . l - sum_k m_k c_k,q,      R_q = H_xq at held points q
  *
+ * Nets that go around are on periodic functions, whose copies are one unknown, or one held point.
+ *
  * H is solved with, the 4 x 4 system of the m_k is what is left. Along the film H is as small as the
  * discretisation lets it be: F_x is as small there, and steps by factors of a little more than H are
  * repeated until they change nothing.
@@ -239,16 +241,48 @@ static taut_status take_memory(pulling *p, taut_arena *arena, taut_error *error)
     return taut_arena_status(arena) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 }
 
+static int is_held(const pulling *p, size_t i)
+{
+    return p->space.known[i] && (p->space.leader == NULL || p->space.leader[i] == (int)i);
+}
+
+/* Line by line along which the net goes around. */
+static void go_around(const pulling *p, void (*turn)(const taut_loop *, size_t, double *),
+                      double *net)
+{
+    const int along_u = p->problem.ring == TAUT_FILM_RING_U;
+    const size_t nv = (size_t)p->space.nv, lines = (size_t)(along_u ? p->space.nv : p->space.nu);
+
+    for (size_t k = 0; p->space.around != NULL && k < lines; k++) {
+        turn(p->space.around, along_u ? nv : 1, net + 3 * (along_u ? k : k * nv));
+    }
+}
+
+/* right at what is held, with what its copies have, 0 elsewhere. */
+static void keep_held(const pulling *p, double *right)
+{
+    for (size_t i = 0; p->space.leader != NULL && i < p->count; i++) {
+        if (p->space.leader[i] != (int)i) {
+            taut_add_scaled(1, right + 3 * i, right + 3 * p->space.leader[i]);
+        }
+    }
+    for (size_t i = 0; i < p->count; i++) {
+        if (!is_held(p, i)) {
+            memset(right + 3 * i, 0, 3 * sizeof(double));
+        }
+    }
+}
+
 /* The net of the model, which is held where the problem holds it. */
 static taut_status take_net(pulling *p, const taut_surface *surface, taut_error *error)
 {
-    const double *points = taut_surface_points(surface);
+    double *points = p->rest;
 
+    memcpy(points, taut_surface_points(surface), 3 * p->count * sizeof(double));
+    go_around(p, taut_loop_unclamp, points);
     for (size_t i = 0; i < p->count; i++) {
-        const int is_held =
-            p->space.known[i] && (p->space.leader == NULL || p->space.leader[i] == (int)i);
-        if (is_held && !(taut_distance(points + 3 * i, p->space.points + 3 * i) <=
-                         limits.elsewhere * p->space.size)) {
+        if (is_held(p, i) && !(taut_distance(points + 3 * i, p->space.points + 3 * i) <=
+                               limits.elsewhere * p->space.size)) {
             return taut_fail(error, TAUT_BAD_ARGUMENT, "other-model", NULL, taut_none, taut_none,
                              "the model is not the one of this problem: a held point is elsewhere");
         }
@@ -436,8 +470,9 @@ static void find_points(pulling *p, const double *given, double *image)
         }
     }
     for (size_t i = 0; i < 3 * p->count; i++) {
-        p->right[i] = p->space.known[i / 3] ? given[i] - image[i] : 0;
+        p->right[i] = given[i] - image[i];
     }
+    keep_held(p, p->right);
 }
 
 /* ---- what a user gave ---- */
@@ -524,7 +559,10 @@ static taut_status hand_over(const pulling *p, const double m[CABLES], taut_film
     for (size_t i = 0; i < 3 * p->count; i++) {
         p->rest[i] = w / p->unit * p->right[i];
     }
-    add_corners(p, p->rest, &found);
+    if (p->space.around == NULL) {
+        add_corners(p, p->rest, &found);
+    }
+    go_around(p, taut_loop_unclamp_slopes, p->rest);
     for (int k = 0; k < p->cables; k++) {
         add_law(p, k, w * m[k], &found);
     }
@@ -548,9 +586,8 @@ static taut_status pull_energy(pulling *p, taut_film_slopes *slopes, taut_error 
 {
     double m[CABLES];
 
-    for (size_t i = 0; i < 3 * p->count; i++) {
-        p->right[i] = p->space.known[i / 3] ? p->slope[i] : 0;
-    }
+    memcpy(p->right, p->slope, 3 * p->count * sizeof(double));
+    keep_held(p, p->right);
     for (int k = 0; k < p->cables; k++) {
         const taut_film_edge *edge = &p->problem.edges[p->edges[k]];
         m[k] = edge->law == TAUT_FILM_FORCE ? p->lengths[k] : -p->ratios[k];
@@ -611,7 +648,8 @@ static taut_status check_request(const taut_film_problem *problem,
                          "edge %s has no cable", taut_film_edge_names[request->edge]);
     }
     if (request->of == TAUT_FILM_GRADIENT_REACTION &&
-        problem->corner_kinds[request->corner] != TAUT_FILM_HELD) {
+        (problem->ring != TAUT_FILM_OPEN ||
+         problem->corner_kinds[request->corner] != TAUT_FILM_HELD)) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "corner %s is not held", taut_film_corner_names[request->corner]);
     }
@@ -623,9 +661,6 @@ static taut_status check_kind(const taut_film_problem *problem, taut_error *erro
     if (problem->patch_count > 0 || problem->cell_count > 0) {
         return taut_gradient_refuse("films of many patches or with cells have no derivatives yet",
                                     error);
-    }
-    if (problem->ring != TAUT_FILM_OPEN) {
-        return taut_gradient_refuse("rings have no derivatives yet", error);
     }
     if (problem->updates > 0) {
         return taut_gradient_refuse("a reference that is updated moves with the film", error);

@@ -121,6 +121,40 @@ void taut_loop_clamp(const taut_loop *loop, size_t step, double *points)
     memcpy(end[0], points, 3 * sizeof(double)); /* one point, to the bit */
 }
 
+void taut_loop_unclamp(const taut_loop *loop, size_t step, double *points)
+{
+    const int p = loop->degree;
+
+    for (int i = p - 2; i >= 0; i--) {
+        double *x = points + 3 * step * (size_t)i;
+        for (int j = i + 1; j < p; j++) {
+            taut_add_scaled(-loop->first[i * p + j], points + 3 * step * (size_t)j, x);
+        }
+        for (int c = 0; c < 3; c++) {
+            x[c] /= loop->first[i * p + i];
+        }
+    }
+    for (int j = 0; j < p; j++) {
+        memcpy(points + 3 * step * (size_t)(loop->period + j), points + 3 * step * (size_t)j,
+               3 * sizeof(double));
+    }
+}
+
+void taut_loop_unclamp_slopes(const taut_loop *loop, size_t step, double *slopes)
+{
+    const int p = loop->degree;
+
+    for (int i = 0; i < p - 1; i++) {
+        double *x = slopes + 3 * step * (size_t)i;
+        for (int c = 0; c < 3; c++) {
+            x[c] /= loop->first[i * p + i];
+        }
+        for (int j = i + 1; j < p; j++) {
+            taut_add_scaled(-loop->first[i * p + j], x, slopes + 3 * step * (size_t)j);
+        }
+    }
+}
+
 double taut_loop_greville(const taut_basis *basis, int j)
 {
     const int n = taut_basis_count(basis), p = taut_basis_degree(basis);

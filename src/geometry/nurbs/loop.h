@@ -43,6 +43,12 @@ void taut_loop_open(const taut_loop *loop, int first, double *values);
 /* P_i from c double[n or more, at i][3] by `step` points: the clamped net of the c, in place. */
 void taut_loop_clamp(const taut_loop *loop, size_t step, double *points);
 
+/* The c of a clamped net that is closed, in place: the inverse of the above, of its first points. */
+void taut_loop_unclamp(const taut_loop *loop, size_t step, double *points);
+/* Derivatives by the c, those of copies being 0, become derivatives by the first points of the clamped net that they are
+ * found from; the others have 0. In place. */
+void taut_loop_unclamp_slopes(const taut_loop *loop, size_t step, double *slopes);
+
 /* The mean of the knots inside the support of M_j, brought into the range. */
 double taut_loop_greville(const taut_basis *basis, int j);
 

@@ -5,6 +5,7 @@
  *     area c^2 - 4 R^2 (a - sin a cos a),   length 2 R a of each cable
  */
 #include "check.h"
+#include "rings.h"
 #include "sails.h"
 #include "taut/gradient.h"
 #include "taut/measure.h"
@@ -201,6 +202,99 @@ static void test_sums(void)
     sail_free(&s);
 }
 
+/* ---- films that go around ---- */
+
+enum { AROUND = 9, ALONG = 5 };
+
+/* A ring whose lower edge is held on a circle of this radius and height, drawn together by a cable or held above. */
+static ring ring_of(double radius, double z, int law, double given)
+{
+    ring r = ring_new(3, AROUND, 3, ALONG);
+    ring_circle(&r, 0, z, radius);
+    if (law < 0) {
+        ring_circle(&r, 1, 0.6, 0.8);
+        return r;
+    }
+    ring_cable(&r, 1, 0.2, given);
+    taut_film_edge *edge = &r.problem.edges[3];
+    edge->law = (taut_film_law)law;
+    if (law == TAUT_FILM_LENGTH) {
+        edge->length = given;
+    } else if (law == TAUT_FILM_ELASTIC) {
+        edge->unstressed = given;
+        edge->stiffness = 7;
+    }
+    return r;
+}
+
+/* The number of the ring, and the points of its net; its slopes where they are asked for. */
+static double ring_value(ring *r, taut_film_gradient_of of, double *points,
+                         taut_film_slopes *slopes)
+{
+    static const char *const names[] = {"energy", "area", "lengths", "tensions"};
+    const taut_film_gradient_request request = {.of = of, .edge = 3};
+    taut_certificate *certificate = NULL;
+    taut_error error = {.message = ""};
+    r->problem.tolerance = 1e-12;
+    r->problem.without_least = 1;
+    taut_model *model = film_made(&r->problem, &certificate, "ring");
+    const double value =
+        of <= TAUT_FILM_GRADIENT_AREA
+            ? taut_record_number(taut_record_get(taut_certificate_figures(certificate), names[of]))
+            : sail_figure(certificate, names[of], 0);
+
+    memcpy(points, taut_surface_points(taut_model_surface(model, 0)),
+           3 * AROUND * ALONG * sizeof(double));
+    if (slopes != NULL) {
+        CHECK(taut_film_gradient(&r->problem, model, &request, slopes, &error) == TAUT_OK,
+              "number %d: %s", (int)of, error.message);
+    }
+    taut_certificate_free(certificate);
+    taut_model_free(model);
+    return value;
+}
+
+/* Radius, height and what the cable is given, along a random way of all three, by differences of fourth order. */
+static void test_rings(void)
+{
+    static const double share[4] = {8, -8, -1, 1}, at[4] = {1, -1, 2, -2};
+    static const struct {
+        int law;
+        double given, h; /* between films that differ within themselves, wider steps */
+    } rows[] = {{-1, 0, 4e-3},
+                {TAUT_FILM_FORCE, 0.3, 1e-3},
+                {TAUT_FILM_LENGTH, 5.4, 1e-3},
+                {TAUT_FILM_ELASTIC, 5.2, 1e-3}};
+
+    for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+        const double h = rows[k].h;
+        for (int of = 0; of <= (rows[k].law < 0 ? 1 : 3); of++) {
+            static double points[4][3 * AROUND * ALONG], held[3 * AROUND * ALONG];
+            static double by_points[3 * AROUND * ALONG];
+            taut_film_slopes slopes = {.points = by_points};
+            ring r = ring_of(1, 0, rows[k].law, rows[k].given);
+            ring_value(&r, (taut_film_gradient_of)of, held, &slopes);
+            ring_free(&r);
+            const double way[3] = {random_in(-1, 1), random_in(-1, 1), random_in(-1, 1)};
+            double expected = 0, found = slopes.laws[3] * way[2];
+            for (int m = 0; m < 4; m++) {
+                const double step = at[m] * h;
+                r = ring_of(1 + step * way[0], step * way[1], rows[k].law,
+                            rows[k].given + step * way[2]);
+                expected += share[m] / (12 * h) *
+                            ring_value(&r, (taut_film_gradient_of)of, points[m], NULL);
+                ring_free(&r);
+            }
+            for (int i = 0; i < 3 * AROUND * ALONG; i++) {
+                for (int m = 0; m < 4; m++) {
+                    found += by_points[i] * share[m] / (12 * h) * points[m][i];
+                }
+            }
+            CHECK_NEAR(found, expected, 1e-7, "law %d, number %d", rows[k].law, of);
+        }
+    }
+}
+
 /* ---- refused ---- */
 
 static void refused(const taut_film_problem *problem, const taut_model *model,
@@ -247,6 +341,7 @@ int main(void)
     test_circles();
     test_laws();
     test_sums();
+    test_rings();
     test_refused();
     return check_failures != 0;
 }
