@@ -276,17 +276,21 @@ static void keep_held(const pulling *p, double *right)
 /* The net of the model, which is held where the problem holds it. */
 static taut_status take_net(pulling *p, const taut_surface *surface, taut_error *error)
 {
+    const double *given = taut_surface_points(surface);
     double *points = p->rest;
 
-    memcpy(points, taut_surface_points(surface), 3 * p->count * sizeof(double));
-    go_around(p, taut_loop_unclamp, points);
+    memcpy(points, p->space.points, 3 * p->count * sizeof(double));
+    go_around(p, taut_loop_clamp, points);
     for (size_t i = 0; i < p->count; i++) {
-        if (is_held(p, i) && !(taut_distance(points + 3 * i, p->space.points + 3 * i) <=
-                               limits.elsewhere * p->space.size)) {
+        const size_t of = p->space.leader != NULL ? (size_t)p->space.leader[i] : i;
+        if (is_held(p, of) &&
+            !(taut_distance(points + 3 * i, given + 3 * i) <= limits.elsewhere * p->space.size)) {
             return taut_fail(error, TAUT_BAD_ARGUMENT, "other-model", NULL, taut_none, taut_none,
                              "the model is not the one of this problem: a held point is elsewhere");
         }
     }
+    memcpy(points, given, 3 * p->count * sizeof(double));
+    go_around(p, taut_loop_unclamp, points);
     taut_scaling_apply(&p->space.scaling, p->count, points, NULL, p->net);
     return TAUT_OK;
 }

@@ -87,6 +87,34 @@ static void test_seam(const taut_basis *basis, const taut_curve *curve)
           "the seam is one point, to the bit");
 }
 
+/* Back to the c, which are clamped to the same first points again (uneven knots cost the c digits, and so the copies at
+ * the other end); and a sum over them as one over the clamped net. */
+static void test_inverse(const taut_loop *loop, const double points[MOST][3],
+                         const double clamped[MOST][3])
+{
+    double back[MOST][3], slopes[MOST][3] = {{0}}, sums[2] = {0, 0}, size = 0;
+    memcpy(back, clamped, sizeof back);
+    taut_loop_unclamp(loop, 1, back[0]);
+    taut_loop_clamp(loop, 1, back[0]);
+    for (int i = 0; i < loop->count; i++) {
+        for (int c = 0; c < 3; c++) { /* 2e-16 was seen */
+            if (i < loop->period) {
+                CHECK_NEAR(back[i][c], clamped[i][c], 1e-15, "point %d", i);
+            }
+            slopes[i][c] = i < loop->period ? random_in(-1, 1) : 0;
+            sums[0] += slopes[i][c] * points[i][c];
+        }
+    }
+    taut_loop_unclamp_slopes(loop, 1, slopes[0]);
+    for (int i = 0; i < loop->count; i++) {
+        for (int c = 0; c < 3; c++) {
+            sums[1] += slopes[i][c] * clamped[i][c];
+            size += fabs(slopes[i][c] * clamped[i][c]);
+        }
+    }
+    CHECK_NEAR(sums[1], sums[0], 1e-14 * (1 + size), "a sum over the net");
+}
+
 static void test_random(void)
 {
     for (int trial = 0; trial < 200; trial++) {
@@ -101,6 +129,7 @@ static void test_random(void)
         random_points(&loop, points);
         memcpy(clamped, points, sizeof clamped);
         taut_loop_clamp(&loop, 1, clamped[0]);
+        test_inverse(&loop, (const double(*)[3])points, (const double(*)[3])clamped);
         CHECK(taut_curve_new(NULL, basis, clamped[0], NULL, &curve, NULL) == TAUT_OK, "curve");
         test_values(basis, &loop, points, curve);
         test_seam(basis, curve);
