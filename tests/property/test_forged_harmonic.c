@@ -8,6 +8,7 @@
 
 #include "taut/harmonic.h"
 
+#include <math.h>
 #include <string.h>
 
 enum { MOST = 8 };
@@ -123,6 +124,36 @@ static void test_extension(void)
     }
 }
 
+/* The given surface a million times as large: what its carrying on might have lost says nothing of a
+ * merged surface that does not cover it, whose moved point is seen. */
+static void test_large_first(void)
+{
+    static double points[3 * MOST * MOST];
+    const int construct = construct_named("harmonic-extension");
+    const double range[4] = {0, 1, 0, 1}, by[3] = {1e-12, 0, 0};
+    taut_model *given = random_harmonic(3, range), *model = NULL;
+    const taut_surface *first = taut_model_surface(given, 0);
+    taut_harmonic_extension_problem problem = {
+        .surface = first, .edge = TAUT_EDGE_U1, .c1 = {.width = 1}};
+    taut_surface *large = NULL;
+
+    CHECK(taut_harmonic_extension_make(&problem, NULL, &model, NULL) == TAUT_OK, "made");
+    for (int i = 0; i < 3 * 16; i++) {
+        points[i] = ldexp(taut_surface_points(first)[i], 40);
+    }
+    CHECK(taut_surface_new(taut_surface_name(taut_model_surface(model, 0)), taut_surface_u(first),
+                           taut_surface_v(first), points, NULL, &large, NULL) == TAUT_OK,
+          "large");
+    taut_model *forged = model_with(model, 0, large);
+    CHECK(verdict_of(forged, construct, NULL, "harmonic") == TAUT_TRUE, "each is harmonic");
+    taut_model *moved = model_moved(forged, 2, 15, by);
+    CHECK(verdict_of(moved, construct, NULL, "harmonic") == TAUT_FALSE, "the merged one is not");
+    taut_model_free(moved);
+    taut_model_free(forged);
+    taut_model_free(model);
+    taut_model_free(given);
+}
+
 /* A point of a known row moved, and details that call it a repair. */
 static void test_repairs(void)
 {
@@ -165,6 +196,7 @@ int main(void)
 {
     random_seed(20261214);
     test_extension();
+    test_large_first();
     test_repairs();
     return check_failures != 0;
 }

@@ -185,7 +185,7 @@ taut_status taut_harmonic_add_harmonic(const taut_model *model, int exact, doubl
     }
 
     char where[96] = "";
-    double worst = -1, residual = 0, limit = 0, spared = 0;
+    double worst = -1, residual = 0, limit = 0, spared = 0, first = 0;
     const taut_surface *worst_surface = NULL;
 
     for (int k = 0; k < taut_model_surface_count(model); k++) {
@@ -193,7 +193,10 @@ taut_status taut_harmonic_add_harmonic(const taut_model *model, int exact, doubl
         const taut_harmonic_residual found = taut_harmonic_residual_of(surface, 0);
         const int degrees =
             taut_basis_degree(taut_surface_u(surface)) + taut_basis_degree(taut_surface_v(surface));
-        const double noise = found.size > 0 && k > 0 ? 2 * carried / found.size : 0;
+        first = k == 0 ? found.size : first;
+        /* the net of a merged surface holds the first one's, and is no smaller */
+        const double size = k == 2 ? fmax(found.size, first / 2) : found.size;
+        const double noise = size > 0 && k > 0 ? 2 * carried / size : 0;
         const double allowed = 2 * degrees * TAUT_UNIT_ROUNDOFF * fmax(found.reach, noise);
         const double rank = taut_harmonic_rank(found.scaled, allowed);
         if (!(rank <= worst)) {

@@ -15,7 +15,8 @@ taut_status taut_harmonic_check_model(const taut_model *model, int least, taut_e
  * relation (2), whose factors sum to at most 4 n^2 and 4 m^2. With `exact` the residual of the
  * exact points in rational arithmetic, and limit 0; TAUT_IO where there is no module for it.
  * `carried`: the points of all surfaces but the first are those of the first carried on, which met
- * numbers as large; 0: they are not. They are let have twice as much. */
+ * numbers as large; 0: they are not. They are let have twice as much, a third
+ * surface (which covers the first: its control net is no smaller) over half the first one's size at least. */
 taut_status taut_harmonic_add_harmonic(const taut_model *model, int exact, double carried,
                                        taut_certificate *certificate, taut_error *error);
 
