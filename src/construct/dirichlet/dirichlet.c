@@ -265,7 +265,7 @@ static taut_status fill_known(const taut_dirichlet_problem *problem, work *w, ta
 }
 
 /* Fills the net with the finished control points. */
-static taut_status fill_net(const taut_dirichlet_problem *problem, const taut_monitor *monitor,
+static taut_status fill_net(const taut_dirichlet_problem *problem, const taut_make_options *options,
                             work *w, taut_error *error)
 {
     const size_t count = (size_t)w->mask.nu * (size_t)w->mask.nv;
@@ -279,7 +279,8 @@ static taut_status fill_net(const taut_dirichlet_problem *problem, const taut_mo
     if (status != TAUT_OK) {
         return status;
     }
-    status = taut_dirichlet_system_new(&w->form, &w->mask, monitor, &w->system, error);
+    status = taut_dirichlet_system_new(&w->form, &w->mask, &options->monitor, options->threads,
+                                       &w->system, error);
     if (status != TAUT_OK) {
         return status;
     }
@@ -352,8 +353,9 @@ static taut_status make_model(const taut_dirichlet_problem *problem, const work 
     return TAUT_OK;
 }
 
-static taut_status find_model(const taut_dirichlet_problem *problem, const taut_monitor *monitor,
-                              work *w, taut_model **model, taut_error *error)
+static taut_status find_model(const taut_dirichlet_problem *problem,
+                              const taut_make_options *options, work *w, taut_model **model,
+                              taut_error *error)
 {
     const int nu = taut_basis_count(problem->u), nv = taut_basis_count(problem->v);
     taut_status status = TAUT_OK;
@@ -362,7 +364,7 @@ static taut_status find_model(const taut_dirichlet_problem *problem, const taut_
     if (w->net == NULL || taut_mask_new(nu, nv, problem->known, w->arena, &w->mask) != TAUT_OK) {
         return taut_fail_memory(error);
     }
-    status = fill_net(problem, monitor, w, error);
+    status = fill_net(problem, options, w, error);
     return status == TAUT_OK ? make_model(problem, w, model, error) : status;
 }
 
@@ -383,7 +385,7 @@ taut_status taut_dirichlet_make(const taut_dirichlet_problem *problem,
                          "taut_dirichlet_make needs a place for the model");
     }
     w.arena = taut_arena_new();
-    status = find_model(problem, &chosen->monitor, &w, model, error);
+    status = find_model(problem, chosen, &w, model, error);
     taut_dirichlet_system_free(w.system);
     taut_dirichlet_form_clear(&w.form);
     taut_arena_free(w.arena);

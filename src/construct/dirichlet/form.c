@@ -218,7 +218,7 @@ void taut_dirichlet_form_scale(taut_dirichlet_form *form, double fu, double fv)
 static taut_tensor tensor_of(const taut_dirichlet_form *form)
 {
     return (taut_tensor){&form->u.stiffness, &form->u.mass, &form->v.stiffness, &form->v.mass,
-                         form->fu,           form->fv,      form->pulse};
+                         form->fu,           form->fv,      form->crew};
 }
 
 taut_status taut_dirichlet_form_apply(const taut_dirichlet_form *form, const double *x, double *y)

@@ -12,7 +12,7 @@
 
 #include "construct/common/mask.h"
 #include "construct/dirichlet/rational.h"
-#include "core/pulse.h"
+#include "core/crew.h"
 #include "geometry/nurbs/gram.h"
 
 typedef struct taut_dirichlet_form {
@@ -21,7 +21,7 @@ typedef struct taut_dirichlet_form {
     double fu, fv; /* 1, 1 at first */
     taut_gram u, v;
     taut_dirichlet_rational *rational; /* NULL where the tensor form is exact */
-    taut_pulse *pulse;                 /* told of products; or NULL */
+    const taut_crew *crew;             /* of products; or NULL */
     double *row_sums;                  /* [2][nu + nv]: of |K|, then of |M|, u first */
 } taut_dirichlet_form;
 

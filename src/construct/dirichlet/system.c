@@ -22,6 +22,7 @@ struct taut_dirichlet_system {
     taut_dirichlet_form *form;
     const taut_mask *mask;
     taut_pulse pulse;
+    taut_crew crew;                             /* with it */
     taut_arena *arena;                          /* of the arrays */
     taut_gram u, v;                             /* of the hull */
     taut_tensor_solver *solver;                 /* of the hull */
@@ -63,7 +64,7 @@ double taut_dirichlet_system_natural_aspect(const taut_dirichlet_system *system)
 void taut_dirichlet_system_free(taut_dirichlet_system *system)
 {
     if (system != NULL) {
-        system->form->pulse = NULL;
+        system->form->crew = NULL;
         taut_gram_clear(&system->u);
         taut_gram_clear(&system->v);
         taut_tensor_solver_free(system->solver);
@@ -129,7 +130,7 @@ static taut_status make_solver(taut_dirichlet_system *system)
             return status;
         }
         status = taut_tensor_solver_new(&u->stiffness, &u->mass, &v->stiffness, &v->mass,
-                                        system->form->fu, system->form->fv, &system->pulse,
+                                        system->form->fu, system->form->fv, &system->crew,
                                         &system->solver);
     }
     return status;
@@ -172,8 +173,8 @@ static taut_status prepare(taut_dirichlet_system *system)
 }
 
 taut_status taut_dirichlet_system_new(taut_dirichlet_form *form, const taut_mask *mask,
-                                      const taut_monitor *monitor, taut_dirichlet_system **system,
-                                      taut_error *error)
+                                      const taut_monitor *monitor, int threads,
+                                      taut_dirichlet_system **system, taut_error *error)
 {
     taut_dirichlet_system *made = taut_alloc_zero(1, sizeof *made);
     taut_status status = TAUT_OK;
@@ -184,7 +185,8 @@ taut_status taut_dirichlet_system_new(taut_dirichlet_form *form, const taut_mask
     made->form = form;
     made->mask = mask;
     made->pulse = (taut_pulse){.monitor = monitor, .what = "solving", .done = taut_none};
-    form->pulse = &made->pulse;
+    made->crew = (taut_crew){threads, &made->pulse};
+    form->crew = &made->crew;
     made->arena = taut_arena_new();
     status = prepare(made);
     if (status != TAUT_OK) {

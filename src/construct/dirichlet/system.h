@@ -21,11 +21,12 @@
 
 typedef struct taut_dirichlet_system taut_dirichlet_system;
 
-/* The form, the mask (at least one point known, one unknown) and the monitor are borrowed.
+/* The form, the mask (at least one point known, one unknown) and the monitor are borrowed. threads: of every solve, 0: 1;
+ * the same bits for any number.
  * TAUT_NO_MEMORY; TAUT_NOT_CONVERGED when the matrices are not safely positive definite. */
 taut_status taut_dirichlet_system_new(taut_dirichlet_form *form, const taut_mask *mask,
-                                      const taut_monitor *monitor, taut_dirichlet_system **system,
-                                      taut_error *error);
+                                      const taut_monitor *monitor, int threads,
+                                      taut_dirichlet_system **system, taut_error *error);
 void taut_dirichlet_system_free(taut_dirichlet_system *system); /* NULL is fine */
 
 /* Solves in place: net double[nu][nv][3], its known points in [-1, 1]^3, the unknown ones a first

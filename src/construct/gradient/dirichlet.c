@@ -47,7 +47,7 @@ static taut_status pull(const taut_dirichlet_problem *problem, const taut_mask *
 {
     taut_dirichlet_system *system = NULL;
     const int exponent = scale_right(mask, seed, nets[0]);
-    taut_status status = taut_dirichlet_system_new(form, mask, monitor, &system, error);
+    taut_status status = taut_dirichlet_system_new(form, mask, monitor, 1, &system, error);
 
     if (status != TAUT_OK) {
         return status;

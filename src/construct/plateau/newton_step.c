@@ -90,12 +90,13 @@ static taut_status make_preconditioner(const taut_dirichlet_form *form, double a
                                        taut_newton_step *newton)
 {
     const taut_gram *u = &newton->u, *v = &newton->v;
+    const taut_crew crew = {1, &newton->pulse};
     const taut_status status =
         taut_dirichlet_form_select(form, newton->mask, &newton->u, &newton->v);
 
     return status == TAUT_OK
                ? taut_tensor_solver_new(&u->stiffness, &u->mass, &v->stiffness, &v->mass, aspect,
-                                        1 / aspect, &newton->pulse, &newton->tensor)
+                                        1 / aspect, &crew, &newton->tensor)
                : status;
 }
 

@@ -5,15 +5,16 @@
 #ifndef TAUT_NUMERIC_TENSOR_APPLY_H
 #define TAUT_NUMERIC_TENSOR_APPLY_H
 
-#include "core/pulse.h"
+#include "core/crew.h"
 #include "numeric/band.h"
 
 typedef struct taut_tensor {
     const taut_band *ku, *mu; /* nu rows */
     const taut_band *kv, *mv; /* nv rows */
     double su, sv;
-    taut_pulse
-        *pulse; /* or NULL: both calls tell it of their rows, and may return TAUT_INTERRUPTED */
+    const taut_crew *
+        crew; /* or NULL: its threads share the rows of both calls, to the same bits; its pulse is told of them, and
+                            * they may return TAUT_INTERRUPTED */
 } taut_tensor;
 
 /* y = A x; x and y apart. Cost O(nu nv nrhs width). TAUT_OK or TAUT_NO_MEMORY. */

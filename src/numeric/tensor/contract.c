@@ -19,15 +19,34 @@ taut_unfolding taut_unfolding_second(size_t nu, size_t nv, size_t nrhs)
     return (taut_unfolding){nu * nrhs, nrhs, nrhs, nv * nrhs};
 }
 
-taut_contraction taut_contraction_of(const taut_modes *modes, taut_pulse *pulse, taut_arena *arena)
+taut_contraction taut_contraction_of(const taut_modes *modes, size_t columns, const taut_crew *crew,
+                                     taut_arena *arena)
 {
     const size_t unit = (size_t)modes->kernel->tile_columns, n = (size_t)modes->n;
-    const size_t least = (n + 1) * UNITS_MIN * unit;
+    const size_t least = (n + 1) * UNITS_MIN * unit, panels = columns / (UNITS_MIN * unit) + 1;
+    const size_t in_size = least > PANEL_SIZE ? least : PANEL_SIZE;
+    const size_t out_size = 2 * (size_t)modes->kernel->tile_rows * COLUMNS_MAX;
+    const int workers = taut_crew_workers(crew, (int64_t)panels);
     return (taut_contraction){
-        modes, pulse,
-        taut_arena_take_raw(arena, least > PANEL_SIZE ? least : PANEL_SIZE, sizeof(double)),
-        taut_arena_take_raw(arena, 2 * (size_t)modes->kernel->tile_rows * COLUMNS_MAX,
-                            sizeof(double))};
+        .modes = modes,
+        .crew = *crew,
+        .pulse = crew->pulse,
+        .workers = workers,
+        .in_size = in_size,
+        .out_size = out_size,
+        .in = taut_arena_take_raw(arena, (size_t)workers * in_size, sizeof(double)),
+        .out = taut_arena_take_raw(arena, (size_t)workers * out_size, sizeof(double)),
+        .panels = taut_arena_take_raw(arena, panels + 1, sizeof(size_t))};
+}
+
+/* One worker's scratch. */
+static taut_contraction part_of(const taut_contraction *work, int worker)
+{
+    taut_contraction own = *work;
+    own.in += (size_t)worker * work->in_size;
+    own.out += (size_t)worker * work->out_size;
+    own.pulse = worker == 0 ? work->pulse : NULL;
+    return own;
 }
 
 /* The columns to take from `first` on, when `depth` numbers of each are packed. */
@@ -249,51 +268,89 @@ static void pack_points(const taut_contraction *work, const struct target_rows *
     }
 }
 
+/* A product of a net, panel by panel: each has columns of its own, so that they may be made in any order. */
+struct job {
+    const taut_contraction *work;
+    const taut_unfolding *unfolding;
+    const taut_tails *tails; /* of taut_contract_tails */
+    int is_new;
+    double *x;
+};
+
+static struct target_rows target_of(const struct job *job, int64_t panel)
+{
+    const size_t unit = (size_t)job->work->modes->kernel->tile_columns;
+    const size_t first = job->work->panels[panel], count = job->work->panels[panel + 1] - first;
+    return (struct target_rows){job->unfolding, first, count, round_up(count, unit), job->is_new};
+}
+
+/* Panels as wide as what is packed of each column allows: all of `depth` numbers. */
+static int64_t divide_evenly(const taut_contraction *work, const taut_unfolding *unfolding,
+                             size_t depth)
+{
+    int64_t panels = 0;
+    for (size_t first = 0; first < unfolding->columns;) {
+        work->panels[panels++] = first;
+        first += columns_for(work, unfolding, first, depth);
+    }
+    work->panels[panels] = unfolding->columns;
+    return panels;
+}
+
+static void contract_points(void *context, int worker, int64_t panel)
+{
+    const struct job *job = context;
+    const taut_contraction work = part_of(job->work, worker);
+    const struct target_rows target = target_of(job, panel);
+    struct operands operands[2];
+    double *b = work.in;
+
+    for (int p = 0; p < work.modes->parts; p++) {
+        const size_t rows = (size_t)work.modes->part[p].rows;
+        operands_open(work.modes->part[p].analysis, rows, b, rows, 0, &operands[p]);
+        b += rows * target.width;
+    }
+    pack_points(&work, &target, job->x, operands);
+    for (int p = 0; p < work.modes->parts; p++) {
+        write_modes(&work, p, &operands[p], &target, job->x);
+    }
+}
+
 void taut_contract_points(const taut_contraction *work, const taut_unfolding *unfolding, double *x)
 {
-    const taut_modes *modes = work->modes;
-    const size_t unit = (size_t)modes->kernel->tile_columns;
-    for (size_t first = 0; first < unfolding->columns;) {
-        const size_t count = columns_for(work, unfolding, first, (size_t)modes->n);
-        const struct target_rows target = {unfolding, first, count, round_up(count, unit), 1};
-        struct operands operands[2];
-        double *b = work->in;
-        for (int p = 0; p < modes->parts; p++) {
-            const size_t rows = (size_t)modes->part[p].rows;
-            operands_open(modes->part[p].analysis, rows, b, rows, 0, &operands[p]);
-            b += rows * target.width;
+    struct job job = {work, unfolding, NULL, 1, x};
+    const int64_t panels = divide_evenly(work, unfolding, (size_t)work->modes->n);
+    taut_crew_run(&work->crew, work->workers, panels, 0, contract_points, &job);
+}
+
+static void contract_modes(void *context, int worker, int64_t panel)
+{
+    const struct job *job = context;
+    const taut_contraction work = part_of(job->work, worker);
+    const taut_modes *modes = work.modes;
+    const struct target_rows target = target_of(job, panel);
+    struct operands operands[2];
+    double row[COLUMNS_MAX] = {0}, *b = work.in;
+
+    for (int p = 0; p < modes->parts; p++) {
+        const taut_modes_part *part = &modes->part[p];
+        const size_t depth = (size_t)part->count;
+        operands_open(part->synthesis, depth, b, depth, depth, &operands[p]);
+        for (size_t j = 0; j < depth; j++) {
+            read_row(job->unfolding, job->x, (size_t)part->first + j, target.first, target.count,
+                     row);
+            pack_row(modes->kernel, row, target.width, j, &operands[p]);
         }
-        pack_points(work, &target, x, operands);
-        for (int p = 0; p < modes->parts; p++) {
-            write_modes(work, p, &operands[p], &target, x);
-        }
-        first += count;
+        b += depth * target.width;
     }
+    write_points(&work, operands, &target, job->x);
 }
 
 void taut_contract_modes(const taut_contraction *work, const taut_unfolding *unfolding, double *x)
 {
-    const taut_modes *modes = work->modes;
-    const size_t unit = (size_t)modes->kernel->tile_columns;
-    double row[COLUMNS_MAX] = {0};
-    for (size_t first = 0; first < unfolding->columns;) {
-        const size_t count = columns_for(work, unfolding, first, (size_t)modes->n);
-        const struct target_rows target = {unfolding, first, count, round_up(count, unit), 1};
-        struct operands operands[2];
-        double *b = work->in;
-        for (int p = 0; p < modes->parts; p++) {
-            const taut_modes_part *part = &modes->part[p];
-            const size_t depth = (size_t)part->count;
-            operands_open(part->synthesis, depth, b, depth, depth, &operands[p]);
-            for (size_t j = 0; j < depth; j++) {
-                read_row(unfolding, x, (size_t)part->first + j, first, count, row);
-                pack_row(modes->kernel, row, target.width, j, &operands[p]);
-            }
-            b += depth * target.width;
-        }
-        write_points(work, operands, &target, x);
-        first += count;
-    }
+    struct job job = {work, unfolding, NULL, 1, x};
+    const int64_t panels = divide_evenly(work, unfolding, (size_t)work->modes->n);
+    taut_crew_run(&work->crew, work->workers, panels, 0, contract_modes, &job);
 }
 
 /* ---- tails ---- */
@@ -367,32 +424,52 @@ static void pack_tails(const taut_kernel *kernel, const taut_tails *tails, int p
     }
 }
 
+/* Panels as wide as the tails in them allow. */
+static int64_t divide_by_tails(const taut_contraction *work, const taut_unfolding *unfolding,
+                               const taut_tails *tails)
+{
+    int64_t panels = 0;
+    for (size_t first = 0; first < unfolding->columns;) {
+        const size_t most = columns_for(work, unfolding, first, 0);
+        size_t depth = 0;
+        for (int p = 0; p < work->modes->parts; p++) {
+            depth += depth_of(tails, p, first, most);
+        }
+        work->panels[panels++] = first;
+        first += columns_for(work, unfolding, first, depth);
+    }
+    work->panels[panels] = unfolding->columns;
+    return panels;
+}
+
+static void contract_tails(void *context, int worker, int64_t panel)
+{
+    const struct job *job = context;
+    const taut_contraction work = part_of(job->work, worker);
+    const taut_modes *modes = work.modes;
+    const size_t unit = (size_t)modes->kernel->tile_columns;
+    const struct target_rows target = target_of(job, panel);
+    struct operands operands[2];
+    double *b = work.in;
+
+    for (int p = 0; p < modes->parts; p++) {
+        const taut_modes_part *part = &modes->part[p];
+        const size_t depth = depth_of(job->tails, p, target.first, target.count);
+        operands_open(part->synthesis, (size_t)part->count, b, depth, depth, &operands[p]);
+        for (size_t q = 0; q < target.width; q += unit) {
+            const size_t some = target.count - q < unit ? target.count - q : unit;
+            operands[p].runs[q / unit].end[1] = depth_of(job->tails, p, target.first + q, some);
+        }
+        pack_tails(modes->kernel, job->tails, p, &target, &operands[p]);
+        b += depth * target.width;
+    }
+    write_points(&work, operands, &target, job->x);
+}
+
 void taut_contract_tails(const taut_contraction *work, const taut_unfolding *unfolding,
                          const taut_tails *tails, int is_new, double *x)
 {
-    const taut_modes *modes = work->modes;
-    const size_t unit = (size_t)modes->kernel->tile_columns;
-    for (size_t first = 0; first < unfolding->columns;) {
-        size_t count = columns_for(work, unfolding, first, 0), depth = 0;
-        for (int p = 0; p < modes->parts; p++) {
-            depth += depth_of(tails, p, first, count);
-        }
-        count = columns_for(work, unfolding, first, depth);
-        const struct target_rows target = {unfolding, first, count, round_up(count, unit), is_new};
-        struct operands operands[2];
-        double *b = work->in;
-        for (int p = 0; p < modes->parts; p++) {
-            const taut_modes_part *part = &modes->part[p];
-            depth = depth_of(tails, p, first, count);
-            operands_open(part->synthesis, (size_t)part->count, b, depth, depth, &operands[p]);
-            for (size_t q = 0; q < target.width; q += unit) {
-                const size_t some = count - q < unit ? count - q : unit;
-                operands[p].runs[q / unit].end[1] = depth_of(tails, p, first + q, some);
-            }
-            pack_tails(modes->kernel, tails, p, &target, &operands[p]);
-            b += depth * target.width;
-        }
-        write_points(work, operands, &target, x);
-        first += count;
-    }
+    struct job job = {work, unfolding, tails, is_new, x};
+    const int64_t panels = divide_by_tails(work, unfolding, tails);
+    taut_crew_run(&work->crew, work->workers, panels, 0, contract_tails, &job);
 }

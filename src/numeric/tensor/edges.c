@@ -199,7 +199,8 @@ static int keep_ends(const struct side *side, int reach, taut_tail_block *block)
 static void fill_block(const struct side *side, int *reach, taut_tail_block *block)
 {
     const int n = side->systems.solver->direction[1 - side->systems.d].k.n, guard = (int)side->f;
-    if (taut_systems_beat(&side->systems, *reach < n ? *reach : n, side->rhs)) {
+    const double work = taut_systems_work(&side->systems, *reach < n ? *reach : n, side->rhs);
+    if (taut_crew_beat(&side->systems.solver->crew, work)) {
         return;
     }
     while (*reach <= n / 3 && !keep_ends(side, *reach, block)) {
@@ -243,7 +244,7 @@ static taut_status solve_with(const taut_tensor_solver *solver, size_t rhs, taut
                             .rhs = rhs,
                             .f = f,
                             .edges = edges};
-        work[d] = taut_contraction_of(modes, solver->pulse, arena);
+        work[d] = taut_contraction_of(modes, n[1 - d] * rhs, &solver->crew, arena);
         tails[d] = taut_tails_of(modes, n[1 - d], rhs, arena);
         if (taut_arena_status(arena) != TAUT_OK) {
             return TAUT_NO_MEMORY;
@@ -258,7 +259,7 @@ static taut_status solve_with(const taut_tensor_solver *solver, size_t rhs, taut
     for (int d = 0; d < 2; d++) {
         taut_contract_tails(&work[d], &unfolding[d], &tails[d], d == 0, x);
     }
-    return taut_pulse_is_stopped(solver->pulse) ? TAUT_INTERRUPTED : TAUT_OK;
+    return taut_pulse_is_stopped(solver->crew.pulse) ? TAUT_INTERRUPTED : TAUT_OK;
 }
 
 taut_status taut_edges_solve(const taut_tensor_solver *solver, int nrhs, double *x)

@@ -3,6 +3,7 @@
 #define TAUT_NUMERIC_TENSOR_INTERNAL_H
 
 #include "core/arena.h"
+#include "core/crew.h"
 #include "numeric/band.h"
 #include "numeric/modes.h"
 #include "numeric/tensor/solver.h"
@@ -17,9 +18,9 @@ typedef struct taut_direction {
 
 struct taut_tensor_solver {
     taut_direction direction[2];
-    int diagonal;      /* the direction that is diagonalised for any right-hand side */
-    int has_shared;    /* both directions have the same modes, owned by the first */
-    taut_pulse *pulse; /* or NULL */
+    int diagonal;   /* the direction that is diagonalised for any right-hand side */
+    int has_shared; /* both directions have the same modes, owned by the first */
+    taut_crew crew; /* its pulse may be NULL */
 };
 
 /* TAUT_LANES banded systems  weight_d lambda M + weight_e K,  lambda the values of modes of
@@ -38,8 +39,8 @@ taut_systems taut_systems_of(const taut_tensor_solver *solver, int d, int nrhs, 
 void taut_systems_solve(const taut_systems *systems, int first, int used, int from, int upto,
                         int nrhs);
 
-/* Tells the pulse of one such solve over so many rows. */
-int taut_systems_beat(const taut_systems *systems, int rows, size_t nrhs);
+/* The operations of one such solve over so many rows. */
+double taut_systems_work(const taut_systems *systems, int rows, size_t nrhs);
 
 /* Is x zero but for the rows and columns along the edges that boundary values reach? Then
  * taut_edges_solve may be used, if both directions have modes. */
@@ -62,16 +63,21 @@ typedef struct taut_unfolding {
 taut_unfolding taut_unfolding_first(size_t nu, size_t nv, size_t nrhs);
 taut_unfolding taut_unfolding_second(size_t nu, size_t nv, size_t nrhs);
 
-/* The modes that a net is contracted with, and scratch: some columns in slivers of kernel->tile_columns, as the tile kernel wants them, and some
- * rows of their product. */
+/* The modes that a net is contracted with, and scratch of each worker: some columns in slivers of kernel->tile_columns, as the
+ * tile kernel wants them, and some rows of their product. */
 typedef struct taut_contraction {
     const taut_modes *modes;
-    taut_pulse *pulse; /* or NULL */
+    taut_crew crew;
+    taut_pulse *pulse; /* of the worker at it, or NULL: the caller's thread alone beats */
+    int workers;
+    size_t in_size, out_size; /* numbers of one worker's */
     double *in, *out;
+    size_t *panels; /* first columns of panels */
 } taut_contraction;
 
-/* Takes 1 MiB or so; the arena's status tells whether it is there. */
-taut_contraction taut_contraction_of(const taut_modes *modes, taut_pulse *pulse, taut_arena *arena);
+/* For nets of so many columns at most. Takes 1 MiB or so a worker; the arena's status tells whether it is there. */
+taut_contraction taut_contraction_of(const taut_modes *modes, size_t columns, const taut_crew *crew,
+                                     taut_arena *arena);
 
 /* x becomes V^T x in place; rows are then modes. Rows of zeros cost nothing in between. */
 void taut_contract_points(const taut_contraction *work, const taut_unfolding *unfolding, double *x);

@@ -85,7 +85,7 @@ static taut_status make_directions(const taut_band *const *given, taut_tensor_so
     }
     solver->diagonal = u->k.n <= v->k.n ? 0 : 1;
     solver->has_shared = taut_band_equal(&u->k, &v->k) && taut_band_equal(&u->m, &v->m);
-    const taut_status status = make_modes(&solver->direction[solver->diagonal], solver->pulse);
+    const taut_status status = make_modes(&solver->direction[solver->diagonal], solver->crew.pulse);
     if (status != TAUT_OK) {
         return status;
     }
@@ -94,12 +94,12 @@ static taut_status make_directions(const taut_band *const *given, taut_tensor_so
         return TAUT_OK;
     }
     return u->k.n >= EDGES_SIZE && v->k.n >= EDGES_SIZE
-               ? make_modes(&solver->direction[1 - solver->diagonal], solver->pulse)
+               ? make_modes(&solver->direction[1 - solver->diagonal], solver->crew.pulse)
                : TAUT_OK;
 }
 
 taut_status taut_tensor_solver_new(const taut_band *ku, const taut_band *mu, const taut_band *kv,
-                                   const taut_band *mv, double su, double sv, taut_pulse *pulse,
+                                   const taut_band *mv, double su, double sv, const taut_crew *crew,
                                    taut_tensor_solver **out)
 {
     const taut_band *const given[] = {ku, mu, kv, mv};
@@ -115,7 +115,7 @@ taut_status taut_tensor_solver_new(const taut_band *ku, const taut_band *mu, con
     if (solver == NULL) {
         return TAUT_NO_MEMORY;
     }
-    solver->pulse = pulse;
+    solver->crew = crew != NULL ? *crew : (taut_crew){.threads = 1};
     taut_status status = make_directions(given, solver);
     if (status == TAUT_OK) {
         status = taut_tensor_solver_rescale(solver, su, sv);
@@ -197,22 +197,39 @@ static void scatter_modes(const struct layout *at, size_t first, size_t used, si
     }
 }
 
-/* Solves the banded systems of all modes in place. */
-static void solve_rows(const taut_systems *systems, const struct layout *at, double *x)
-{
-    const taut_modes *modes = systems->solver->direction[systems->d].modes;
-    const size_t lanes = TAUT_LANES, count = (size_t)modes->n;
+/* The banded systems of all modes, some side by side. */
+struct rows_job {
+    const taut_systems *systems; /* of each worker */
+    const struct layout *at;
+    double *x;
+};
 
-    for (size_t first = 0; first < count && !taut_systems_beat(systems, (int)at->n, at->rhs);
-         first += lanes) {
-        const size_t used = count - first < lanes ? count - first : lanes;
-        if (used < lanes) {
-            memset(systems->x, 0, at->n * at->rhs * lanes * sizeof *x);
-        }
-        gather_modes(at, first, used, lanes, x, systems->x);
-        taut_systems_solve(systems, (int)first, (int)used, 0, (int)at->n, (int)at->rhs);
-        scatter_modes(at, first, used, lanes, systems->x, x);
+static void solve_some(void *context, int worker, int64_t task)
+{
+    const struct rows_job *job = context;
+    const struct layout *at = job->at;
+    const taut_systems *systems = &job->systems[worker];
+    const size_t lanes = TAUT_LANES, first = (size_t)task * lanes;
+    const size_t left = (size_t)systems->solver->direction[systems->d].modes->n - first;
+    const size_t used = left < lanes ? left : lanes;
+
+    if (used < lanes) {
+        memset(systems->x, 0, at->n * at->rhs * lanes * sizeof *systems->x);
     }
+    gather_modes(at, first, used, lanes, job->x, systems->x);
+    taut_systems_solve(systems, (int)first, (int)used, 0, (int)at->n, (int)at->rhs);
+    scatter_modes(at, first, used, lanes, systems->x, job->x);
+}
+
+/* Solves them in place, each worker with systems of its own. */
+static void solve_rows(const taut_systems *systems, int workers, const struct layout *at, double *x)
+{
+    const taut_tensor_solver *solver = systems->solver;
+    const int n = solver->direction[systems->d].modes->n;
+    struct rows_job job = {systems, at, x};
+
+    taut_crew_run(&solver->crew, workers, (n + TAUT_LANES - 1) / TAUT_LANES,
+                  taut_systems_work(systems, (int)at->n, at->rhs), solve_some, &job);
 }
 
 static taut_status solve_dense(const taut_tensor_solver *solver, size_t rhs, taut_arena *arena,
@@ -223,16 +240,20 @@ static taut_status solve_dense(const taut_tensor_solver *solver, size_t rhs, tau
     const taut_unfolding unfolding =
         d == 0 ? taut_unfolding_first(nu, nv, rhs) : taut_unfolding_second(nu, nv, rhs);
     const struct layout layout = {unfolding.stride, d == 0 ? rhs : nv * rhs, d == 0 ? nv : nu, rhs};
-    const taut_systems systems = taut_systems_of(solver, d, (int)rhs, arena);
+    const int workers = taut_crew_workers(&solver->crew, solver->direction[d].k.n / TAUT_LANES + 1);
+    taut_systems *systems = taut_arena_take_raw(arena, (size_t)workers, sizeof *systems);
     const taut_contraction work =
-        taut_contraction_of(solver->direction[d].modes, solver->pulse, arena);
+        taut_contraction_of(solver->direction[d].modes, unfolding.columns, &solver->crew, arena);
+    for (int i = 0; systems != NULL && i < workers; i++) {
+        systems[i] = taut_systems_of(solver, d, (int)rhs, arena);
+    }
     if (taut_arena_status(arena) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
     taut_contract_points(&work, &unfolding, x);
-    solve_rows(&systems, &layout, x);
+    solve_rows(systems, workers, &layout, x);
     taut_contract_modes(&work, &unfolding, x);
-    return taut_pulse_is_stopped(solver->pulse) ? TAUT_INTERRUPTED : TAUT_OK;
+    return taut_pulse_is_stopped(solver->crew.pulse) ? TAUT_INTERRUPTED : TAUT_OK;
 }
 
 taut_status taut_tensor_solver_solve(const taut_tensor_solver *solver, int nrhs, double *x)
@@ -257,7 +278,7 @@ static taut_status refine_with(const taut_tensor_solver *solver, int nrhs, const
                                double *r, double *x, double *before)
 {
     const taut_direction *u = &solver->direction[0], *v = &solver->direction[1];
-    const taut_tensor tensor = {&u->k, &u->m, &v->k, &v->m, u->weight, v->weight, solver->pulse};
+    const taut_tensor tensor = {&u->k, &u->m, &v->k, &v->m, u->weight, v->weight, &solver->crew};
     const size_t entries = (size_t)u->k.n * (size_t)v->k.n * (size_t)nrhs;
     double norm = 0.0;
     taut_status status = taut_tensor_residual(&tensor, nrhs, right, x, r, &norm);

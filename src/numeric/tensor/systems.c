@@ -26,9 +26,8 @@ void taut_systems_solve(const taut_systems *systems, int first, int used, int fr
     kernel->band_substitute(upto - from, banded->k.width, nrhs, systems->factor, systems->x);
 }
 
-int taut_systems_beat(const taut_systems *systems, int rows, size_t nrhs)
+double taut_systems_work(const taut_systems *systems, int rows, size_t nrhs)
 {
     const double width = systems->solver->direction[1 - systems->d].k.width;
-    return taut_pulse_beat(systems->solver->pulse, TAUT_LANES * (double)rows * (width + 1) *
-                                                       (width + 1 + 4 * (double)nrhs));
+    return TAUT_LANES * (double)rows * (width + 1) * (width + 1 + 4 * (double)nrhs);
 }

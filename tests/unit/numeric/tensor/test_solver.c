@@ -279,6 +279,56 @@ static void test_rescale(void)
     axis_clear(&v);
 }
 
+/* Solved, applied and looked at by any number of threads: the same bits. frame: as of check_solve. */
+static void check_threads(axis u, axis v, int nrhs, int frame)
+{
+    const size_t count = (size_t)u.n * (size_t)v.n * (size_t)nrhs;
+    double *right = random_net(count), *x[3][3], norms[3] = {0};
+
+    if (frame > 0) {
+        keep_frame(u.n, v.n, nrhs, frame, right);
+    }
+    for (int k = 0; k < 3; k++) {
+        const taut_crew crew = {k == 2 ? 5 : k + 1, NULL};
+        const taut_tensor tensor = {&u.k, &u.m, &v.k, &v.m, 1.5, 0.25, &crew};
+        taut_tensor_solver *solver = NULL;
+        for (int i = 0; i < 3; i++) {
+            x[k][i] = malloc(count * sizeof(double));
+        }
+        memcpy(x[k][0], right, count * sizeof(double));
+        CHECK(taut_tensor_solver_new(&u.k, &u.m, &v.k, &v.m, 1.5, 0.25, &crew, &solver) == TAUT_OK,
+              "new");
+        CHECK(taut_tensor_solver_solve(solver, nrhs, x[k][0]) == TAUT_OK, "solve");
+        CHECK(taut_tensor_apply(&tensor, nrhs, right, x[k][1]) == TAUT_OK, "apply");
+        CHECK(taut_tensor_residual(&tensor, nrhs, right, x[k][0], x[k][2], &norms[k]) == TAUT_OK,
+              "residual");
+        taut_tensor_solver_free(solver);
+        for (int i = 0; i < 3; i++) {
+            CHECK(memcmp(x[0][i], x[k][i], count * sizeof(double)) == 0,
+                  "%s x %s, %d: %d threads differ", u.label, v.label, i, crew.threads);
+        }
+        CHECK(norms[k] == norms[0], "the norm by %d threads", crew.threads);
+    }
+    for (int k = 0; k < 9; k++) {
+        free(x[k / 3][k % 3]);
+    }
+    free(right);
+}
+
+static void test_threads(void)
+{
+    axis a = axis_make(GRAM_MIRRORED, 3, 131, 6, 0), b = axis_make(GRAM_RANDOM, 5, 197, 7, 0);
+    axis c = axis_make(GRAM_MIRRORED, 3, 520, 8, 0), d = axis_make(GRAM_MIRRORED, 2, 510, 9, 0);
+
+    check_threads(a, b, 3, 0);
+    check_threads(b, a, 1, 0);
+    check_threads(c, d, 1, 2); /* zero but along the edges */
+    axis_clear(&a);
+    axis_clear(&b);
+    axis_clear(&c);
+    axis_clear(&d);
+}
+
 /* Free on all four sides: constants are in the kernel. One side held is enough. */
 static void test_singular(void)
 {
@@ -345,6 +395,7 @@ int main(void)
     test_largest();
     test_frames();
     test_rescale();
+    test_threads();
     test_singular();
     test_refusals();
     return check_failures != 0;
