@@ -54,6 +54,7 @@ static taut_status write_json(const taut_model *model, const taut_write_options 
 {
     taut_json_out json = taut_json_out_to(out);
     json.short_knots = options->short_knots;
+    json.threads = options->threads;
     write_model(&json, model, options);
     return finish(&json, error);
 }
@@ -63,6 +64,7 @@ static taut_status write_list(int count, const taut_model *const *models,
 {
     taut_json_out json = taut_json_out_to(out);
     json.short_knots = options->short_knots;
+    json.threads = options->threads;
     taut_json_open(&json, '[');
     for (int i = 0; i < count; i++) {
         write_model(&json, models[i], options);

@@ -1,12 +1,14 @@
 #include "io/json/out.h"
 
+#include "core/memory.h"
 #include "io/json/utf8.h"
+#include "platform/parallel.h"
 
 #include <string.h>
 
 taut_json_out taut_json_out_to(FILE *file)
 {
-    return (taut_json_out){taut_sink_to(file), 0, 0, 1, 0, 0};
+    return (taut_json_out){.sink = taut_sink_to(file), .is_first = 1};
 }
 
 static void new_line(taut_json_out *out)
@@ -155,6 +157,69 @@ static void put_row(taut_json_out *out, size_t columns, size_t size, const doubl
     taut_sink_bytes(&out->sink, "]", 1);
 }
 
+/* Rows of a net that several threads write into memory, a part each, and that go out in order. */
+enum {
+    NET_PARTS = 64,      /* of one round */
+    NET_PART = 1 << 12,  /* numbers of each, or one row */
+    NET_LEAST = 1 << 15, /* numbers of a net that is worth it */
+};
+
+typedef struct net_round {
+    const taut_json_out *out;
+    size_t first, rows, parts, columns,
+        size;             /* of the rows of this round, parts that differ by one row */
+    const double *points; /* of the whole net */
+    taut_json_out part[NET_PARTS];
+} net_round;
+
+static void put_part(void *context, int worker, int64_t part)
+{
+    net_round *round = context;
+    const size_t p = (size_t)part, from = round->first + round->rows * p / round->parts;
+    const size_t upto = round->first + round->rows * (p + 1) / round->parts;
+    taut_json_out *own = &round->part[p];
+
+    (void)worker;
+    *own = *round->out;
+    own->sink = taut_sink_to(NULL);
+    own->is_first = from == 0;
+    for (size_t i = from; i < upto; i++) {
+        put_row(own, round->columns, round->size, round->points + i * round->columns * round->size);
+    }
+}
+
+/* The first trouble of a part is the whole's. */
+static void append_part(taut_json_out *out, taut_json_out *part)
+{
+    const taut_status status = taut_sink_finish(&part->sink);
+
+    if (status == TAUT_OK) {
+        taut_sink_bytes(&out->sink, part->sink.text, part->sink.length);
+        taut_free(part->sink.text);
+    } else if (out->sink.status == TAUT_OK) {
+        out->sink.status = status;
+    }
+}
+
+static void put_rounds(taut_json_out *out, size_t rows, size_t columns, size_t size,
+                       const double *points)
+{
+    const size_t most = 1 + NET_PARTS * (size_t)NET_PART / (columns * size); /* rows of a round */
+    net_round round = {.out = out, .columns = columns, .size = size, .points = points};
+
+    while (round.first < rows && out->sink.status == TAUT_OK) {
+        round.rows = rows - round.first < most ? rows - round.first : most;
+        round.parts = round.rows < NET_PARTS ? round.rows : NET_PARTS;
+        taut_parallel_run(taut_parallel_workers(out->threads, (int64_t)round.parts),
+                          (int64_t)round.parts, put_part, &round);
+        for (size_t p = 0; p < round.parts; p++) {
+            append_part(out, &round.part[p]);
+        }
+        round.first += round.rows;
+    }
+    out->is_first = 0;
+}
+
 void taut_json_put_net(taut_json_out *out, size_t rows, size_t columns, size_t size,
                        const double *points)
 {
@@ -163,8 +228,12 @@ void taut_json_put_net(taut_json_out *out, size_t rows, size_t columns, size_t s
         return;
     }
     taut_json_open(out, '[');
-    for (size_t i = 0; i < rows; i++) {
-        put_row(out, columns, size, points + i * columns * size);
+    if (out->threads > 1 && rows * columns * size >= NET_LEAST) {
+        put_rounds(out, rows, columns, size, points);
+    } else {
+        for (size_t i = 0; i < rows; i++) {
+            put_row(out, columns, size, points + i * columns * size);
+        }
     }
     taut_json_close(out, ']');
 }

@@ -23,6 +23,7 @@ typedef struct taut_json_out {
     int is_first;    /* nothing yet in the innermost */
     int has_key;     /* a key waits for its value */
     int short_knots; /* of B-splines: without the outermost two */
+    int threads;     /* of large nets; 0: 1. The text is the same for any number */
 } taut_json_out;
 
 taut_json_out taut_json_out_to(FILE *file);      /* NULL: into memory */
