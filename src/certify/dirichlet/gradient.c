@@ -201,6 +201,18 @@ static int exponent_of(double largest)
     return e;
 }
 
+/* ldexp(x, -e), where the power is a number by one multiplication: as exact, or rounded as once. */
+static double brought_down(double x, int e, double power)
+{
+    return power > 0 ? x * power : ldexp(x, -e);
+}
+
+/* 2^-e; 0 where that is no number. */
+static double power_of(int e)
+{
+    return e > -1000 && e < 1000 ? ldexp(1, -e) : 0;
+}
+
 /* The surface with its points around 0 and of about unit size, and the sizes of the points as they
  * are. The unit is a power of two, so that scaling rounds nothing. */
 static taut_status centre_surface(const taut_surface *surface, work *w)
@@ -220,20 +232,22 @@ static taut_status centre_surface(const taut_surface *surface, work *w)
         largest = fmax(largest, fabs(p[i]));
     }
     coarse = exponent_of(largest);
-    for (size_t i = 0; i < 3 * count; i++) {
-        moved[i] = ldexp(p[i], -coarse) - ldexp(p[i % 3], -coarse); /* from the first point */
-        size = fmax(size, fabs(moved[i]));
+    const double first = power_of(coarse);
+    for (size_t i = 0; i < 3 * count; i++) { /* from the first point */
+        moved[i] = brought_down(p[i], coarse, first) - brought_down(p[i % 3], coarse, first);
+        size = fabs(moved[i]) > size ? fabs(moved[i]) : size;
     }
     fine = exponent_of(size);
     w->unit = coarse + fine;
+    const double second = power_of(fine);
     for (size_t i = 0; i < 3 * count; i++) {
-        moved[i] = ldexp(moved[i], -fine);
+        moved[i] = brought_down(moved[i], fine, second);
     }
     for (size_t i = 0; i < count; i++) {
         /* numbers below DBL_MIN are stored with its rounding */
         const double x =
             fmax(fmax(fabs(p[3 * i]), DBL_MIN), fmax(fabs(p[3 * i + 1]), fabs(p[3 * i + 2])));
-        w->sizes[i] = ldexp(ldexp(x, -coarse), -fine);
+        w->sizes[i] = brought_down(brought_down(x, coarse, first), fine, second);
     }
     status = taut_surface_new("", taut_surface_u(surface), taut_surface_v(surface), moved,
                               w->weights, &w->centred, NULL);
