@@ -21,10 +21,9 @@ static int print_certificate(const cli_options *options, const taut_certificate 
 
 static int run(const cli_options *options)
 {
-    const taut_certify_options chosen = {.threads = options->threads,
-                                         .tolerance = options->tolerance,
-                                         .exact = options->exact,
-                                         .monitor = cli_monitor(options->json)};
+    taut_certify_options chosen = {.tolerance = options->tolerance,
+                                   .exact = options->exact,
+                                   .monitor = cli_monitor(options->json)};
     taut_model *model = NULL;
     taut_problem *problem = NULL;
     taut_certificate *certificate = NULL;
@@ -39,6 +38,7 @@ static int run(const cli_options *options)
     }
     if (status == TAUT_OK) {
         at = 0;
+        chosen.threads = cli_threads_of(options, model);
         status = taut_certify(model, problem, &chosen, &certificate, &error);
         cli_monitor_done();
     }

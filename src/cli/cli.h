@@ -130,7 +130,8 @@ typedef struct cli_command {
 #define CLI_THREADS                                                                                \
     {                                                                                              \
         "--threads", CLI_INTEGER, offsetof(cli_options, threads), 0, 1, TAUT_THREADS_MAX, "N",     \
-            "use N threads (the result is the same for any number)"                                \
+            "use N threads; else one, or for large nets as many as there are processors "          \
+            "(the result is the same for any number)"                                              \
     }
 #define CLI_SOLID                                                                                  \
     {                                                                                              \
@@ -384,6 +385,10 @@ int cli_print_text(const char *text, size_t length);
 
 /* A monitor that shows a progress line on a terminal once work has taken a second. */
 taut_monitor cli_monitor(int quiet);
+
+/* What --threads says; else for small problems and models 0 (one), for large ones the number of processors. */
+int cli_threads_to_make(const cli_options *options, const taut_problem *problem);
+int cli_threads_of(const cli_options *options, const taut_model *model);
 void cli_monitor_done(void); /* wipes the line */
 /* From now on: long work is told once on standard error, also where no terminal is watching. */
 void cli_announce(const char *command);

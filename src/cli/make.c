@@ -18,6 +18,7 @@ static int stage(taut_outputs *outputs, const cli_options *options, cli_report *
     taut_error error;
     int code = cli_write_options(options, &chosen);
 
+    chosen.threads = cli_threads_of(options, model);
     report->outputs = written;
     report->bounds = bounds;
     if (code == 0 && options->output_count == 0 &&

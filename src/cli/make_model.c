@@ -8,14 +8,12 @@ int cli_make_model(const taut_problem *problem, const cli_options *options, cons
                    cli_made *made)
 {
     const taut_make_options chosen = {.tolerance = options->tolerance,
-                                      .threads = options->threads,
+                                      .threads = cli_threads_to_make(options, problem),
                                       .monitor = cli_monitor(options->quiet || options->json),
                                       .exact = options->exact,
                                       .time_limit = options->time_limit};
-    const taut_certify_options proof = {.threads = options->threads,
-                                        .tolerance = options->tolerance,
-                                        .exact = options->exact,
-                                        .monitor = chosen.monitor};
+    taut_certify_options proof = {
+        .tolerance = options->tolerance, .exact = options->exact, .monitor = chosen.monitor};
     cli_report *report = &made->report;
     taut_model *model = NULL;
     taut_certificate *certificate = NULL;
@@ -26,6 +24,7 @@ int cli_make_model(const taut_problem *problem, const cli_options *options, cons
     report->construct = taut_problem_construction(problem);
     report->seconds_made = cli_seconds() - start;
     if (status == TAUT_OK) {
+        proof.threads = cli_threads_of(options, model);
         status = taut_certify(model, problem, &proof, &certificate, &error);
         report->seconds_proved = cli_seconds() - start - report->seconds_made;
     }

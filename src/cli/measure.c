@@ -9,8 +9,9 @@
 static taut_status measure_model(const taut_model *model, const cli_options *options,
                                  taut_record *record, taut_error *error)
 {
-    const taut_measure_options chosen = {
-        .grid = options->grid, .threads = options->threads, .monitor = cli_monitor(options->json)};
+    const taut_measure_options chosen = {.grid = options->grid,
+                                         .threads = cli_threads_of(options, model),
+                                         .monitor = cli_monitor(options->json)};
     taut_record *surfaces = taut_record_add_list(record, "surfaces");
     taut_record *curves = taut_record_add_list(record, "curves");
     taut_status status = TAUT_OK;

@@ -197,6 +197,7 @@ int cli_write_or_nurbs(const taut_model *model, const taut_model *nurbs, double 
     double bounds[CLI_LIST_MAX];
     int code = cli_write_options(options, &chosen);
 
+    chosen.threads = cli_threads_of(options, model);
     if (code == 0) {
         code = cli_outputs_new(&outputs);
     }

@@ -16,6 +16,7 @@ static int write_pages(const taut_model *model, const cli_options *options)
     taut_error error;
     int code = cli_write_options(options, &chosen);
 
+    chosen.threads = cli_threads_of(options, model);
     chosen.format = "html";
     if (chosen.title == NULL && strcmp(options->files[0], "-") != 0) {
         cli_label(options->files[0], name, sizeof name);

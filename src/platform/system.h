@@ -21,6 +21,9 @@ const char *taut_system_reason(int number, char *text, size_t size);
 /* Seconds of a clock that only goes forward, from anywhere. */
 double taut_system_seconds(void);
 
+/* Processors that this process may use, 1 at least. */
+int taut_system_processors(void);
+
 /* ---- memory: what core/memory.h stands on ---- */
 
 /* As malloc, calloc, realloc and free; the second at a multiple of 64, which `bytes` is too. */

@@ -1,5 +1,6 @@
 /* unix.c -- what systems with the files, the memory and the clock of POSIX share: those of posix.c and of wasi.c. */
 #include "platform/system.h"
+#include "taut/limits.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -13,6 +14,12 @@ double taut_system_seconds(void)
     return clock_gettime(CLOCK_MONOTONIC, &now) == 0
                ? (double)now.tv_sec + 1e-9 * (double)now.tv_nsec
                : 0;
+}
+
+int taut_system_processors(void)
+{
+    const long count = sysconf(_SC_NPROCESSORS_ONLN);
+    return count < 1 ? 1 : count > TAUT_THREADS_MAX ? TAUT_THREADS_MAX : (int)count;
 }
 
 /* ---- memory ---- */

@@ -707,6 +707,15 @@ double taut_system_seconds(void)
     return (double)now.QuadPart / (double)frequency.QuadPart;
 }
 
+int taut_system_processors(void)
+{
+    SYSTEM_INFO info;
+    GetSystemInfo(&info);
+    return info.dwNumberOfProcessors < 1                  ? 1
+           : info.dwNumberOfProcessors > TAUT_THREADS_MAX ? TAUT_THREADS_MAX
+                                                          : (int)info.dwNumberOfProcessors;
+}
+
 /* Seconds that the processors have worked for this process. */
 static double worked(void)
 {

@@ -39,6 +39,30 @@ grep -q __asan_init "$TAUT" && examples=$firsts
 for name in $examples; do
     make_twice "$name" json glb
 done
+# A net large enough for threads in the solver and the writer, which by default has as many as there are processors.
+awk 'BEGIN { n = 120
+    printf "{\"taut\":1,\"construct\":\"dirichlet\",\"u\":{\"type\":\"bspline\",\"degree\":3,\"count\":%d},", n
+    printf "\"v\":{\"type\":\"bspline\",\"degree\":2,\"count\":%d},\"points\":[", n + 7
+    for (i = 0; i < n; i++) {
+        printf i ? ",[" : "["
+        for (j = 0; j < n + 7; j++) {
+            printf j ? "," : ""
+            if (i % (n - 1) && j % (n + 6)) printf "null"
+            else printf "[%d,%d,%.3f]", i, j, sin(i / 9) * cos(j / 7)
+        }
+        printf "]"
+    }
+    print "]}" }' > large.json
+for threads in 1 2 3; do
+    "$TAUT" make large.json --quiet --threads $threads -o "large$threads.json" -o "large$threads.step"
+done
+"$TAUT" make large.json --quiet -o large0.json -o large0.step
+for threads in 0 2 3; do
+    for ending in json step; do
+        cmp -s "large1.$ending" "large$threads.$ending" || complain "a large net: $ending by $threads threads differs"
+    done
+done
+
 # All formats of one of each.
 for name in $firsts; do
     # shellcheck disable=SC2086
