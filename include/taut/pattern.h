@@ -26,7 +26,13 @@ enum { TAUT_PATTERN_PIECES_MAX = 500, TAUT_PATTERN_RULES_MAX = 100 };
 
 /* How a rule lays its seams. */
 typedef enum taut_pattern_rule_kind {
-    TAUT_PATTERN_ACROSS = 0 /* strips from one edge to the opposite one, between geodesics */
+    TAUT_PATTERN_ACROSS = 0, /* strips from one edge to the opposite one, between geodesics */
+    TAUT_PATTERN_RADIAL,     /* the same from a short edge, or one that is a point */
+    TAUT_PATTERN_PARALLEL,   /* geodesics square to a given one, at equal steps of it */
+    TAUT_PATTERN_GEODESIC,   /* one, between two places of the border */
+    TAUT_PATTERN_LINE,       /* parameter lines */
+    TAUT_PATTERN_CURVE,      /* a curve of the model that lies on the surface */
+    TAUT_PATTERN_BUTT        /* geodesics across one strip */
 } taut_pattern_rule_kind;
 
 /* What an edge is cut in equal parts of. */
@@ -35,14 +41,38 @@ typedef enum taut_pattern_by {
     TAUT_PATTERN_BY_PARAMETER
 } taut_pattern_by;
 
+/* What tells a place of an edge. */
+typedef enum taut_pattern_place {
+    TAUT_PATTERN_PART = 0, /* a share of the edge's length, 0 to 1 */
+    TAUT_PATTERN_LENGTH,   /* a length from the edge's beginning */
+    TAUT_PATTERN_PARAMETER /* u or v there */
+} taut_pattern_place;
+
+/* A place of the surface: (u, v), or on an edge. */
+typedef struct taut_pattern_at {
+    double uv[2];
+    int is_on_edge; /* nonzero: `edge`, `place` and `value`, not uv */
+    taut_edge edge;
+    taut_pattern_place place;
+    double value;
+} taut_pattern_at;
+
 /* One of them. */
 typedef struct taut_pattern_rule {
     taut_pattern_rule_kind kind;
-    taut_edge edges[2]; /* opposite ones: strips run from the first to the second */
+    taut_edge edges[2]; /* across, radial: opposite ones, strips run from the first to the second */
     int count;     /* of strips, 1 to TAUT_PATTERN_PIECES_MAX; 0: the least whose pieces all fit */
     double width;  /* where count is 0: into this width, or 0: into that of the cloth */
     double strain; /* where count is 0: and none is strained more than this; 0: as much as it is */
     taut_pattern_by by;
+    taut_pattern_at
+        at[2];       /* parallel, geodesic: where it begins and ends; a seam's on the border */
+    double spacing;  /* parallel: of the steps, above 0 */
+    int held;        /* line: 0: u, 1: v */
+    int value_count; /* line: at least 1; butt: where it cuts, in shares of both long edges */
+    const double *values;
+    const char *curve; /* its name */
+    int strip; /* butt: of strips from 0, in the order of their names; -1: all that are longer than the cloth */
 } taut_pattern_rule;
 
 /* How long seams are made. */
@@ -138,11 +168,15 @@ typedef struct taut_pattern_problem {
 /* Reasons: word, meaning, remedy. */
 #define TAUT_PATTERN_REASON_LIST(X)                                                                \
     X("rule", "a rule that is not known, or rules that cannot follow each other",                  \
-      "give \"across\" two opposite edges")                                                        \
+      "give one of across, radial, parallel, geodesic, line, curve; a butt after them")            \
     X("edge", "an edge that is not known, or two that are not opposite",                           \
       "take u0 and u1, or v0 and v1")                                                              \
     X("count", "a number of strips that is no whole number above 0, or too large",                 \
       "give one from 1 to 500")                                                                    \
+    X("outside", "a place that is not on the surface, or a seam's that is not on its border",      \
+      "give a place of the window, or of an edge")                                                 \
+    X("curve", "a curve that the model does not have, that leaves the surface or has a corner",    \
+      "give one of its curves, from border to border of the window")                               \
     X("material", "a material that is not known, or whose moduli are those of no cloth",           \
       "give a name that the message tells, or E and G above 0 with nu^2 below E_warp/E_weft")      \
     X("compensation", "a compensation outside [-0.1, 0.3]",                                        \
@@ -151,6 +185,8 @@ typedef struct taut_pattern_problem {
       "take more strips, or run them between the other edges")                                     \
     X("crossing", "two seams cross, or a piece turns over between them",                           \
       "take other strips: the message names the place")                                            \
+    X("shape", "a seam leaves a piece that has not four sides",                                    \
+      "run seams between opposite edges, not around a corner of the window")                       \
     X("singular", "the surface has no normal somewhere in a piece",                                \
       "keep seams and edges away from the place that the message names")                           \
     X("crease", "the surface has a kink, which no piece of cloth follows",                         \

@@ -46,11 +46,15 @@ typedef struct cli_options {
     const char *material;
     const char *cut;
     const char *play;
-    int judge_panels;      /* trace --panels */
-    int carry;             /* trace --carry */
-    int solid;             /* trace, make: --solid */
-    const char *cut_sheet; /* trace --sheet */
-    const char *across;    /* pattern */
+    int judge_panels;            /* trace --panels */
+    int carry;                   /* trace --carry */
+    int solid;                   /* trace, make: --solid */
+    const char *cut_sheet;       /* trace --sheet */
+    const char *across, *radial; /* pattern */
+    const char **geodesics;
+    int geodesic_count;
+    const char **seam_lines;
+    int seam_line_count;
     const char *warp, *weft, *strain, *allowance, *border, *marks;
     const char *seam_length;
     int count;

@@ -147,6 +147,8 @@ int cli_parse(const cli_command *command, int count, char **words, cli_options *
 void cli_parse_free(cli_options *options)
 {
     free(options->outputs);
+    free(options->geodesics);
+    free(options->seam_lines);
     free(options->at);
     free(options->families);
     free(options->seed_edges);

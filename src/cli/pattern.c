@@ -6,20 +6,36 @@
 #include <string.h>
 
 /* "v0,v1" as two words. */
-static int put_across(const cli_options *options, cli_words *t)
+static int put_edges(const char *word, cli_words *t)
 {
-    const char *word = options->across, *comma = strchr(word, ',');
+    const char *comma = strchr(word, ',');
     char first[16];
     if (comma == NULL || (size_t)(comma - word) >= sizeof first) {
         return cli_misuse_value("--across", word, "two opposite edges, such as v0,v1");
     }
     memcpy(first, word, (size_t)(comma - word));
     first[comma - word] = '\0';
-    cli_put(t, ", \"seams\": [{ \"across\": [");
+    cli_put(t, "\"across\": [");
     cli_put_word(t, first);
     cli_put(t, ", ");
     cli_put_word(t, comma + 1);
     cli_put(t, "]");
+    return 0;
+}
+
+/* Strips across or from an edge. */
+static int put_strips(const cli_options *options, cli_words *t)
+{
+    cli_put(t, "{ ");
+    if (options->across != NULL) {
+        const int code = put_edges(options->across, t);
+        if (code != 0) {
+            return code;
+        }
+    } else {
+        cli_put(t, "\"radial\": ");
+        cli_put_word(t, options->radial);
+    }
     cli_put_named(options->by, "by", t);
     if (options->count > 0) {
         cli_put(t, ", \"count\": %d", options->count);
@@ -32,8 +48,96 @@ static int put_across(const cli_options *options, cli_words *t)
             return code;
         }
     }
-    cli_put(t, " }]");
+    cli_put(t, " }");
     return 0;
+}
+
+/* Two numbers, or a word and one, with a sign between them; 0 where it is not that. */
+static int split_at(const char *word, char sign, char first[32], double *second)
+{
+    const char *at = strchr(word, sign);
+    if (at == NULL || at == word || (size_t)(at - word) >= 32) {
+        return 0;
+    }
+    memcpy(first, word, (size_t)(at - word));
+    first[at - word] = '\0';
+    return cli_number(at + 1, second);
+}
+
+/* "0,0.5", or "u1:0.25": a part of an edge. */
+static int put_at(const char *word, cli_words *t)
+{
+    char first[32];
+    double x = 0, y = 0;
+    if (split_at(word, ':', first, &y)) {
+        cli_put(t, "{ \"edge\": ");
+        cli_put_word(t, first);
+        cli_put(t, ", \"part\": %.17g }", y);
+        return 1;
+    }
+    if (split_at(word, ',', first, &y) && cli_number(first, &x)) {
+        cli_put(t, "[%.17g, %.17g]", x, y);
+        return 1;
+    }
+    return 0;
+}
+
+/* "AT AT" */
+static int put_geodesic(const char *word, cli_words *t)
+{
+    const char *space = strchr(word, ' ');
+    char first[64];
+    int is_fine = space != NULL && (size_t)(space - word) < sizeof first;
+    cli_put(t, "{ \"geodesic\": [");
+    if (is_fine) {
+        memcpy(first, word, (size_t)(space - word));
+        first[space - word] = '\0';
+        is_fine = put_at(first, t);
+        cli_put(t, ", ");
+        is_fine = is_fine && put_at(space + 1 + strspn(space + 1, " "), t);
+    }
+    cli_put(t, "] }");
+    return is_fine ? 0
+                   : cli_misuse_value("--geodesic", word,
+                                      "two places, such as \"0,0.5 u1:0.25\" (u,v, or a part of an "
+                                      "edge)");
+}
+
+/* "u=0.5" */
+static int put_line(const char *word, cli_words *t)
+{
+    char first[32];
+    double value = 0;
+    if (!split_at(word, '=', first, &value) ||
+        (strcmp(first, "u") != 0 && strcmp(first, "v") != 0)) {
+        return cli_misuse_value("--line", word, "a parameter line, such as u=0.5");
+    }
+    cli_put(t, "{ \"line\": { \"%s\": %.17g } }", first, value);
+    return 0;
+}
+
+/* Strips first, then lines and geodesics. */
+static int put_rules(const cli_options *options, cli_words *t)
+{
+    int count = 0, code = 0;
+    cli_put(t, ", \"seams\": [");
+    if (options->across != NULL && options->radial != NULL) {
+        return cli_misuse_value("--radial", options->radial, "no --across beside it");
+    }
+    if (options->across != NULL || options->radial != NULL) {
+        code = put_strips(options, t);
+        count++;
+    }
+    for (int k = 0; code == 0 && k < options->seam_line_count; k++) {
+        cli_put(t, count++ > 0 ? ", " : "");
+        code = put_line(options->seam_lines[k], t);
+    }
+    for (int k = 0; code == 0 && k < options->geodesic_count; k++) {
+        cli_put(t, count++ > 0 ? ", " : "");
+        code = put_geodesic(options->geodesics[k], t);
+    }
+    cli_put(t, "]");
+    return code;
 }
 
 /* An object of those of its members that were given. */
@@ -81,13 +185,15 @@ static int write_document(const cli_options *options, cli_words *t)
     cli_put_word(t, options->files[0]);
     cli_put(t, options->untrim ? ", \"untrim\": true" : "");
     cli_put_named(options->surface, "surface", t);
-    int code = put_across(options, t);
+    int code = put_rules(options, t);
     cli_put_named(options->seam_length, "seam_length", t);
     code = code == 0 ? put_object("cloth", 2, cloth, t) : code;
     code = code == 0 ? put_object("compensation", 2, compensation, t) : code;
     code = code == 0 ? put_object("allowance", 2, allowance, t) : code;
     code = code == 0 ? put_object("marks", 1, marks, t) : code;
-    if (code == 0 && options->count > 0 && options->strain != NULL) {
+    const int is_searched =
+        options->count == 0 && (options->across != NULL || options->radial != NULL);
+    if (code == 0 && !is_searched && options->strain != NULL) {
         code = cli_put_number("--strain", options->strain, "strain", t);
     }
     cli_put(t, " }");
@@ -101,17 +207,26 @@ static int run(const cli_options *options)
     if (code != 0) {
         return code;
     }
-    if (options->across != NULL) {
+    if (options->across != NULL || options->radial != NULL || options->geodesic_count > 0 ||
+        options->seam_line_count > 0) {
         return cli_run_words(options, "pattern", write_document);
     }
-    return cli_run_document(
-        options, "pattern",
-        "`taut pattern` needs --across with the surface of a problem or a model");
+    return cli_run_document(options, "pattern",
+                            "`taut pattern` needs --across, --radial, --geodesic or --line with "
+                            "the surface of a problem "
+                            "or a model");
 }
 
 static const cli_option options_of_pattern[] = {
     {"--across", CLI_TEXT, offsetof(cli_options, across), 0, 0, 0, "E,E",
      "strips from one edge to the opposite one: v0,v1 or u0,u1, or the other way"},
+    {"--radial", CLI_TEXT, offsetof(cli_options, radial), 0, 0, 0, "E",
+     "gores from a short edge to the opposite one"},
+    {"--geodesic", CLI_LIST, offsetof(cli_options, geodesics),
+     offsetof(cli_options, geodesic_count), 0, 0, "\"AT AT\"",
+     "a seam between two places of the border, each u,v or E:PART; repeated"},
+    {"--line", CLI_LIST, offsetof(cli_options, seam_lines), offsetof(cli_options, seam_line_count),
+     0, 0, "u=U", "a seam along a parameter line, u=U or v=V; repeated"},
     {"--count", CLI_INTEGER, offsetof(cli_options, count), 0, 1, TAUT_PATTERN_PIECES_MAX, "N",
      "of strips; without it the least number that fits --width and --strain"},
     {"--by", CLI_TEXT, offsetof(cli_options, by), 0, 0, 0, "BY",
@@ -148,12 +263,12 @@ static const cli_option options_of_pattern[] = {
 
 const cli_command cli_command_pattern = {
     .name = "pattern",
-    .usage =
-        "MODEL.json|PROBLEM.json --across E,E [--count N | --width W | --strain E] [-o FILE]... | "
-        "PATTERN.json",
+    .usage = "MODEL.json|PROBLEM.json --across E,E|--radial E [--count N | --width W | --strain E] "
+             "[--geodesic \"AT AT\"]... [--line u=U]... [-o FILE]... | PATTERN.json",
     .summary = "flat pieces of cloth for a surface, with seams that fit",
     .text =
-        "Cuts a surface into strips along geodesics, and lays each flat so that the cloth is "
+        "Cuts a surface into strips along geodesics and lines, and lays each flat so that the "
+        "cloth is "
         "strained least; the two\nsides of a seam are equally long at every point. The surface "
         "comes from any file that holds one, or from\na problem, which is made first; or all of "
         "it from the document of a pattern, which `taut make` takes too.\n",

@@ -380,6 +380,13 @@
     X(taut_pattern_allowance, is_split, "int") \
     X(taut_pattern_allowance, corner, "taut_pattern_corner")
 
+#define TAUT_ABI_MEMBERS_taut_pattern_at(X) \
+    X(taut_pattern_at, uv, "double[2]") \
+    X(taut_pattern_at, is_on_edge, "int") \
+    X(taut_pattern_at, edge, "taut_edge") \
+    X(taut_pattern_at, place, "taut_pattern_place") \
+    X(taut_pattern_at, value, "double")
+
 #define TAUT_ABI_MEMBERS_taut_pattern_cloth(X) \
     X(taut_pattern_cloth, width, "double") \
     X(taut_pattern_cloth, material, "taut_pattern_material") \
@@ -433,7 +440,14 @@
     X(taut_pattern_rule, count, "int") \
     X(taut_pattern_rule, width, "double") \
     X(taut_pattern_rule, strain, "double") \
-    X(taut_pattern_rule, by, "taut_pattern_by")
+    X(taut_pattern_rule, by, "taut_pattern_by") \
+    X(taut_pattern_rule, at, "taut_pattern_at[2]") \
+    X(taut_pattern_rule, spacing, "double") \
+    X(taut_pattern_rule, held, "int") \
+    X(taut_pattern_rule, value_count, "int") \
+    X(taut_pattern_rule, values, "const double *") \
+    X(taut_pattern_rule, curve, "const char *") \
+    X(taut_pattern_rule, strip, "int")
 
 #define TAUT_ABI_MEMBERS_taut_pipe_axis(X) \
     X(taut_pipe_axis, kind, "taut_pipe_axis_kind") \
@@ -732,6 +746,7 @@
     X(taut_monitor) \
     X(taut_panels_options) \
     X(taut_pattern_allowance) \
+    X(taut_pattern_at) \
     X(taut_pattern_cloth) \
     X(taut_pattern_compensation) \
     X(taut_pattern_hem) \
@@ -891,8 +906,19 @@
     X(TAUT_PATTERN_V, "v") \
     X(TAUT_PATTERN_DOT, "dot")
 
+#define TAUT_ABI_VALUES_taut_pattern_place(X) \
+    X(TAUT_PATTERN_PART, "part") \
+    X(TAUT_PATTERN_LENGTH, "length") \
+    X(TAUT_PATTERN_PARAMETER, "parameter")
+
 #define TAUT_ABI_VALUES_taut_pattern_rule_kind(X) \
-    X(TAUT_PATTERN_ACROSS, "across")
+    X(TAUT_PATTERN_ACROSS, "across") \
+    X(TAUT_PATTERN_RADIAL, "radial") \
+    X(TAUT_PATTERN_PARALLEL, "parallel") \
+    X(TAUT_PATTERN_GEODESIC, "geodesic") \
+    X(TAUT_PATTERN_LINE, "line") \
+    X(TAUT_PATTERN_CURVE, "curve") \
+    X(TAUT_PATTERN_BUTT, "butt")
 
 #define TAUT_ABI_VALUES_taut_pattern_seam_length(X) \
     X(TAUT_PATTERN_SHARED, "shared") \
@@ -1017,6 +1043,7 @@
     X(taut_pattern_by) \
     X(taut_pattern_corner) \
     X(taut_pattern_notch) \
+    X(taut_pattern_place) \
     X(taut_pattern_rule_kind) \
     X(taut_pattern_seam_length) \
     X(taut_pipe_axis_kind) \

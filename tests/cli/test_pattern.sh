@@ -42,12 +42,24 @@ refused 3 'kind' pattern sail.json --across v0,v1 --count 2 -o none.json
 run 0 schema pattern
 contains out.txt '#/\$defs/pattern'
 
-# A ring is cut along its closing line, and says so.
+# A ring is sewn along its closing line.
 "$TAUT" example film-ring > ring.json
 run 0 make ring.json --quiet -o ring-made.json
 run 0 pattern ring-made.json --across v0,v1 --count 4 --allowance 0.02 -o ring-cloth.json
-contains ring-cloth.json 'ring: u0 and u1 are one line of the surface'
+contains ring-cloth.json '"name": "S4"'
 refused 4 'no-geodesic' pattern ring-made.json --across u0,u1 --count 4 -o none.json
+
+# Seams of other rules.
+run 0 pattern surface.json --line u=0.5 --geodesic "v0:0.75 0.8,1" --marks 0.3 --quiet -o rules.json -o rules.dxf
+contains rules.json '"kind": "line"'
+run 0 certify rules.json
+run 0 pattern surface.json --radial u1 --count 3 --quiet -o radial.json
+refused 2 'value --geodesic' pattern surface.json --geodesic "v0:0.75" -o none.json
+refused 2 'value --line' pattern surface.json --line w=1 -o none.json
+refused 2 'value --radial' pattern surface.json --across v0,v1 --radial v0 --count 2 -o none.json
+refused 2 'outside' pattern surface.json --line u=3 -o none.json
+refused 4 'crossing' pattern surface.json --line u=0.5 --line v=0.5 -o none.json
+refused 4 'shape' pattern surface.json --geodesic "0.5,0 1,0.5" -o none.json
 
 # Drawings, as another program reads them.
 if python_with ezdxf; then

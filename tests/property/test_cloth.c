@@ -9,7 +9,9 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { ROUNDS = 16, PLACES = 16 };
+enum { ROUNDS = 16, RULE_ROUNDS = 12, PLACES = 16 };
+/* How far a place of a seam is from where it comes back to: of strips, and of pieces that are held all around. */
+static const double strip_away = 1e-7, rule_away = 1e-5;
 
 /* Four by four points over a square of side 2, up to `height` up or down, edges bent by up to a tenth. */
 static void surface_of(double height, char *text, size_t room)
@@ -66,32 +68,34 @@ static const taut_curve *curve_named(const taut_model *model, const char *name)
 }
 
 /* Along each seam: the lines that are sewn, one on either piece, put back on their pieces, are at one and the same share of the seam. */
-static void check_sewn(const made_cloth *made, const char *what)
+static void check_sewn(const made_cloth *made, double most, const char *what)
 {
     const taut_record *details = taut_model_details(made->model);
     const taut_record *pieces = taut_record_get(details, "pieces");
     double worst = 0;
     for (size_t p = 0; p < taut_record_count(pieces); p++) {
+        static const char *const edges[] = {"right", "end", "left", "start"};
         const taut_record *piece = taut_record_at(pieces, p);
         const char *name = taut_record_text(taut_record_get(piece, "name"));
-        for (int side = 0; side < 2; side++) {
+        for (int e = 0; e < 4; e++) {
             char line[64];
-            snprintf(line, sizeof line, "%s.%s", name, side == 0 ? "right" : "left");
+            snprintf(line, sizeof line, "%s.%s", name, edges[e]);
             const taut_curve *sewn = curve_named(made->model, line);
             const taut_surface *flat = surface_named(made->model, name);
             for (int k = 0; sewn != NULL && flat != NULL && k <= PLACES; k++) {
-                const double s = (double)k / PLACES;
-                double y[3], at[2] = {s, side};
-                taut_curve_eval(sewn, s, 0, y);
+                const double x = (double)k / PLACES, fixed = e == 1 || e == 2;
+                const double to[2] = {e % 2 == 0 ? x : fixed, e % 2 == 0 ? fixed : x};
+                double y[3], at[2] = {to[0], to[1]};
+                taut_curve_eval(sewn, x, 0, y);
                 find(flat, y, at);
-                worst = fmax(worst, fmax(fabs(at[0] - s), fabs(at[1] - side)));
+                worst = fmax(worst, fmax(fabs(at[0] - to[0]), fabs(at[1] - to[1])));
             }
         }
     }
-    CHECK(worst < 1e-7, "%s: a place of a seam comes back %g of it away", what, worst);
+    CHECK(worst < most, "%s: a place of a seam comes back %g of it away", what, worst);
 }
 
-static void check_cloth(const made_cloth *made, const char *what)
+static void check_cloth(const made_cloth *made, double away, const char *what)
 {
     for (int k = 0; k < taut_certificate_claim_count(made->proof); k++) {
         const taut_claim *claim = taut_certificate_claim(made->proof, k);
@@ -102,7 +106,69 @@ static void check_cloth(const made_cloth *made, const char *what)
     const double most =
         fmax(figure_of(made->proof, "max_strain"), -figure_of(made->proof, "min_strain"));
     CHECK(most >= least, "%s: strained by %g, and %g cannot be avoided", what, most, least);
-    check_sewn(made, what);
+    check_sewn(made, away, what);
+}
+
+/* A rule at random: of each kind of seam; of some with another rule after it. */
+static void rules_of(int round, char *text, size_t room)
+{
+    const double a = random_in(0.25, 0.4), b = random_in(0.6, 0.75);
+    const double c = random_in(0.25, 0.4), d = random_in(0.6, 0.75);
+    switch (round % 6) {
+    case 0: /* two geodesics, one of them backwards */
+        snprintf(text, room,
+                 "{ \"geodesic\": [{ \"edge\": \"v0\", \"part\": %.17g }, { \"edge\": \"v1\", "
+                 "\"part\": %.17g }] }, { \"geodesic\": [[%.17g, 1], [%.17g, 0]] }",
+                 a, c, b, d);
+        return;
+    case 1:
+        snprintf(text, room, "{ \"line\": { \"v\": [%.17g, %.17g] } }", a, b);
+        return;
+    case 2:
+        snprintf(text, room, "{ \"parallel\": [[0.1, %.17g], [0.9, %.17g]], \"spacing\": %.17g }",
+                 random_in(0.4, 0.6), random_in(0.4, 0.6), random_in(0.5, 0.8));
+        return;
+    case 3: /* strips cut across */
+        snprintf(
+            text, room,
+            "{ \"across\": [\"u1\", \"u0\"], \"count\": %d }, { \"butt\": \"P2\", \"at\": %.17g "
+            "}, { \"butt\": \"P1\", \"at\": [%.17g, %.17g] }",
+            random_int(2, 4), random_in(0.3, 0.7), a, b);
+        return;
+    case 4: /* between others */
+        snprintf(text, room,
+                 "{ \"line\": { \"u\": %.17g } }, { \"geodesic\": [[%.17g, 0], [%.17g, 1]] }", a, b,
+                 d);
+        return;
+    default:
+        snprintf(text, room, "{ \"radial\": \"u1\", \"count\": %d, \"by\": \"parameter\" }",
+                 random_int(2, 4));
+        return;
+    }
+}
+
+/* Seams of every rule. */
+static void test_rules(void)
+{
+    const int trials = random_trials(RULE_ROUNDS);
+    int made_count = 0;
+    for (int round = 0; round < trials; round++) {
+        random_seed((uint64_t)round + 1001);
+        char surface[4096], rules[512], members[768];
+        surface_of(0.25, surface, sizeof surface);
+        rules_of(round, rules, sizeof rules);
+        snprintf(members, sizeof members, "\"seams\": [%s], \"seam_length\": \"%s\"", rules,
+                 round % 4 == 3 ? "true" : "shared");
+        made_cloth made = cloth_make(surface, members);
+        CHECK(made.status == TAUT_OK || made.status == TAUT_NO_SOLUTION, "%d: %s", round,
+              made.error.message);
+        if (made.status == TAUT_OK) {
+            made_count++;
+            check_cloth(&made, rule_away, members);
+        }
+        cloth_free(&made);
+    }
+    CHECK(2 * made_count > trials, "%d of %d were made", made_count, trials);
 }
 
 int main(void)
@@ -128,10 +194,11 @@ int main(void)
               made.error.message);
         if (made.status == TAUT_OK) {
             made_count++;
-            check_cloth(&made, members);
+            check_cloth(&made, strip_away, members);
         }
         cloth_free(&made);
     }
     CHECK(2 * made_count > trials, "%d of %d were made", made_count, trials);
+    test_rules();
     return check_failures != 0;
 }

@@ -10,6 +10,9 @@
 #include <stdio.h>
 #include <string.h>
 
+/* Of lengths of one line, found twice. */
+static const double same_length = 1e-10;
+
 static const char *const edge_names[TAUT_CLOTH_EDGES] = {"right", "end", "left", "start"};
 
 static void miss(taut_cloth *cloth, const char *what)
@@ -73,7 +76,6 @@ static const taut_record *object_named(const taut_record *list, const char *name
 static taut_status read_sides(taut_cloth *cloth, const taut_record *details, taut_arena *arena)
 {
     const taut_record *domain = taut_record_get(details, "domain");
-    const taut_record *seams = taut_record_get(details, "seams");
     const size_t count = taut_record_count(domain);
 
     cloth->sides = taut_arena_take(arena, count + 1, sizeof *cloth->sides);
@@ -83,7 +85,6 @@ static taut_status read_sides(taut_cloth *cloth, const taut_record *details, tau
     for (size_t k = 0; k < count; k++) {
         const taut_record *item = taut_record_at(domain, k);
         const char *name = taut_record_text(taut_record_get(item, "name"));
-        const taut_record *seam = object_named(seams, name);
         taut_cloth_side *side = &cloth->sides[cloth->side_count];
         taut_curve *window = NULL;
         const taut_status status = taut_stretch_read(item, arena, &window);
@@ -94,24 +95,12 @@ static taut_status read_sides(taut_cloth *cloth, const taut_record *details, tau
             miss(cloth, name);
             continue;
         }
-        const taut_record *share = taut_record_get(seam, "compensation");
-        *side =
-            (taut_cloth_side){.name = name,
-                              .window = window,
-                              .owners = {-1, -1},
-                              .share = share != NULL ? 1 - taut_record_number(share) : (double)NAN,
-                              .length = ldexp(taut_basis_hi(taut_curve_t(window)) -
-                                                  taut_basis_lo(taut_curve_t(window)),
-                                              -cloth->unit)};
-        if (seam != NULL) {
-            side->space = curve_named(cloth->model, name);
-            if (side->space == NULL ||
-                taut_basis_lo(taut_curve_t(side->space)) != taut_basis_lo(taut_curve_t(window)) ||
-                taut_basis_hi(taut_curve_t(side->space)) != taut_basis_hi(taut_curve_t(window))) {
-                miss(cloth, name);
-                side->space = NULL;
-            }
-        }
+        *side = (taut_cloth_side){.name = name,
+                                  .window = window,
+                                  .share = (double)NAN,
+                                  .length = ldexp(taut_basis_hi(taut_curve_t(window)) -
+                                                      taut_basis_lo(taut_curve_t(window)),
+                                                  -cloth->unit)};
         cloth->side_count++;
     }
     return TAUT_OK;
@@ -150,20 +139,55 @@ static taut_status take_flat(taut_cloth *cloth, taut_cloth_piece *piece, taut_ar
     return TAUT_OK;
 }
 
-static void take_side(taut_cloth *cloth, taut_cloth_piece *piece, int index, int which,
-                      const taut_record *edges)
+/* The seam that a side is: its curve in space over the same range. */
+static void take_seam(taut_cloth *cloth, taut_cloth_side *side, const char *name)
 {
-    const taut_record *edge = taut_record_get(edges, which == 0 ? "right" : "left");
+    const taut_record *seams = taut_record_get(taut_model_details(cloth->model), "seams");
+    const taut_record *seam = object_named(seams, name);
+    const taut_record *share = taut_record_get(seam, "compensation");
+    const taut_basis *window = taut_curve_t(side->window), *space = NULL;
+    if (side->seam != NULL) {
+        if (strcmp(side->seam, name) != 0) {
+            miss(cloth, name);
+        }
+        return;
+    }
+    side->seam = name;
+    side->kind = taut_record_text(taut_record_get(seam, "kind"));
+    side->share = share != NULL ? 1 - taut_record_number(share) : (double)NAN;
+    side->space = curve_named(cloth->model, name);
+    space = side->space != NULL ? taut_curve_t(side->space) : NULL;
+    /* of the other border of a ring it is that one's, which is as long up to rounding */
+    const double length = space != NULL ? taut_basis_hi(space) - taut_basis_lo(space) : (double)NAN;
+    const double own = taut_basis_hi(window) - taut_basis_lo(window);
+    const int is_own = strcmp(side->name, name) == 0;
+    if (seam == NULL || space == NULL ||
+        !(fabs(length - own) <= (is_own ? 0 : same_length * own))) {
+        miss(cloth, name);
+        side->space = NULL;
+    }
+}
+
+/* What an edge is part of. Right and left are part of a side; the others too where they are sewn. */
+static void take_side(taut_cloth *cloth, taut_cloth_piece *piece, int e, const taut_record *edge)
+{
     const taut_record *seam = taut_record_get(edge, "seam");
-    const char *name = taut_record_text(seam != NULL ? seam : taut_record_get(edge, "edge"));
-    const int side = side_named(cloth, name);
-    piece->sides[which] = side;
-    if (side < 0 || cloth->sides[side].owners[which] >= 0 ||
-        (seam != NULL) != (cloth->sides[side].space != NULL)) {
+    const taut_record *border = taut_record_get(edge, "edge");
+    const taut_record *part = taut_record_get(edge, "part");
+    const int side = side_named(cloth, taut_record_text(border != NULL ? border : seam));
+    piece->sides[e] = side;
+    piece->is_sewn[e] = seam != NULL;
+    piece->part[e][0] = part != NULL ? taut_record_number(taut_record_at(part, 0)) : 0;
+    piece->part[e][1] = part != NULL ? taut_record_number(taut_record_at(part, 1)) : 1;
+    const int needs_one = seam != NULL || e == TAUT_CLOTH_RIGHT || e == TAUT_CLOTH_LEFT;
+    if ((needs_one && side < 0) || !(piece->part[e][0] >= 0) || !(piece->part[e][1] <= 1) ||
+        !(piece->part[e][0] < piece->part[e][1])) {
         miss(cloth, piece->name);
         return;
     }
-    cloth->sides[side].owners[which] = index;
+    if (seam != NULL) {
+        take_seam(cloth, &cloth->sides[side], taut_record_text(seam));
+    }
 }
 
 /* What is told of an edge's cloth beyond it. */
@@ -174,7 +198,7 @@ static void take_allowance(taut_cloth_piece *piece, int e, const taut_record *ed
     const char *name = taut_record_text(taut_record_get(edge, "edge"));
     piece->allowance[e] = left != NULL ? taut_record_number(left) : 0;
     piece->border[e] = -1;
-    for (int k = 0; k < 4; k++) {
+    for (int k = 0; k < 4 && taut_record_get(edge, "seam") == NULL; k++) {
         piece->border[e] = strcmp(name, borders[k]) == 0 ? k : piece->border[e];
     }
 }
@@ -199,10 +223,8 @@ static taut_status read_piece(taut_cloth *cloth, const taut_record *item, const 
             miss(cloth, piece->name);
         }
     }
-    for (int which = 0; which < 2; which++) {
-        take_side(cloth, piece, cloth->piece_count, which, edges);
-    }
     for (int e = 0; e < TAUT_CLOTH_EDGES; e++) {
+        take_side(cloth, piece, e, taut_record_get(edges, edge_names[e]));
         piece->edges[e] = line_of(cloth, piece->name, edge_names[e], 1);
         take_allowance(piece, e, taut_record_get(edges, edge_names[e]));
     }
@@ -263,8 +285,10 @@ static void take_asked(taut_cloth *cloth, const taut_record *details)
         cloth->warp = cloth->problem->compensation.warp;
         cloth->weft = cloth->problem->compensation.weft;
         cloth->thread = cloth->problem->cloth.thread;
-        cloth->strain =
-            cloth->problem->strain > 0 ? cloth->problem->strain : cloth->problem->rules[0].strain;
+        cloth->strain = cloth->problem->strain;
+        for (int k = 0; !(cloth->problem->strain > 0) && k < cloth->problem->rule_count; k++) {
+            cloth->strain = fmax(cloth->strain, cloth->problem->rules[k].strain);
+        }
     }
     if (cloth->problem != NULL && cloth->problem->has_prestress) {
         take_prestress(cloth, &m);
@@ -318,18 +342,86 @@ taut_status taut_cloth_read(taut_arena *arena, const taut_model *model,
 
 /* ---- places ---- */
 
+void taut_cloth_side_at(const taut_cloth_side *side, double share, double at[2])
+{
+    const taut_basis *basis = taut_curve_t(side->window);
+    const double lo = taut_basis_lo(basis), hi = taut_basis_hi(basis);
+    const double *points = taut_curve_points(side->window);
+    double x[3];
+    if (share > 0 && share < 1) {
+        taut_curve_eval(side->window, lo + share * (hi - lo), 0, x);
+    } else { /* exactly */
+        memcpy(x, points + (share > 0 ? 3 * (taut_basis_count(basis) - 1) : 0), sizeof x);
+    }
+    memcpy(at, x, 2 * sizeof(double));
+}
+
+/* An edge at x, and its derivatives by x up to `order`, at most 2. */
+static void edge_at(const taut_cloth *cloth, const taut_cloth_piece *piece, int e, double x,
+                    int order, double w[3][2])
+{
+    const taut_curve *side = cloth->sides[piece->sides[e]].window;
+    const double *part = piece->part[e];
+    const double lo = taut_basis_lo(taut_curve_t(side)), hi = taut_basis_hi(taut_curve_t(side));
+    const double share = x < 1 ? part[0] + x * (part[1] - part[0]) : part[1];
+    const double range = (part[1] - part[0]) * (hi - lo);
+    double c[3][3] = {{0}};
+    taut_curve_eval(side, share < 1 ? lo + share * (hi - lo) : hi, order, c[0]);
+    for (int d = 0; d < 2; d++) {
+        w[0][d] = c[0][d];
+        w[1][d] = range * c[1][d];
+        w[2][d] = range * range * c[2][d];
+    }
+}
+
 void taut_cloth_across_at(const taut_cloth *cloth, const taut_cloth_piece *piece, double s,
                           int order, taut_cloth_across *across)
 {
-    for (int k = 0; k < 2; k++) {
-        const taut_curve *side = cloth->sides[piece->sides[k]].window;
-        const double lo = taut_basis_lo(taut_curve_t(side)), hi = taut_basis_hi(taut_curve_t(side));
-        double places[3][3] = {{0}}, scale = 1;
-        taut_curve_eval(side, s < 1 ? lo + s * (hi - lo) : hi, order, places[0]);
-        for (int n = 0; n < 3; n++, scale *= hi - lo) {
-            for (int d = 0; d < 2; d++) {
-                across->sides[k][n][d] = scale * places[n][d];
-            }
+    across->piece = piece;
+    across->s = s;
+    edge_at(cloth, piece, TAUT_CLOTH_RIGHT, s, order, across->sides[0]);
+    edge_at(cloth, piece, TAUT_CLOTH_LEFT, s, order, across->sides[1]);
+    for (int end = 0; end < 2; end++) {
+        if (piece->sides[end == 0 ? TAUT_CLOTH_START : TAUT_CLOTH_END] >= 0) {
+            double at[3][2];
+            edge_at(cloth, piece, TAUT_CLOTH_RIGHT, end, 0, at);
+            memcpy(across->corners[end][0], at[0], sizeof at[0]);
+            edge_at(cloth, piece, TAUT_CLOTH_LEFT, end, 0, at);
+            memcpy(across->corners[end][1], at[0], sizeof at[0]);
+        }
+    }
+}
+
+/* The patch of Coons: w, w_s, w_t, w_ss, w_st, w_tt; the last three of order 2. */
+static void patch_on(const taut_cloth *cloth, const taut_cloth_across *across, double t, int order,
+                     double w[6][2])
+{
+    const double(*right)[2] = across->sides[0], (*left)[2] = across->sides[1];
+    for (int d = 0; d < 2; d++) {
+        w[0][d] = (1 - t) * right[0][d] + t * left[0][d];
+        w[1][d] = (1 - t) * right[1][d] + t * left[1][d];
+        w[2][d] = left[0][d] - right[0][d];
+        w[3][d] = (1 - t) * right[2][d] + t * left[2][d];
+        w[4][d] = left[1][d] - right[1][d];
+        w[5][d] = 0;
+    }
+    for (int end = 0; end < 2; end++) {
+        const int e = end == 0 ? TAUT_CLOTH_START : TAUT_CLOTH_END;
+        const double fade = end == 0 ? 1 - across->s : across->s, slope = end == 0 ? -1 : 1;
+        const double(*corners)[2] = across->corners[end];
+        double at[3][2];
+        if (across->piece->sides[e] < 0) {
+            continue;
+        }
+        edge_at(cloth, across->piece, e, t, order, at);
+        for (int d = 0; d < 2; d++) {
+            const double chord = corners[1][d] - corners[0][d];
+            const double off = at[0][d] - corners[0][d] - t * chord;
+            w[0][d] += fade * off;
+            w[1][d] += slope * off;
+            w[2][d] += fade * (at[1][d] - chord);
+            w[4][d] += slope * (at[1][d] - chord);
+            w[5][d] += fade * at[2][d];
         }
     }
 }
@@ -337,21 +429,28 @@ void taut_cloth_across_at(const taut_cloth *cloth, const taut_cloth_piece *piece
 int taut_cloth_window_on(const taut_cloth *cloth, const taut_cloth_across *across, double t,
                          double w[3][2])
 {
-    const double(*right)[2] = across->sides[0], (*left)[2] = across->sides[1];
     const taut_basis *bases[2] = {taut_surface_u(cloth->surface), taut_surface_v(cloth->surface)};
+    double all[6][2];
 
+    patch_on(cloth, across, t, 1, all);
+    memcpy(w, all, 3 * sizeof all[0]);
     for (int d = 0; d < 2; d++) {
         const double lo = taut_basis_lo(bases[d]), hi = taut_basis_hi(bases[d]);
         const double room = 1e-9 * (hi - lo);
-        w[0][d] = (1 - t) * right[0][d] + t * left[0][d];
-        w[1][d] = (1 - t) * right[1][d] + t * left[1][d];
-        w[2][d] = left[0][d] - right[0][d];
         if (!(w[0][d] >= lo - room) || !(w[0][d] <= hi + room)) {
             return 0;
         }
         w[0][d] = fmin(fmax(w[0][d], lo), hi);
     }
     return 1;
+}
+
+void taut_cloth_bend_on(const taut_cloth *cloth, const taut_cloth_across *across, double t,
+                        double bend[3][2])
+{
+    double all[6][2];
+    patch_on(cloth, across, t, 2, all);
+    memcpy(bend, all[3], 3 * sizeof all[0]);
 }
 
 int taut_cloth_metric_on(const taut_cloth *cloth, const taut_cloth_across *across, double t,

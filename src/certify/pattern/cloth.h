@@ -1,8 +1,9 @@
 /* cloth.h -- a pattern as the certificate sees it: the pieces of the model with their sides in the window, which the model's details
  * give and which prove themselves.
  *
- * A piece is X(w(s, t)), w = (1 - t) right(s) + t left(s), right and left curves of the window over [0, 1] of their lengths. Lengths
- * are those of the surface at size 1: times 2^-unit.
+ * A piece is X(w(s, t)), w the patch of Coons between right and left, curves of the window over [0, 1] of their lengths, and start and
+ * end: such curves where they are sewn to something, and else straight. Edges may be parts of their curves. Lengths are those of the
+ * surface at size 1: times 2^-unit.
  */
 #ifndef TAUT_CERTIFY_PATTERN_CLOTH_H
 #define TAUT_CERTIFY_PATTERN_CLOTH_H
@@ -17,17 +18,21 @@ enum { TAUT_CLOTH_RIGHT = 0, TAUT_CLOTH_END, TAUT_CLOTH_LEFT, TAUT_CLOTH_START, 
 
 typedef struct taut_cloth_side {
     const char *name;
+    const char *
+        seam; /* its name; of a border that is sewn, where a ring closes, another one; NULL: a border */
+    const char *kind;         /* of a seam: geodesic, line, curve */
     const taut_curve *space;  /* of a seam, in the model's unit; NULL: a border of the window */
     const taut_curve *window; /* points (u, v, 0) */
     double length;            /* its range, times 2^-unit */
-    int owners[2];            /* the pieces whose right, and whose left it is, or -1 */
     double share;             /* as details tell it: flat over true length; NaN: nothing told */
 } taut_cloth_side;
 
 typedef struct taut_cloth_piece {
     const char *name;
-    int index;                                 /* of the flat surface in the model */
-    int sides[2];                              /* right and left */
+    int index;                   /* of the flat surface in the model */
+    int sides[TAUT_CLOTH_EDGES]; /* what edges are parts of; -1: a straight part of a border */
+    int is_sewn[TAUT_CLOTH_EDGES];
+    double part[TAUT_CLOTH_EDGES][2];          /* shares of the side, as s or t grows */
     const taut_surface *flat;                  /* scaled; the arena's */
     const taut_curve *edges[TAUT_CLOTH_EDGES]; /* as s or t grows, in the model's unit */
     const taut_curve *cut;
@@ -67,18 +72,33 @@ taut_status taut_cloth_read(taut_arena *arena, const taut_model *model,
 
 /* Right and left at one s: places of the window, and their derivatives by s up to `order`, at most 2. */
 typedef struct taut_cloth_across {
+    const taut_cloth_piece *piece;
+    double s;
     double sides[2][3][2];
+    double
+        corners[2][2]
+               [2]; /* of start and end that are parts of sides: where they meet right and left */
 } taut_cloth_across;
 void taut_cloth_across_at(const taut_cloth *cloth, const taut_cloth_piece *piece, double s,
                           int order, taut_cloth_across *across);
 /* Between them, of order 1: w, and its derivatives by s and t. 0 where a side leaves the window. */
 int taut_cloth_window_on(const taut_cloth *cloth, const taut_cloth_across *across, double t,
                          double w[3][2]);
+/* Of order 2: w_ss, w_st and w_tt, where the sides are inside the window. */
+void taut_cloth_bend_on(const taut_cloth *cloth, const taut_cloth_across *across, double t,
+                        double bend[3][2]);
 /* g_ss, g_st, g_tt there; 0 where there is none. */
 int taut_cloth_metric_on(const taut_cloth *cloth, const taut_cloth_across *across, double t,
                          double g[3]);
 int taut_cloth_metric(const taut_cloth *cloth, const taut_cloth_piece *piece, double s, double t,
                       double g[3]);
+/* The place of a side at a share of it. */
+void taut_cloth_side_at(const taut_cloth_side *side, double share, double at[2]);
+/* Does an edge lie to the left of its side (0), or to its right? */
+static inline int taut_cloth_hand(int edge)
+{
+    return edge == TAUT_CLOTH_LEFT || edge == TAUT_CLOTH_START;
+}
 /* A curve of the model, plane, at t: y, y', .. up to `order`, times 2^-unit. */
 void taut_cloth_line(const taut_cloth *cloth, const taut_curve *curve, double t, int order,
                      double y[][3]);

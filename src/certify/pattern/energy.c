@@ -207,9 +207,9 @@ typedef struct work {
     int n;
     double *gradient, *scale; /* [n]; scale: what strains of 1 would give */
     int rows;
-    double *a;    /* [rows][n] */
-    double *pull; /* multipliers */
-    int edges[2]; /* first row of right and left, or -1 */
+    double *a;                   /* [rows][n] */
+    double *pull;                /* multipliers */
+    int edges[TAUT_CLOTH_EDGES]; /* first row of each, or -1 */
     taut_skyline hessian;
     taut_cloth_state *state;
 } work;
@@ -361,18 +361,28 @@ static double *row_of(work *w, int row)
     return w->a + (size_t)row * (size_t)w->n;
 }
 
-/* The unknown of coefficient k of the right (0) or the left edge. */
-static int edge_unknown(const work *w, int side, int k, int d)
+/* The basis along an edge. */
+static const line *along(const work *w, int edge)
 {
-    return unknown(w, k, side == 0 ? 0 : w->lines[1].count - 1, d);
+    return &w->lines[edge == TAUT_CLOTH_END || edge == TAUT_CLOTH_START];
 }
 
-static double edge_speed(const work *w, int side, int a, int q, double way[2])
+/* The unknown of coefficient k of an edge. */
+static int edge_unknown(const work *w, int edge, int k, int d)
 {
-    const line *l = &w->lines[0];
+    const int last[2] = {w->lines[0].count - 1, w->lines[1].count - 1};
+    return edge == TAUT_CLOTH_RIGHT  ? unknown(w, k, 0, d)
+           : edge == TAUT_CLOTH_LEFT ? unknown(w, k, last[1], d)
+           : edge == TAUT_CLOTH_END  ? unknown(w, last[0], k, d)
+                                     : unknown(w, 0, k, d);
+}
+
+static double edge_speed(const work *w, int edge, int a, int q, double way[2])
+{
+    const line *l = along(w, edge);
     way[0] = way[1] = 0;
     for (int i = 0; i < ALIVE; i++) {
-        const int k = edge_unknown(w, side, taut_basis_first(l->basis, a) + i, 0) / 2;
+        const int k = edge_unknown(w, edge, taut_basis_first(l->basis, a) + i, 0) / 2;
         for (int d = 0; d < 2; d++) {
             way[d] += l->slope[a][q][i] * taut_surface_points(w->piece->flat)[3 * k + d];
         }
@@ -380,22 +390,22 @@ static double edge_speed(const work *w, int side, int a, int q, double way[2])
     return taut_hypot(way[0], way[1]);
 }
 
-/* The rows of a held side; or, with multipliers there, what they add to the Hessian. */
-static void add_side(work *w, int side, int bends)
+/* The rows of a held edge; or, with multipliers there, what they add to the Hessian. */
+static void add_edge(work *w, int edge, int bends)
 {
-    const line *l = &w->lines[0];
+    const line *l = along(w, edge);
     for (int a = 0; a < l->spans; a++) {
         const int first = taut_basis_first(l->basis, a);
         for (int q = 0; q < NODES; q++) {
             double way[2], pull = 0;
-            const double speed = edge_speed(w, side, a, q, way), weight = weight_of(l, a, q);
+            const double speed = edge_speed(w, edge, a, q, way), weight = weight_of(l, a, q);
             for (int b = 0; b < P; b++) {
-                const int row = w->edges[side] + first + b;
+                const int row = w->edges[edge] + first + b;
                 const double part = l->test[a][q][b] * weight;
                 pull += bends ? part * w->pull[row] : 0;
                 for (int i = 0; !bends && i < ALIVE; i++) {
                     for (int d = 0; d < 2; d++) {
-                        row_of(w, row)[edge_unknown(w, side, first + i, d)] +=
+                        row_of(w, row)[edge_unknown(w, edge, first + i, d)] +=
                             part * way[d] / speed * l->slope[a][q][i];
                     }
                 }
@@ -403,8 +413,8 @@ static void add_side(work *w, int side, int bends)
             const double normal[2] = {-way[1] / speed, way[0] / speed};
             for (int x = 0; bends && x < 2 * ALIVE; x++) {
                 for (int z = 0; z < 2 * ALIVE; z++) {
-                    const int i = edge_unknown(w, side, first + x / 2, x % 2);
-                    const int k = edge_unknown(w, side, first + z / 2, z % 2);
+                    const int i = edge_unknown(w, edge, first + x / 2, x % 2);
+                    const int k = edge_unknown(w, edge, first + z / 2, z % 2);
                     if (k <= i) {
                         w->hessian.rows[i][k - w->hessian.first[i]] +=
                             pull / speed * normal[x % 2] * normal[z % 2] * l->slope[a][q][x / 2] *
@@ -489,9 +499,9 @@ static taut_status judge_stiffness(work *w)
     if (x == NULL) {
         return TAUT_NO_MEMORY;
     }
-    for (int side = 0; side < 2; side++) {
-        if (w->edges[side] >= 0) {
-            add_side(w, side, 1);
+    for (int e = 0; e < TAUT_CLOTH_EDGES; e++) {
+        if (w->edges[e] >= 0) {
+            add_edge(w, e, 1);
         }
     }
     for (int i = 0; i < w->n; i++) {
@@ -542,21 +552,19 @@ static taut_status judge_stiffness(work *w)
 
 /* ---- the whole ---- */
 
-static int is_held(const work *w, int side)
+static int is_held(const work *w, int edge)
 {
-    const taut_cloth_side *seam = &w->cloth->sides[w->piece->sides[side]];
-    return seam->space != NULL;
+    return w->piece->is_sewn[edge];
 }
 
 static taut_status make_room(work *w)
 {
     const line *s = &w->lines[0], *t = &w->lines[1];
-    const int tests = s->count - 1;
     int *first = taut_arena_take(w->arena, (size_t)w->n, sizeof *first);
 
-    for (int side = 0; side < 2; side++) {
-        w->edges[side] = is_held(w, side) ? w->rows : -1;
-        w->rows += is_held(w, side) ? tests : 0;
+    for (int e = 0; e < TAUT_CLOTH_EDGES; e++) {
+        w->edges[e] = is_held(w, e) ? w->rows : -1;
+        w->rows += is_held(w, e) ? along(w, e)->count - 1 : 0;
     }
     w->rows++; /* of the thread */
     w->gradient = taut_arena_take(w->arena, (size_t)w->n, sizeof(double));
@@ -631,9 +639,9 @@ static taut_status look_in(work *w, int solved)
     if (!solved) {
         return TAUT_OK;
     }
-    for (int side = 0; side < 2; side++) {
-        if (w->edges[side] >= 0) {
-            add_side(w, side, 0);
+    for (int e = 0; e < TAUT_CLOTH_EDGES; e++) {
+        if (w->edges[e] >= 0) {
+            add_edge(w, e, 0);
         }
     }
     add_thread(w);

@@ -254,11 +254,12 @@ static taut_status add_figures(const taut_cloth *cloth, const taut_cloth_state *
         unavoidable = taut_certify_max(unavoidable, limits[k].unavoidable);
         expected = taut_certify_max(expected, limits[k].expected);
     }
-    for (int k = 0; k < cloth->side_count; k++) {
-        const taut_cloth_side *side = &cloth->sides[k];
-        if (side->space != NULL && side->owners[0] >= 0) {
-            seams +=
-                taut_cloth_length(cloth, cloth->pieces[side->owners[0]].edges[TAUT_CLOTH_RIGHT]);
+    for (int k = 0; k < cloth->piece_count; k++) {
+        for (int e = 0; e < TAUT_CLOTH_EDGES; e++) { /* once a seam: those to its left */
+            const taut_cloth_piece *piece = &cloth->pieces[k];
+            seams += piece->is_sewn[e] && taut_cloth_hand(e) == 0
+                         ? taut_cloth_length(cloth, piece->edges[e])
+                         : 0;
         }
     }
     taut_record_add_number(figures, "pieces", cloth->piece_count);

@@ -21,7 +21,7 @@ static double inside(double x)
 int taut_cloth_spot_at(const taut_cloth *cloth, const taut_cloth_piece *piece, double s, double t,
                        taut_cloth_spot *spot)
 {
-    double w[3][2], bent[2][2], x[6][3], normal[3]; /* bent: w_ss and w_st (w_tt is 0) */
+    double w[3][2], bent[3][2], x[6][3], normal[3];
     const double at = inside(t);
     taut_cloth_across across;
 
@@ -29,10 +29,7 @@ int taut_cloth_spot_at(const taut_cloth *cloth, const taut_cloth_piece *piece, d
     if (!taut_cloth_window_on(cloth, &across, at, w)) {
         return 0;
     }
-    for (int d = 0; d < 2; d++) {
-        bent[0][d] = (1 - at) * across.sides[0][2][d] + at * across.sides[1][2][d];
-        bent[1][d] = across.sides[1][1][d] - across.sides[0][1][d];
-    }
+    taut_cloth_bend_on(cloth, &across, at, bent);
     if (taut_surface_eval(cloth->surface, w[0][0], w[0][1], 2, x[0]) != TAUT_OK) {
         return 0;
     }
@@ -46,7 +43,8 @@ int taut_cloth_spot_at(const taut_cloth *cloth, const taut_cloth_piece *piece, d
                              xu * bent[0][0] + xv * bent[0][1];
         spot->second[1][c] = uu * ws[0] * wt[0] + uv * (ws[0] * wt[1] + ws[1] * wt[0]) +
                              vv * ws[1] * wt[1] + xu * bent[1][0] + xv * bent[1][1];
-        spot->second[2][c] = uu * wt[0] * wt[0] + 2 * uv * wt[0] * wt[1] + vv * wt[1] * wt[1];
+        spot->second[2][c] = uu * wt[0] * wt[0] + 2 * uv * wt[0] * wt[1] + vv * wt[1] * wt[1] +
+                             xu * bent[2][0] + xv * bent[2][1];
     }
     spot->g[0] = taut_dot(spot->first[0], spot->first[0]);
     spot->g[1] = taut_dot(spot->first[0], spot->first[1]);

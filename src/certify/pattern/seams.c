@@ -1,8 +1,8 @@
 /* seams.c
  *
- *   cover       ends of sides that are not where they are to be: each seam is the right of one piece and the left of another
- *               one, each other side is a border of the window, and all sides run from one border of it to the opposite one
- *               (exact)
+ *   cover       pieces tile the window: along each side, to its left and to its right, parts of edges follow on each other from end to end;
+ *               along borders on the window's side alone, and all four borders are covered; edges of a piece meet at its corners, and go
+ *               around it one way (exact, corners to rounding). With the document, seams told as lines that it does not ask for
  *   on-surface  largest distance of S(t) from X(w(t)) over the size, PLACES in each span (check)
  *   geodesic    int |k_g| ds by the seam's own second derivative (check)
  *   edges       largest distance of the line that is sewn from the flat piece's own edge, over the size (check)
@@ -20,6 +20,8 @@
 #include <string.h>
 
 enum { PLACES = 8, NODES = 16, STEPS = 1024, FEW = 4 };
+/* Corners, evaluated along both edges that meet there, over the window. */
+static const double same_corner = 1e-13;
 static const double geodesic_limit = 1e-6, seam_limit = 1e-9, edge_limit = 1e-6;
 
 /* ---- cover ---- */
@@ -59,52 +61,231 @@ static void count_wrong(taut_worst *w, int is_wrong, const char *name, double at
     }
 }
 
-/* The borders that all sides begin and end on: two opposite ones; 0 where there are none such. */
-static int find_ends(const taut_cloth *cloth, int ends[2])
+/* Of a line, from one share to another one. */
+typedef struct stretch {
+    double from, to;
+} stretch;
+
+enum { PIECES = TAUT_PATTERN_PIECES_MAX };
+
+/* How often stretches do not follow on each other from 0 to 1. */
+static int gaps(stretch *list, int count, double from, double to)
 {
-    for (int first = 0; first < 4; first++) {
-        const int second = first ^ 1;
-        int all = 1;
-        for (int k = 0; k < cloth->side_count; k++) {
-            all &= is_on(cloth, end_of(&cloth->sides[k], 0), first) &&
-                   is_on(cloth, end_of(&cloth->sides[k], 1), second);
+    int wrong = 0;
+    for (int i = 0; i < count; i++) { /* the next one each time */
+        int next = -1;
+        for (int k = i; k < count; k++) {
+            next = list[k].from == from ? k : next;
         }
-        if (all) {
-            ends[0] = first;
-            ends[1] = second;
+        if (next < 0) {
+            return wrong + 1;
+        }
+        const stretch found = list[next];
+        list[next] = list[i];
+        list[i] = found;
+        from = found.to;
+    }
+    return wrong + (from != to);
+}
+
+/* Along a side and its twin: the parts to its left (0) or right (1). */
+static int parts_along(const taut_cloth *cloth, const taut_cloth_side *side, int hand,
+                       stretch list[PIECES])
+{
+    int count = 0;
+    for (int k = 0; k < cloth->piece_count; k++) {
+        const taut_cloth_piece *piece = &cloth->pieces[k];
+        for (int e = 0; e < TAUT_CLOTH_EDGES; e++) {
+            const taut_cloth_side *own =
+                piece->sides[e] >= 0 ? &cloth->sides[piece->sides[e]] : NULL;
+            const int is_there =
+                own == side || (own != NULL && side->seam != NULL && own->seam != NULL &&
+                                strcmp(own->seam, side->seam) == 0);
+            if (is_there && taut_cloth_hand(e) == hand && count < PIECES) {
+                list[count++] = (stretch){piece->part[e][0], piece->part[e][1]};
+            }
+        }
+    }
+    return count;
+}
+
+/* Each part once to the left and once to the right of a seam; of a border once, on the side of the window. */
+static void look_along(const taut_cloth *cloth, int index, taut_worst *w)
+{
+    const taut_cloth_side *side = &cloth->sides[index];
+    stretch list[PIECES];
+    int counts[2];
+    for (int hand = 0; hand < 2; hand++) {
+        counts[hand] = parts_along(cloth, side, hand, list);
+        if (side->seam != NULL || counts[hand] > 0) {
+            count_wrong(w, counts[hand] == 0 || gaps(list, counts[hand], 0, 1) > 0, side->name, 0);
+        }
+    }
+    if (side->seam == NULL) {
+        count_wrong(w, (counts[0] > 0) == (counts[1] > 0), side->name, 0);
+    }
+}
+
+/* The borders of the window go around it: u of v0 grows, v of u1, .. */
+static int is_forward(int border, const double a[2], const double b[2])
+{
+    const int along = 1 - border / 2;
+    return border == 1 || border == 2 ? a[along] < b[along] : a[along] > b[along];
+}
+
+/* The corners of a piece: right and left at s = 0 and 1. */
+static void corners_of(const taut_cloth *cloth, const taut_cloth_piece *piece, double at[2][2][2])
+{
+    for (int k = 0; k < 2; k++) {
+        const int e = k == 0 ? TAUT_CLOTH_RIGHT : TAUT_CLOTH_LEFT;
+        for (int end = 0; end < 2; end++) {
+            taut_cloth_side_at(&cloth->sides[piece->sides[e]], piece->part[e][end], at[k][end]);
+        }
+    }
+}
+
+/* Two places of the window that are one. */
+static int is_one(const taut_cloth *cloth, const double a[2], const double b[2])
+{
+    const taut_basis *bases[2] = {taut_surface_u(cloth->surface), taut_surface_v(cloth->surface)};
+    int all = 1;
+    for (int d = 0; d < 2; d++) {
+        const double range = taut_basis_hi(bases[d]) - taut_basis_lo(bases[d]);
+        all &= fabs(a[d] - b[d]) <= same_corner * range;
+    }
+    return all;
+}
+
+/* Start and end meet right and left; where they are straight they are told to be on a border, and run around the window. */
+static void look_at_ends(const taut_cloth *cloth, const taut_cloth_piece *piece, taut_worst *w)
+{
+    double at[2][2][2], ends[2][2];
+    corners_of(cloth, piece, at);
+    for (int end = 0; end < 2; end++) {
+        const int e = end == 0 ? TAUT_CLOTH_START : TAUT_CLOTH_END;
+        const double *right = at[0][end], *left = at[1][end];
+        if (piece->sides[e] >= 0) {
+            for (int k = 0; k < 2; k++) {
+                taut_cloth_side_at(&cloth->sides[piece->sides[e]], piece->part[e][k], ends[k]);
+            }
+            count_wrong(w, !is_one(cloth, right, ends[0]) || !is_one(cloth, left, ends[1]),
+                        piece->name, end);
+            continue;
+        }
+        const int border = piece->border[e];
+        count_wrong(w, border < 0 || !is_on(cloth, right, border) || !is_on(cloth, left, border),
+                    piece->name, end);
+        count_wrong(w,
+                    border >= 0 && !(end == 0 ? is_forward(border, left, right)
+                                              : is_forward(border, right, left)),
+                    piece->name, end);
+    }
+}
+
+/* A border is covered once: by a side all along it, or by straight ends of pieces. */
+static void look_at_border(const taut_cloth *cloth, int border, taut_worst *w)
+{
+    static const char *const names[] = {"u0", "u1", "v0", "v1"};
+    const int along = 1 - border / 2;
+    const taut_basis *basis =
+        along == 0 ? taut_surface_u(cloth->surface) : taut_surface_v(cloth->surface);
+    const double range[2] = {taut_basis_lo(basis), taut_basis_hi(basis)};
+    stretch list[PIECES];
+    int times = 0, count = 0;
+    for (int k = 0; k < cloth->side_count; k++) {
+        const taut_cloth_side *side = &cloth->sides[k];
+        const double *a = end_of(side, 0), *b = end_of(side, 1);
+        if (!lies_on(cloth, side, border)) {
+            continue;
+        }
+        const double low = fmin(a[along], b[along]), high = fmax(a[along], b[along]);
+        /* of a ring's, the window lies to one hand, and its twin's to the other */
+        const int hand = !is_forward(border, a, b);
+        int on_hand = 0;
+        for (int p = 0; p < cloth->piece_count; p++) {
+            for (int e = 0; e < TAUT_CLOTH_EDGES; e++) {
+                on_hand += cloth->pieces[p].sides[e] == k;
+                count_wrong(w, cloth->pieces[p].sides[e] == k && taut_cloth_hand(e) != hand,
+                            side->name, 0);
+            }
+        }
+        times += on_hand > 0 && low == range[0] && high == range[1];
+    }
+    for (int k = 0; k < cloth->piece_count; k++) {
+        const taut_cloth_piece *piece = &cloth->pieces[k];
+        double at[2][2][2];
+        corners_of(cloth, piece, at);
+        for (int end = 0; end < 2; end++) {
+            const int e = end == 0 ? TAUT_CLOTH_START : TAUT_CLOTH_END;
+            if (piece->sides[e] < 0 && piece->border[e] == border && count < PIECES) {
+                list[count++] = (stretch){fmin(at[0][end][along], at[1][end][along]),
+                                          fmax(at[0][end][along], at[1][end][along])};
+            }
+        }
+    }
+    count_wrong(w, times > 0 ? times > 1 || count > 0 : gaps(list, count, range[0], range[1]) > 0,
+                names[border], 0);
+}
+
+/* A seam told as a parameter line is where a ring closes, or one that is asked for, all along. */
+static int is_asked_line(const taut_cloth *cloth, const taut_cloth_side *side)
+{
+    const double *at = end_of(side, 0);
+    for (int b = 0; b < 4; b++) {
+        if (lies_on(cloth, side, b)) {
             return 1;
+        }
+    }
+    for (int k = 0; k < cloth->problem->rule_count; k++) {
+        const taut_pattern_rule *rule = &cloth->problem->rules[k];
+        for (int i = 0; rule->kind == TAUT_PATTERN_LINE && i < rule->value_count; i++) {
+            const int count = taut_basis_count(taut_curve_t(side->window));
+            int all = at[rule->held] == rule->values[i];
+            for (int n = 0; n < count; n++) {
+                all &= taut_curve_points(side->window)[3 * n + rule->held] == rule->values[i];
+            }
+            if (all) {
+                return 1;
+            }
         }
     }
     return 0;
 }
 
+/* Seams that are not told to be geodesics were asked for as something else. */
+static void look_at_kinds(const taut_cloth *cloth, taut_worst *w)
+{
+    int curves = 0;
+    for (int k = 0; k < cloth->problem->rule_count; k++) {
+        curves += cloth->problem->rules[k].kind == TAUT_PATTERN_CURVE;
+    }
+    for (int k = 0; k < cloth->side_count; k++) {
+        const taut_cloth_side *side = &cloth->sides[k];
+        if (side->seam == NULL || strcmp(side->kind, "geodesic") == 0) {
+            continue;
+        }
+        const int is_line = strcmp(side->kind, "line") == 0;
+        curves -= !is_line;
+        count_wrong(w, is_line ? !is_asked_line(cloth, side) : curves < 0, side->name, 0);
+    }
+}
+
 static taut_status add_cover(const taut_cloth *cloth, taut_certificate *certificate)
 {
     taut_worst w = {cloth->missing, ""};
-    int ends[2] = {0, 0}, borders[2] = {0, 0};
 
     snprintf(w.where, sizeof w.where, "%.80s", cloth->where);
-    count_wrong(&w, !find_ends(cloth, ends), "sides", 0);
     for (int k = 0; k < cloth->side_count; k++) {
-        const taut_cloth_side *side = &cloth->sides[k];
-        const int owners = (side->owners[0] >= 0) + (side->owners[1] >= 0);
-        count_wrong(&w, owners != (side->space != NULL ? 2 : 1), side->name, 0);
-        for (int b = 0; side->space == NULL && b < 2; b++) {
-            borders[b] += lies_on(cloth, side, 2 * (1 - ends[0] / 2) + b);
-        }
+        look_along(cloth, k, &w);
     }
-    count_wrong(&w, borders[0] != 1 || borders[1] != 1, "borders", 0);
-    /* pieces between them stand in a row where right and left are in one order at both ends: of exact numbers */
     for (int k = 0; k < cloth->piece_count; k++) {
-        const taut_cloth_piece *piece = &cloth->pieces[k];
-        const int along = 1 - ends[0] / 2;
-        for (int end = 0; end < 2; end++) {
-            const double right = end_of(&cloth->sides[piece->sides[0]], end)[along];
-            const double left = end_of(&cloth->sides[piece->sides[1]], end)[along];
-            const int falls =
-                ends[0] == 2 || ends[0] == 1; /* t runs towards falling u where s runs with v */
-            count_wrong(&w, falls ? !(left < right) : !(left > right), piece->name, end);
-        }
+        look_at_ends(cloth, &cloth->pieces[k], &w);
+    }
+    for (int border = 0; border < 4; border++) {
+        look_at_border(cloth, border, &w);
+    }
+    if (cloth->problem != NULL) {
+        look_at_kinds(cloth, &w);
     }
     return taut_worst_add(&w, "cover", TAUT_EXACT, 0, certificate);
 }
@@ -116,11 +297,13 @@ static int look_at(const taut_cloth *cloth, const taut_cloth_side *side, double 
                    double *bend, double *speed)
 {
     const taut_basis *bases[2] = {taut_surface_u(cloth->surface), taut_surface_v(cloth->surface)};
-    double c[3][3], at[3], on[3][3], sideways[3], apart[3];
+    double c[3][3], at[2], on[3][3], sideways[3], apart[3];
     taut_forms forms;
 
+    const taut_basis *basis = taut_curve_t(side->space);
+    const double lo_t = taut_basis_lo(basis), range = taut_basis_hi(basis) - lo_t;
     taut_cloth_line(cloth, side->space, t, 2, c);
-    taut_curve_eval(side->window, t, 0, at);
+    taut_cloth_side_at(side, (t - lo_t) / range, at);
     for (int d = 0; d < 2; d++) {
         const double lo = taut_basis_lo(bases[d]), hi = taut_basis_hi(bases[d]);
         const double room = 1e-9 * (hi - lo);
@@ -145,7 +328,7 @@ static taut_status add_on_surface(const taut_cloth *cloth, taut_certificate *cer
 {
     taut_worst distance = {0, ""}, turn = {0, ""};
     double nodes[NODES], weights[NODES];
-    int any = 0;
+    int any = 0, geodesics = 0;
 
     taut_gauss_rule(NODES, nodes, weights);
     for (int k = 0; k < cloth->side_count; k++) {
@@ -167,7 +350,8 @@ static taut_status add_on_surface(const taut_cloth *cloth, taut_certificate *cer
                            : INFINITY;
             }
         }
-        if (basis != NULL) {
+        if (basis != NULL && strcmp(side->kind, "geodesic") == 0) {
+            geodesics++;
             taut_worst_take(&turn, sum, side->name, taut_basis_lo(basis));
         }
     }
@@ -176,7 +360,7 @@ static taut_status add_on_surface(const taut_cloth *cloth, taut_certificate *cer
     }
     const taut_status status =
         taut_worst_add(&distance, "on-surface", TAUT_CHECK, cloth->tolerance, certificate);
-    return status == TAUT_OK
+    return status == TAUT_OK && geodesics > 0
                ? taut_worst_add(&turn, "geodesic", TAUT_CHECK, geodesic_limit, certificate)
                : status;
 }
@@ -206,45 +390,80 @@ double taut_cloth_length(const taut_cloth *cloth, const taut_curve *line)
     return sum;
 }
 
-static const taut_curve *edge_of(const taut_cloth *cloth, const taut_cloth_side *side, int which)
+/* An edge that is sewn. */
+typedef struct sewn {
+    int piece, edge;
+} sewn;
+
+/* Two pieces on the two hands of a seam: the flat lengths of both from the beginning of what they share of it on. */
+static void compare(const taut_cloth *cloth, const char *name, const sewn both[2], taut_worst *w)
 {
-    return cloth->pieces[side->owners[which]]
-        .edges[which == 0 ? TAUT_CLOTH_RIGHT : TAUT_CLOTH_LEFT];
+    const taut_cloth_piece *pieces[2] = {&cloth->pieces[both[0].piece],
+                                         &cloth->pieces[both[1].piece]};
+    const double *parts[2] = {pieces[0]->part[both[0].edge], pieces[1]->part[both[1].edge]};
+    const double from = fmax(parts[0][0], parts[1][0]), to = fmin(parts[0][1], parts[1][1]);
+    double nodes[FEW], weights[FEW], sums[2] = {0, 0}, apart = 0, at = 0;
+
+    if (!(from < to)) {
+        return;
+    }
+    taut_gauss_rule(FEW, nodes, weights);
+    for (int i = 0; i < STEPS; i++) {
+        const double a = (double)i / STEPS, b = (double)(i + 1) / STEPS;
+        for (int k = 0; k < 2; k++) {
+            const double range = parts[k][1] - parts[k][0];
+            sums[k] +=
+                length_between(cloth, pieces[k]->edges[both[k].edge],
+                               (from + a * (to - from) - parts[k][0]) / range,
+                               (from + b * (to - from) - parts[k][0]) / range, nodes, weights);
+        }
+        if (!(fabs(sums[0] - sums[1]) <= apart)) {
+            apart = fabs(sums[0] - sums[1]);
+            at = from + b * (to - from);
+        }
+    }
+    taut_worst_take(w, apart / fmax(sums[0], sums[1]), name, at);
+}
+
+/* Of true length: the flat edge against that of the surface. */
+static void measure(const taut_cloth *cloth, const sewn *one, taut_worst *w)
+{
+    const taut_cloth_piece *piece = &cloth->pieces[one->piece];
+    const taut_cloth_side *side = &cloth->sides[piece->sides[one->edge]];
+    const double *part = piece->part[one->edge];
+    double share = cloth->warp == 0 && cloth->weft == 0 ? 1 : side->share;
+    if (cloth->problem != NULL && cloth->problem->compensation.has_seam) {
+        share = 1 - cloth->problem->compensation.seam;
+    }
+    const double flat = taut_cloth_length(cloth, piece->edges[one->edge]);
+    taut_worst_take(w, fabs(flat / (share * (part[1] - part[0]) * side->length) - 1), side->seam,
+                    1);
 }
 
 static taut_status add_seams(const taut_cloth *cloth, taut_certificate *certificate)
 {
     taut_worst w = {0, ""}, lengths = {0, ""};
-    double nodes[FEW], weights[FEW];
     int any = 0;
 
-    taut_gauss_rule(FEW, nodes, weights);
-    for (int k = 0; k < cloth->side_count; k++) {
-        const taut_cloth_side *side = &cloth->sides[k];
-        double sums[2] = {0, 0}, apart = 0, at = 0;
-        if (side->space == NULL || side->owners[0] < 0 || side->owners[1] < 0) {
+    for (int i = 0; i < cloth->piece_count * TAUT_CLOTH_EDGES; i++) {
+        const sewn a = {i / TAUT_CLOTH_EDGES, i % TAUT_CLOTH_EDGES};
+        const taut_cloth_piece *piece = &cloth->pieces[a.piece];
+        if (!piece->is_sewn[a.edge]) {
             continue;
         }
         any = 1;
-        for (int i = 0; i < STEPS; i++) {
-            const double a = (double)i / STEPS, b = (double)(i + 1) / STEPS;
-            for (int which = 0; which < 2; which++) {
-                sums[which] +=
-                    length_between(cloth, edge_of(cloth, side, which), a, b, nodes, weights);
-            }
-            if (!(fabs(sums[0] - sums[1]) <= apart)) {
-                apart = fabs(sums[0] - sums[1]);
-                at = b;
-            }
+        const char *name = cloth->sides[piece->sides[a.edge]].seam;
+        if (cloth->is_true) {
+            measure(cloth, &a, &lengths);
         }
-        taut_worst_take(&w, apart / fmax(sums[0], sums[1]), side->name, at);
-        double share = cloth->warp == 0 && cloth->weft == 0 ? 1 : side->share;
-        if (cloth->problem != NULL && cloth->problem->compensation.has_seam) {
-            share = 1 - cloth->problem->compensation.seam;
-        }
-        for (int which = 0; which < 2; which++) {
-            taut_worst_take(&lengths, fabs(sums[which] / (share * side->length) - 1), side->name,
-                            1);
+        for (int k = 0; k < cloth->piece_count * TAUT_CLOTH_EDGES; k++) {
+            const sewn both[2] = {a, {k / TAUT_CLOTH_EDGES, k % TAUT_CLOTH_EDGES}};
+            const taut_cloth_piece *other = &cloth->pieces[both[1].piece];
+            if (taut_cloth_hand(a.edge) == 0 && taut_cloth_hand(both[1].edge) == 1 &&
+                other->is_sewn[both[1].edge] &&
+                strcmp(cloth->sides[other->sides[both[1].edge]].seam, name) == 0) {
+                compare(cloth, name, both, &w);
+            }
         }
     }
     if (!any) {

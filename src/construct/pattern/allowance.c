@@ -26,16 +26,10 @@ static const double corner_share = 0.0625;
 
 /* ---- how much is left ---- */
 
-int taut_pattern_border_of(const taut_pattern_problem *problem, const taut_pattern_layout *layout,
-                           int piece, int edge)
+int taut_pattern_border_of(const taut_pattern_layout *layout, int piece, int edge)
 {
     const taut_pattern_piece *one = &layout->pieces[piece];
-    if (edge == TAUT_FLAT_START || edge == TAUT_FLAT_END) {
-        return (int)problem->rules[0].edges[edge == TAUT_FLAT_END];
-    }
-    const taut_pattern_side *side =
-        one->edge[edge == TAUT_FLAT_RIGHT ? TAUT_PIECE_RIGHT : TAUT_PIECE_LEFT];
-    return side->is_seam ? -1 : side->border;
+    return taut_pattern_is_sewn(one, edge) ? -1 : one->bounds[edge].border;
 }
 
 taut_pattern_margin taut_pattern_margin_of(const taut_pattern_problem *problem,
@@ -44,7 +38,7 @@ taut_pattern_margin taut_pattern_margin_of(const taut_pattern_problem *problem,
     const taut_pattern_allowance *a = &problem->allowance;
     taut_pattern_margin margin = {{0}, {0}};
     for (int e = 0; e < TAUT_FLAT_EDGES; e++) {
-        const int border = taut_pattern_border_of(problem, layout, piece, e);
+        const int border = taut_pattern_border_of(layout, piece, e);
         double width = border >= 0 ? a->border : a->seam;
         if (border < 0 && a->overlap > 0) {
             width = a->is_split ? a->overlap / 2 : piece % 2 == 0 ? a->overlap : 0;
@@ -428,9 +422,8 @@ static taut_status make_corner(build *b, int e, const taut_pattern_piece *piece,
         return fail_corner(piece, a, c, error);
     }
     /* between a seam and a border */
-    const int seam = e == TAUT_FLAT_RIGHT || e == TAUT_FLAT_LEFT ? e : next;
-    const int is_seam =
-        piece->edge[seam == TAUT_FLAT_RIGHT ? TAUT_PIECE_RIGHT : TAUT_PIECE_LEFT]->is_seam;
+    const int seam = taut_pattern_is_sewn(piece, e) ? e : next;
+    const int is_seam = taut_pattern_is_sewn(piece, e) != taut_pattern_is_sewn(piece, next);
     if (kind == TAUT_PATTERN_MIRROR && is_seam && margin->width[seam] > 0) {
         mirror_corner(seam == e ? a : c, (const double(*)[2])lines[seam == e ? 0 : 1],
                       seam == e ? c : a, seam == e ? back[1] : back[0], seam == e, &b->corners[e]);

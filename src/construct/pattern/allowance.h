@@ -19,8 +19,7 @@ typedef struct taut_pattern_margin {
 } taut_pattern_margin;
 
 /* The edge of the window that an edge of a piece is on; -1: a seam. */
-int taut_pattern_border_of(const taut_pattern_problem *problem, const taut_pattern_layout *layout,
-                           int piece, int edge);
+int taut_pattern_border_of(const taut_pattern_layout *layout, int piece, int edge);
 taut_pattern_margin taut_pattern_margin_of(const taut_pattern_problem *problem,
                                            const taut_pattern_layout *layout, int piece);
 /* Moves outline->cut out, and its bounds. TAUT_NO_MEMORY; TAUT_BAD_INPUT and TAUT_NO_SOLUTION, reason

@@ -14,7 +14,7 @@ static const double usual[2] = {-0.01, 0.08};
 /* Of a seam's length: no mark is so near to its end. */
 static const double mark_share = 1e-6;
 
-enum { NODES = 8, PARTS = 4 /* of a span, looked at for extremes */, CELLS = 16 };
+enum { NODES = 8, PARTS = 4 /* of a span, looked at for extremes */ };
 
 static const char *const edge_names[TAUT_FLAT_EDGES] = {"right", "end", "left", "start"};
 
@@ -37,20 +37,6 @@ static double flat_length(const taut_curve *curve)
     return sum;
 }
 
-/* Of start (s = 0) or end (s = 1) on the surface. */
-static double across_length(const taut_pattern_piece *piece, double s)
-{
-    double nodes[NODES], weights[NODES], sum = 0;
-    taut_gauss_rule(NODES, nodes, weights);
-    for (int i = 0; i < CELLS * NODES; i++) {
-        double g[3];
-        const double t = (i / NODES + (1 + nodes[i % NODES]) / 2) / CELLS;
-        taut_pattern_piece_metric(piece, s, t, g);
-        sum += weights[i % NODES] / (2 * CELLS) * sqrt(g[2]);
-    }
-    return sum;
-}
-
 /* ---- strains ---- */
 
 static void add_strain(const taut_pattern_piece *piece, taut_record *at)
@@ -67,29 +53,28 @@ static void add_strain(const taut_pattern_piece *piece, taut_record *at)
 
 /* ---- pieces ---- */
 
-static const taut_pattern_side *side_of(const taut_pattern_piece *piece, int edge)
-{
-    return edge == TAUT_FLAT_RIGHT  ? piece->edge[TAUT_PIECE_RIGHT]
-           : edge == TAUT_FLAT_LEFT ? piece->edge[TAUT_PIECE_LEFT]
-                                    : NULL;
-}
-
 static void add_edges(const taut_pattern_told *told, int index, taut_record *at)
 {
-    const taut_edge *ends = told->problem->rules[0].edges;
+    static const char *const borders[] = {"u0", "u1", "v0", "v1"};
     const taut_pattern_piece *piece = &told->layout->pieces[index];
     const taut_pattern_outline *outline = &told->outlines[index];
     const taut_pattern_margin *margin = &told->margins[index];
     const int scale = told->layout->carrier->scale;
     taut_record *edges = taut_record_add_object(at, "edges");
     for (int e = 0; e < TAUT_FLAT_EDGES; e++) {
-        const taut_pattern_side *side = side_of(piece, e);
+        const taut_pattern_bound *bound = &piece->bounds[e];
         taut_record *edge = taut_record_add_object(edges, edge_names[e]);
-        const double length =
-            side != NULL ? side->length : across_length(piece, e == TAUT_FLAT_END);
-        taut_record_add_text(edge, side != NULL && side->is_seam ? "seam" : "edge",
-                             side != NULL ? side->name : taut_edge_name(ends[e == TAUT_FLAT_END]));
-        taut_record_add_number(edge, "length", ldexp(length, scale));
+        if (taut_pattern_is_sewn(piece, e)) {
+            taut_record_add_text(edge, "seam", bound->line->seam);
+        }
+        if (bound->border >= 0) {
+            taut_record_add_text(edge, "edge", borders[bound->border]);
+        }
+        if (bound->line != NULL && (bound->from > 0 || bound->to < 1)) {
+            const double part[2] = {bound->from, bound->to};
+            taut_record_add_numbers(edge, "part", 2, part);
+        }
+        taut_record_add_number(edge, "length", ldexp(taut_pattern_bound_length(piece, e), scale));
         taut_record_add_number(edge, "flat_length", ldexp(flat_length(outline->edges[e]), scale));
         if (margin->width[e] > 0) {
             taut_record_add_number(edge, "allowance", ldexp(margin->width[e], scale));
@@ -144,14 +129,51 @@ static void widen(double range[2], double x)
     range[1] = fmax(range[1], x);
 }
 
-/* Lengths of the surface from the start. */
+/* The next place where pieces meet on a seam, beyond a share of it; 1: none. */
+static double next_joint(const taut_pattern_side *seam, double share)
+{
+    double next = 1;
+    for (int k = 0; k < seam->holder_count; k++) {
+        const double at = seam->holders[k].to;
+        next = at > share * (1 + mark_share) && at < next ? at : next;
+    }
+    return next;
+}
+
+/* Lengths of the surface from the start: at equal steps, and where pieces meet. */
 static void add_marks(const taut_pattern_side *seam, double spacing, int scale, taut_record *at)
 {
-    const double length = ldexp(seam->length, scale);
+    const double length = ldexp(seam->length, scale), end = length * (1 - mark_share);
     taut_record *list = taut_record_add_list(at, "marks");
-    for (int k = 1; spacing > 0 && k * spacing < length * (1 - mark_share); k++) {
-        taut_record_add_number(list, NULL, k * spacing);
+    double joint = spacing > 0 ? next_joint(seam, 0) : 1;
+    for (int k = 1; joint < 1 || (spacing > 0 && k * spacing < end);) {
+        const double step = k * spacing < end ? k * spacing : length;
+        const int is_joint = joint * length < step * (1 + mark_share);
+        taut_record_add_number(list, NULL, is_joint && joint < 1 ? joint * length : step);
+        k += !(joint < 1) || step < joint * length * (1 + mark_share);
+        joint = is_joint && joint < 1 ? next_joint(seam, joint) : joint;
     }
+}
+
+static const char *const kind_names[] = {"geodesic", "line", "curve"};
+
+/* How far apart the stretches of both hands were alone. */
+static double disagreement(const taut_pattern_layout *layout, const taut_pattern_side *seam)
+{
+    double apart = 0;
+    for (int i = 0; i < seam->holder_count; i++) {
+        for (int k = 0; k < seam->holder_count; k++) {
+            const taut_pattern_holder *a = &seam->holders[i], *b = &seam->holders[k];
+            const double from = fmax(a->from, b->from), to = fmin(a->to, b->to);
+            const int count = PARTS * layout->pieces[a->piece].alone.spans[0];
+            for (int n = 0; a->hand < b->hand && from < to && n <= count; n++) {
+                const double x = from + (to - from) * n / count;
+                const double p = taut_pattern_own_stretch(layout, seam, a, x);
+                apart = fmax(apart, fabs(p - taut_pattern_own_stretch(layout, seam, b, x)));
+            }
+        }
+    }
+    return apart;
 }
 
 static void describe_seam(const taut_pattern_told *told, int index, taut_record *list)
@@ -160,37 +182,43 @@ static void describe_seam(const taut_pattern_told *told, int index, taut_record 
     const taut_pattern_cut *cut = told->cut;
     const taut_pattern_outline *outlines = told->outlines;
     const taut_pattern_side *seam = &layout->sides[index];
-    const int right = seam->owners[TAUT_PIECE_RIGHT], left = seam->owners[TAUT_PIECE_LEFT];
-    const int scale = layout->carrier->scale, count = PARTS * layout->pieces[right].alone.spans[0];
-    double stretch[2] = {INFINITY, -INFINITY}, apart = 0;
+    const int scale = layout->carrier->scale;
+    double stretch[2] = {INFINITY, -INFINITY}, flat = 0, closure = 0;
 
-    for (int i = 0; i <= count; i++) {
-        const double s = (double)i / count;
-        double speed[2], y[2][2][3];
-        taut_pattern_held_speed(layout, cut, right, TAUT_PIECE_RIGHT, s, speed);
-        widen(stretch, speed[0] / seam->length);
-        taut_curve_eval(layout->pieces[right].alone_edges[TAUT_FLAT_RIGHT], s, 1, y[0][0]);
-        taut_curve_eval(layout->pieces[left].alone_edges[TAUT_FLAT_LEFT], s, 1, y[1][0]);
-        apart = fmax(apart,
-                     fabs(taut_hypot(y[0][1][0], y[0][1][1]) - taut_hypot(y[1][1][0], y[1][1][1])) /
-                         seam->length);
-    }
     taut_record *at = taut_record_add_object(list, NULL);
-    taut_record_add_text(at, "name", seam->name);
+    taut_record_add_text(at, "name", seam->seam);
+    taut_record_add_text(at, "kind",
+                         seam->border >= 0 ? kind_names[TAUT_SIDE_LINE] : kind_names[seam->kind]);
     taut_record *pieces = taut_record_add_list(at, "pieces");
-    taut_record_add_text(pieces, NULL, layout->pieces[right < left ? right : left].name);
-    taut_record_add_text(pieces, NULL, layout->pieces[right < left ? left : right].name);
+    for (int k = 0; k < layout->piece_count; k++) {
+        int is_along = 0;
+        for (int h = 0; h < seam->holder_count; h++) {
+            is_along |= seam->holders[h].piece == k;
+        }
+        if (is_along) {
+            taut_record_add_text(pieces, NULL, layout->pieces[k].name);
+        }
+    }
+    for (int h = 0; h < seam->holder_count; h++) {
+        const taut_pattern_holder *one = &seam->holders[h];
+        const int count = PARTS * layout->pieces[one->piece].alone.spans[0];
+        closure = fmax(closure, outlines[one->piece].closure);
+        flat += one->hand == 0 ? flat_length(outlines[one->piece].edges[one->edge]) : 0;
+        for (int i = 0; one->hand == 0 && i <= count; i++) {
+            double speed[2];
+            taut_pattern_held_speed(layout, cut, one->piece, one->edge, (double)i / count, speed);
+            widen(stretch, speed[0] / ((one->to - one->from) * seam->length));
+        }
+    }
     taut_record_add_number(at, "length", ldexp(seam->length, scale));
-    taut_record_add_number(at, "flat_length",
-                           ldexp(flat_length(outlines[right].edges[TAUT_FLAT_RIGHT]), scale));
+    taut_record_add_number(at, "flat_length", ldexp(flat, scale));
     if (cut->seam_length == TAUT_PATTERN_TRUE) {
         taut_record_add_number(at, "compensation", 1 - seam->share);
     }
     add_marks(seam, told->problem->marks.spacing, scale, at);
     taut_record_add_numbers(at, "stretch", 2, stretch);
-    taut_record_add_number(at, "disagreement", apart);
-    taut_record_add_number(at, "closure",
-                           ldexp(fmax(outlines[right].closure, outlines[left].closure), scale));
+    taut_record_add_number(at, "disagreement", disagreement(layout, seam));
+    taut_record_add_number(at, "closure", ldexp(closure, scale));
 }
 
 /* ---- the whole ---- */
@@ -205,12 +233,9 @@ static void describe_hems(const taut_pattern_told *told, taut_record *details)
         taut_record *at = taut_record_add_object(list, NULL);
         double sums[2] = {0, 0};
         for (int k = 0; k < told->layout->piece_count; k++) {
-            const taut_pattern_piece *piece = &told->layout->pieces[k];
             for (int e = 0; e < TAUT_FLAT_EDGES; e++) {
-                const taut_pattern_side *side = side_of(piece, e);
-                if (taut_pattern_border_of(told->problem, told->layout, k, e) == (int)hem->edge) {
-                    sums[0] +=
-                        side != NULL ? side->length : across_length(piece, e == TAUT_FLAT_END);
+                if (taut_pattern_border_of(told->layout, k, e) == (int)hem->edge) {
+                    sums[0] += taut_pattern_bound_length(&told->layout->pieces[k], e);
                     sums[1] += flat_length(told->outlines[k].edges[e]);
                 }
             }
@@ -300,20 +325,11 @@ static void add_slack(const taut_pattern_told *told, taut_record *warnings)
 
 static void add_warnings(const taut_pattern_told *told, taut_record *details)
 {
-    static const char *const rings[] = {"ring: u0 and u1 are one line of the surface, and the "
-                                        "edges cut along it are not made equal",
-                                        "ring: v0 and v1 are one line of the surface, and the "
-                                        "edges cut along it are not made equal"};
     static const char *const shares[] = {
         "compensation: the warp's is outside [-0.01, 0.08], which is unusual",
         "compensation: the weft's is outside [-0.01, 0.08], which is unusual"};
     const double c[2] = {told->cut->compensation.warp, told->cut->compensation.weft};
     taut_record *warnings = taut_record_add_list(details, "warnings");
-    for (int k = 0; k < 2; k++) {
-        if (told->is_ring[k]) {
-            taut_record_add_text(warnings, NULL, rings[k]);
-        }
-    }
     for (int k = 0; k < 2; k++) {
         if (!(c[k] >= usual[0]) || !(c[k] <= usual[1])) {
             taut_record_add_text(warnings, NULL, shares[k]);
@@ -330,7 +346,10 @@ void taut_pattern_describe(const taut_pattern_told *told, taut_record *details)
     describe_cloth(problem, told->cut, details);
     taut_record_add_text(details, "seam_length",
                          told->cut->seam_length == TAUT_PATTERN_TRUE ? "true" : "shared");
-    const double strain = problem->strain > 0 ? problem->strain : problem->rules[0].strain;
+    double strain = problem->strain;
+    for (int k = 0; !(problem->strain > 0) && k < problem->rule_count; k++) {
+        strain = fmax(strain, problem->rules[k].strain);
+    }
     if (strain > 0) {
         taut_record_add_number(details, "strain", strain);
     }
@@ -342,7 +361,7 @@ void taut_pattern_describe(const taut_pattern_told *told, taut_record *details)
     }
     taut_record *seams = taut_record_add_list(details, "seams");
     for (int k = 0; k < layout->side_count; k++) {
-        if (layout->sides[k].is_seam) {
+        if (layout->sides[k].is_seam && layout->sides[k].twin < k) {
             describe_seam(told, k, seams);
         }
     }

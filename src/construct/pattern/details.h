@@ -15,7 +15,6 @@ typedef struct taut_pattern_told {
     const taut_pattern_margin *margins;   /* of each piece */
     const taut_pattern_roll *roll;
     double gap;
-    const int *is_ring; /* [2]: u0 and u1, v0 and v1 are one line */
 } taut_pattern_told;
 
 /* Members pattern, cloth, compensation, seam_length, marks, strain, pieces, seams, hems, roll, domain, warnings. */

@@ -16,8 +16,6 @@ static const double same_stretch = 1e-11;
 /* Of a piece for the pulse: operations, roughly. */
 static const double work_of_piece = 5e7;
 
-static const taut_flat_edge edge_of[2] = {TAUT_FLAT_RIGHT, TAUT_FLAT_LEFT};
-
 /* ---- edges of flat pieces ---- */
 
 /* An edge of a flat piece, in the order of taut_flat_edge, as s or t grows: points (y_1, y_2, 0), the arena's. */
@@ -63,18 +61,18 @@ static taut_status all_edges(const taut_flat *flat, taut_arena *arena,
     return status;
 }
 
-/* |y_s| and its derivative of a piece alone. */
-static void own_speed(const taut_pattern_piece *piece, int side, double s, double speed[2])
+/* |y_x| and its derivative by x, of a piece alone. */
+static void own_speed(const taut_pattern_piece *piece, int edge, double x, double speed[2])
 {
     double y[3][3];
-    taut_curve_eval(piece->alone_edges[edge_of[side]], s, 2, y[0]);
+    taut_curve_eval(piece->alone_edges[edge], x, 2, y[0]);
     speed[0] = taut_hypot(y[1][0], y[1][1]);
     speed[1] = (y[1][0] * y[2][0] + y[1][1] * y[2][1]) / speed[0];
 }
 
 /* The share by which a piece's edge is cut smaller on the average, of warp and weft and how it runs between them. */
 static double seam_compensation(const taut_pattern_layout *layout, const taut_pattern_cut *cut,
-                                int piece, int side)
+                                int piece, int edge)
 {
     double nodes[EDGE_NODES], weights[EDGE_NODES], sum = 0;
     const double p = 1 - cut->compensation.warp, q = 1 - cut->compensation.weft;
@@ -84,8 +82,7 @@ static double seam_compensation(const taut_pattern_layout *layout, const taut_pa
     taut_gauss_rule(EDGE_NODES, nodes, weights);
     for (int i = 0; i < EDGE_NODES; i++) {
         double y[2][3];
-        taut_curve_eval(layout->pieces[piece].alone_edges[edge_of[side]], (1 + nodes[i]) / 2, 1,
-                        y[0]);
+        taut_curve_eval(layout->pieces[piece].alone_edges[edge], (1 + nodes[i]) / 2, 1, y[0]);
         /* the direction on the surface is that before the cloth was made smaller */
         const double a = y[1][0] / p, b = y[1][1] / q;
         sum += weights[i] / 2 * (1 - taut_hypot(y[1][0], y[1][1]) / taut_hypot(a, b));
@@ -93,37 +90,131 @@ static double seam_compensation(const taut_pattern_layout *layout, const taut_pa
     return sum;
 }
 
-/* Of seams whose length is that of the surface: the mean of both sides. */
-static void set_shares(taut_pattern_layout *layout, const taut_pattern_cut *cut)
+/* Of seams whose length is that of the surface: the mean of both sides, each piece as long as it lies along it. */
+static void set_share(const taut_pattern_layout *layout, const taut_pattern_cut *cut,
+                      taut_pattern_side *side)
 {
-    for (int k = 0; k < layout->side_count; k++) {
-        taut_pattern_side *side = &layout->sides[k];
-        if (side->owners[0] >= 0 && side->owners[1] >= 0) {
-            side->share = 1 - (seam_compensation(layout, cut, side->owners[0], 0) +
-                               seam_compensation(layout, cut, side->owners[1], 1)) /
-                                  2;
+    double sums[2] = {0, 0};
+    for (int k = 0; k < side->holder_count; k++) {
+        const taut_pattern_holder *one = &side->holders[k];
+        sums[one->hand] +=
+            (one->to - one->from) * seam_compensation(layout, cut, one->piece, one->edge);
+    }
+    side->share = 1 - (sums[0] + sums[1]) / 2;
+}
+
+/* The stretch over the surface that a hand's pieces have alone at a share x of the side, and its derivative by x. */
+static void hand_stretch(const taut_pattern_layout *layout, const taut_pattern_side *side, int hand,
+                         double x, double stretch[2])
+{
+    const taut_pattern_holder *at = NULL;
+    for (int k = 0; k < side->holder_count; k++) {
+        const taut_pattern_holder *one = &side->holders[k];
+        if (one->hand == hand && (at == NULL || x >= one->from)) {
+            at = one;
+        }
+    }
+    const double range = at->to - at->from;
+    own_speed(&layout->pieces[at->piece], at->edge, (x - at->from) / range, stretch);
+    stretch[0] /= range;
+    stretch[1] /= range * range;
+}
+
+/* P_0 .. P_5 and their derivatives, over [0, 1]. */
+static void legendre(double x, double p[2][TAUT_SIDE_MEAN])
+{
+    const double z = 2 * x - 1;
+    p[0][0] = 1;
+    p[1][0] = 0;
+    p[0][1] = z;
+    p[1][1] = 2;
+    for (int k = 1; k + 1 < TAUT_SIDE_MEAN; k++) {
+        p[0][k + 1] = ((2 * k + 1) * z * p[0][k] - k * p[0][k - 1]) / (k + 1);
+        p[1][k + 1] = p[1][k - 1] + 2 * (2 * k + 1) * p[0][k];
+    }
+}
+
+/* Where pieces meet on a side the mean of both hands jumps: the polynomial that is nearest to it. */
+static void set_mean(const taut_pattern_layout *layout, taut_pattern_side *side)
+{
+    double nodes[EDGE_NODES], weights[EDGE_NODES];
+    taut_gauss_rule(EDGE_NODES, nodes, weights);
+    memset(side->mean, 0, sizeof side->mean);
+    for (int h = 0; h < side->holder_count; h++) {
+        const taut_pattern_holder *one = &side->holders[h];
+        for (int i = 0; i < EDGE_NODES; i++) {
+            const double x = one->from + (one->to - one->from) * (1 + nodes[i]) / 2;
+            double p[2][TAUT_SIDE_MEAN], stretch[2];
+            legendre(x, p);
+            hand_stretch(layout, side, one->hand, x, stretch);
+            for (int k = 0; k < TAUT_SIDE_MEAN; k++) { /* half of each hand */
+                side->mean[k] +=
+                    (2 * k + 1) * weights[i] / 4 * (one->to - one->from) * stretch[0] * p[0][k];
+            }
         }
     }
 }
 
-int taut_pattern_held_speed(const taut_pattern_layout *layout, const taut_pattern_cut *cut,
-                            int piece, int side, double s, double speed[2])
+double taut_pattern_own_stretch(const taut_pattern_layout *layout, const taut_pattern_side *side,
+                                const taut_pattern_holder *holder, double x)
 {
-    const taut_pattern_side *seam = layout->pieces[piece].edge[side];
-    double both[2][2];
-    if (seam->owners[0] < 0 || seam->owners[1] < 0) {
-        return 0;
+    const double range = holder->to - holder->from;
+    double speed[2];
+    own_speed(&layout->pieces[holder->piece], holder->edge, (x - holder->from) / range, speed);
+    return speed[0] / (range * side->length);
+}
+
+/* What the second pass holds. */
+static void set_seams(taut_pattern_layout *layout, const taut_pattern_cut *cut)
+{
+    for (int k = 0; k < layout->side_count; k++) {
+        taut_pattern_side *side = &layout->sides[k];
+        if (side->is_seam) {
+            set_share(layout, cut, side);
+        }
+        if (side->is_seam && side->is_jointed) {
+            set_mean(layout, side);
+        }
     }
+}
+
+/* |y_x| over x, the share of the side, and its derivative. */
+static void side_speed(const taut_pattern_layout *layout, const taut_pattern_cut *cut,
+                       const taut_pattern_side *side, double x, double speed[2])
+{
+    double both[2][2], p[2][TAUT_SIDE_MEAN];
     if (cut->seam_length == TAUT_PATTERN_TRUE) {
-        speed[0] = seam->share * seam->length;
+        speed[0] = side->share * side->length;
         speed[1] = 0;
-        return 1;
+        return;
     }
-    for (int k = 0; k < 2; k++) {
-        own_speed(&layout->pieces[seam->owners[k]], k, s, both[k]);
+    if (side->is_jointed) {
+        legendre(x, p);
+        speed[0] = speed[1] = 0;
+        for (int k = 0; k < TAUT_SIDE_MEAN; k++) {
+            speed[0] += side->mean[k] * p[0][k];
+            speed[1] += side->mean[k] * p[1][k];
+        }
+        return;
+    }
+    for (int hand = 0; hand < 2; hand++) {
+        hand_stretch(layout, side, hand, x, both[hand]);
     }
     speed[0] = (both[0][0] + both[1][0]) / 2;
     speed[1] = (both[0][1] + both[1][1]) / 2;
+}
+
+int taut_pattern_held_speed(const taut_pattern_layout *layout, const taut_pattern_cut *cut,
+                            int piece, int edge, double x, double speed[2])
+{
+    const taut_pattern_bound *bound = &layout->pieces[piece].bounds[edge];
+    const double range = bound->to - bound->from;
+    if (!taut_pattern_is_sewn(&layout->pieces[piece], edge)) {
+        return 0;
+    }
+    side_speed(layout, cut, bound->line, bound->from + x * range, speed);
+    speed[0] *= range;
+    speed[1] *= range * range;
     return 1;
 }
 
@@ -173,21 +264,23 @@ static void alone(void *context, int worker, int64_t task)
     taut_arena_free(scratch);
 }
 
-/* |y_s| over |X_s| at the Gauss points of the spans; *is_natural: the piece has it already. */
-static int hold(const pass *p, int index, int side, int spans, double *stretch, int *is_natural)
+/* |y_x| over |X_x| at the Gauss points of the spans; *is_natural: the piece has it already. */
+static int hold(const pass *p, int index, int edge, int spans, double *stretch, int *is_natural)
 {
     double nodes[TAUT_FLAT_GAUSS], weights[TAUT_FLAT_GAUSS];
     const taut_pattern_piece *piece = &p->layout->pieces[index];
+    const int is_across = edge == TAUT_FLAT_START || edge == TAUT_FLAT_END;
+    const double fixed = edge == TAUT_FLAT_END || edge == TAUT_FLAT_LEFT;
     taut_gauss_rule(TAUT_FLAT_GAUSS, nodes, weights);
     for (int k = 0; k < spans * TAUT_FLAT_GAUSS; k++) {
-        const double s = (k / TAUT_FLAT_GAUSS + 0.5 + 0.5 * nodes[k % TAUT_FLAT_GAUSS]) / spans;
+        const double x = (k / TAUT_FLAT_GAUSS + 0.5 + 0.5 * nodes[k % TAUT_FLAT_GAUSS]) / spans;
         double g[3], speed[2], own[2];
-        if (!taut_pattern_held_speed(p->layout, p->cut, index, side, s, speed)) {
+        if (!taut_pattern_held_speed(p->layout, p->cut, index, edge, x, speed)) {
             return 0;
         }
-        taut_pattern_piece_metric(piece, s, side, g);
-        own_speed(piece, side, s, own);
-        stretch[k] = speed[0] / sqrt(g[0]);
+        taut_pattern_piece_metric(piece, is_across ? fixed : x, is_across ? x : fixed, g);
+        own_speed(piece, edge, x, own);
+        stretch[k] = speed[0] / sqrt(g[is_across ? 2 : 0]);
         *is_natural &= fabs(own[0] - speed[0]) <= same_stretch * own[0];
     }
     return 1;
@@ -202,14 +295,14 @@ static taut_status hold_piece(const pass *p, int index, taut_arena *scratch, tau
 
     own.spans[0] = piece->is_developable ? ALONG : piece->alone.spans[0];
     own.spans[1] = piece->is_developable ? ACROSS : piece->alone.spans[1];
-    for (int side = 0; side < 2; side++) {
-        double *stretch =
-            taut_arena_take(scratch, (size_t)own.spans[0] * TAUT_FLAT_GAUSS, sizeof(double));
+    for (int e = 0; e < TAUT_FLAT_EDGES; e++) {
+        const int spans = own.spans[e == TAUT_FLAT_START || e == TAUT_FLAT_END];
+        double *stretch = taut_arena_take(scratch, (size_t)spans * TAUT_FLAT_GAUSS, sizeof(double));
         if (stretch == NULL) {
             return TAUT_NO_MEMORY;
         }
-        if (hold(p, index, side, own.spans[0], stretch, &is_natural)) {
-            own.held[edge_of[side]] = stretch;
+        if (hold(p, index, e, spans, stretch, &is_natural)) {
+            own.held[e] = stretch;
             is_same = 0;
         }
     }
@@ -304,6 +397,6 @@ taut_status taut_pattern_flatten(taut_pattern_layout *layout, const taut_pattern
     if (status != TAUT_OK) {
         return status;
     }
-    set_shares(layout, cut);
+    set_seams(layout, cut);
     return run(&p, crew, together, error);
 }

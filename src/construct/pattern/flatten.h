@@ -19,9 +19,13 @@ typedef struct taut_pattern_cut {
     double thread;
 } taut_pattern_cut;
 
-/* |y_s| that an edge is held at (right or left), and its derivative by s, in the carrier's unit; 0 where it is free. */
+/* |y_x| that an edge is held at, and its derivative by x, s or t along it, in the carrier's unit; 0 where it is free. */
 int taut_pattern_held_speed(const taut_pattern_layout *layout, const taut_pattern_cut *cut,
-                            int piece, int side, double s, double speed[2]);
+                            int piece, int edge, double x, double speed[2]);
+
+/* The stretch over the surface that a piece along a side has alone, at a share x of the side. */
+double taut_pattern_own_stretch(const taut_pattern_layout *layout, const taut_pattern_side *side,
+                                const taut_pattern_holder *holder, double x);
 
 /* Fills alone and flat of every piece. TAUT_NO_MEMORY, TAUT_INTERRUPTED; TAUT_NOT_CONVERGED, reasons folds and not-converged. */
 taut_status taut_pattern_flatten(taut_pattern_layout *layout, const taut_pattern_cut *cut,

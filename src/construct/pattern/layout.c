@@ -1,55 +1,65 @@
-/* layout.c -- strips across: geodesics between the places that cut both edges in equal parts.
+/* layout.c -- the window cut in pieces, rule by rule.
  *
- * They count from the low end of the first edge. A piece's t runs to the left of its s, seen from the side of the normal: towards
- * falling u where s runs with v.
+ *     the window as one piece, from the first edge that seams run from to the opposite one
+ *     each seam cuts the piece whose edges it begins and ends on: along it in two strips, or across it in two parts
+ *     names: strips from the low end of the first edge on, seams as they are met
+ *
+ * A piece's t runs to the left of its s, seen from the side of the normal: towards falling u where s runs with v.
  */
 #include "construct/pattern/layout.h"
 
+#include "construct/pattern/rule.h"
+#include "core/elementary/elementary.h"
 #include "core/fail.h"
-#include "trace/divide.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
-enum { ALONG = 32, ACROSS = 4, CHAIN = 64 };
+enum { ALONG = 32, ACROSS = 4, CHAIN = 64, ROUNDS = 200 };
 /* The least area element that is one, over the largest. */
 static const double least_area = 1e-9;
 
-/* Places [count + 1] on an edge, as u or v grows. */
-static taut_status divide(const taut_carrier *carrier, int edge, taut_pattern_by by, int count,
-                          taut_arena *arena, double (*at)[2], taut_error *error)
-{
-    const int held = edge / 2, along = 1 - held;
-    double ends[2][2];
-    taut_ruler ruler;
+/* ---- pieces that are none ---- */
 
-    for (int end = 0; end < 2; end++) {
-        ends[end][held] = edge % 2 == 0 ? carrier->lo[held] : carrier->hi[held];
-        ends[end][along] = end == 0 ? carrier->lo[along] : carrier->hi[along];
-    }
-    const taut_trace_by measure =
-        by == TAUT_PATTERN_BY_PARAMETER ? TAUT_TRACE_PARAMETER : TAUT_TRACE_LENGTH;
-    if (taut_ruler_new(arena, carrier, TAUT_TRACE_GEODESIC, measure, ends[0], ends[1], &ruler) !=
-        TAUT_OK) {
-        return taut_fail_memory(error);
-    }
-    memcpy(at[0], ends[0], sizeof ends[0]);
-    memcpy(at[count], ends[1], sizeof ends[1]);
-    for (int k = 1; k < count; k++) {
-        taut_ruler_at(&ruler, ruler.sum[ruler.count] * k / count, at[k]);
-    }
-    return TAUT_OK;
-}
-
-/* Do two straight lines of the window meet? */
-static int meet(const double a[2], const double b[2], const double c[2], const double d[2])
+/* Where two straight lines of the window cross; 0: they do not. */
+static int meet(const double a[2], const double b[2], const double c[2], const double d[2],
+                double at[2])
 {
     const double p = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
     const double q = (b[0] - a[0]) * (d[1] - a[1]) - (b[1] - a[1]) * (d[0] - a[0]);
     const double r = (d[0] - c[0]) * (a[1] - c[1]) - (d[1] - c[1]) * (a[0] - c[0]);
     const double s = (d[0] - c[0]) * (b[1] - c[1]) - (d[1] - c[1]) * (b[0] - c[0]);
-    return p * q < 0 && r * s < 0;
+    if (!(p * q < 0) || !(r * s < 0)) {
+        return 0;
+    }
+    for (int k = 0; k < 2; k++) {
+        at[k] = c[k] + (d[k] - c[k]) * p / (p - q);
+    }
+    return 1;
+}
+
+static void chain_of(const taut_pattern_side *side, double chain[CHAIN + 1][2])
+{
+    for (int i = 0; i <= CHAIN; i++) {
+        double w[3][2];
+        taut_pattern_side_at(side, (double)i / CHAIN, w);
+        memcpy(chain[i], w[0], sizeof w[0]);
+    }
+}
+
+/* Where two lines cross inside, as polygons. */
+static int cross(const double a[CHAIN + 1][2], const double b[CHAIN + 1][2], double at[2])
+{
+    for (int i = 0; i < CHAIN; i++) {
+        for (int k = 0; k < CHAIN; k++) {
+            if (meet(a[i], a[i + 1], b[k], b[k + 1], at)) {
+                return 1;
+            }
+        }
+    }
+    return 0;
 }
 
 static taut_status fail_crossing(const taut_pattern_piece *piece, const double at[2],
@@ -57,13 +67,14 @@ static taut_status fail_crossing(const taut_pattern_piece *piece, const double a
 {
     return taut_fail(error, TAUT_NO_SOLUTION, "crossing", "/seams", taut_none, taut_none,
                      "%s and %s, the sides of piece %s, cross or turn over at (%.6g, %.6g)",
-                     piece->edge[0]->name, piece->edge[1]->name, piece->name, at[0], at[1]);
+                     piece->bounds[TAUT_FLAT_RIGHT].line->name,
+                     piece->bounds[TAUT_FLAT_LEFT].line->name, piece->name, at[0], at[1]);
 }
 
 /* The sides of a piece do not cross, and it turns over nowhere. */
 static taut_status check_piece(const taut_pattern_piece *piece, taut_error *error)
 {
-    double chain[2][CHAIN + 1][2], w[5][2];
+    double chain[2][CHAIN + 1][2], at[2], w[6][2];
     const double *low = piece->carrier->lo, *high = piece->carrier->hi;
     const double window = (high[0] - low[0]) * (high[1] - low[1]);
 
@@ -73,12 +84,8 @@ static taut_status check_piece(const taut_pattern_piece *piece, taut_error *erro
             memcpy(chain[side][i], w[0], sizeof w[0]);
         }
     }
-    for (int i = 0; i < CHAIN; i++) {
-        for (int k = 0; k < CHAIN; k++) {
-            if (meet(chain[0][i], chain[0][i + 1], chain[1][k], chain[1][k + 1])) {
-                return fail_crossing(piece, chain[0][i], error);
-            }
-        }
+    if (cross((const double(*)[2])chain[0], (const double(*)[2])chain[1], at)) {
+        return fail_crossing(piece, at, error);
     }
     for (int i = 0; i <= ALONG; i++) {
         for (int k = 0; k <= ACROSS; k++) {
@@ -99,62 +106,505 @@ static taut_status check_piece(const taut_pattern_piece *piece, taut_error *erro
     return TAUT_OK;
 }
 
-static taut_status add_sides(taut_pattern_layout *layout, const taut_pattern_rule *rule, int count,
-                             const taut_monitor *monitor, taut_error *error)
+/* It has four sides. */
+static taut_status check_sides(const taut_pattern_piece *piece, taut_error *error)
 {
-    const int first = (int)rule->edges[0], second = (int)rule->edges[1], held = first / 2;
-    const size_t places = (size_t)count + 1;
-    double(*from)[2] = taut_arena_take(layout->arena, places, sizeof *from);
-    double(*to)[2] = taut_arena_take(layout->arena, places, sizeof *to);
-
-    if (from == NULL || to == NULL) {
-        return taut_fail_memory(error);
-    }
-    taut_status status =
-        divide(layout->carrier, first, rule->by, count, layout->arena, from, error);
-    if (status == TAUT_OK) {
-        status = divide(layout->carrier, second, rule->by, count, layout->arena, to, error);
-    }
-    for (int k = 0; status == TAUT_OK && k <= count; k++) {
-        taut_pattern_side *side = &layout->sides[layout->side_count++];
-        side->owners[0] = side->owners[1] = -1;
-        if (k == 0 || k == count) {
-            const int edge = 2 * (1 - held) + (k == count);
-            status = taut_pattern_border(layout->carrier, edge, first % 2, monitor, layout->arena,
-                                         side, error);
-        } else {
-            snprintf(side->name, sizeof side->name, "S%d", k);
-            status = taut_pattern_geodesic(layout->carrier, from[k], to[k], monitor, layout->arena,
-                                           side, error);
+    for (int e = 0; e < TAUT_FLAT_EDGES; e++) {
+        const taut_pattern_bound *bound = &piece->bounds[e];
+        if (bound->is_point) {
+            return taut_fail(error, TAUT_NO_SOLUTION, "shape", "/seams", taut_none, taut_none,
+                             "piece %s has three sides: seams meet at (%.6g, %.6g)", piece->name,
+                             bound->ends[0][0], bound->ends[0][1]);
         }
+    }
+    return TAUT_OK;
+}
+
+/* ---- cutting ---- */
+
+typedef struct laying {
+    const taut_pattern_ground *ground;
+    const taut_pattern_problem *problem;
+    taut_pattern_layout *layout;
+    int side_room, strips;
+    taut_pattern_seams seams;
+    taut_error *error;
+} laying;
+
+/* Room for one more side; its index, or -1. */
+static int add_side(laying *l, const taut_pattern_side *side)
+{
+    taut_pattern_layout *layout = l->layout;
+    if (layout->side_count == l->side_room) {
+        l->side_room = 2 * l->side_room + 8;
+        taut_pattern_side *grown =
+            taut_arena_take(layout->arena, (size_t)l->side_room, sizeof *grown);
+        if (grown == NULL) {
+            return -1;
+        }
+        if (layout->side_count > 0) {
+            memcpy(grown, layout->sides, (size_t)layout->side_count * sizeof *grown);
+        }
+        layout->sides = grown;
+    }
+    layout->sides[layout->side_count] = *side;
+    return layout->side_count++;
+}
+
+static taut_status add_border(laying *l, int edge, int backwards, int *index)
+{
+    taut_pattern_side side = {.border = edge, .twin = -1};
+    const taut_pattern_ground *g = l->ground;
+    const taut_status status =
+        taut_pattern_border(g->carrier, edge, backwards, g->monitor, g->arena, &side, l->error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    side.is_seam = g->is_ring[edge / 2];
+    *index = add_side(l, &side);
+    return *index >= 0 ? TAUT_OK : taut_fail_memory(l->error);
+}
+
+static taut_pattern_bound whole(const taut_pattern_layout *layout, int side)
+{
+    taut_pattern_bound bound = {
+        .side = side, .border = layout->sides[side].border, .from = 0, .to = 1};
+    memcpy(bound.ends, layout->sides[side].ends, sizeof bound.ends);
+    return bound;
+}
+
+/* The window as one piece. */
+static taut_status begin(laying *l)
+{
+    const int first = l->seams.ends[0], second = l->seams.ends[1], held = first / 2;
+    const int lies_left = first == TAUT_EDGE_V0 || first == TAUT_EDGE_U1; /* the lower side */
+    const int borders[2] = {2 * (1 - held) + lies_left, 2 * (1 - held) + !lies_left};
+    taut_pattern_layout *layout = l->layout;
+    taut_pattern_piece *piece = &layout->pieces[0];
+
+    *piece = (taut_pattern_piece){.carrier = layout->carrier};
+    for (int side = 0; side < 2; side++) {
+        const int edge = side == 0 ? TAUT_FLAT_RIGHT : TAUT_FLAT_LEFT;
+        int index = 0;
+        const taut_status status = add_border(l, borders[side], first % 2, &index);
+        if (status != TAUT_OK) {
+            return status;
+        }
+        piece->bounds[edge] = whole(layout, index);
+    }
+    for (int end = 0; end < 2; end++) {
+        taut_pattern_bound *bound = &piece->bounds[end == 0 ? TAUT_FLAT_START : TAUT_FLAT_END];
+        const int border = end == 0 ? first : second;
+        *bound = (taut_pattern_bound){.side = -1, .border = border};
+        memcpy(bound->ends[0], piece->bounds[TAUT_FLAT_RIGHT].ends[end], sizeof bound->ends[0]);
+        memcpy(bound->ends[1], piece->bounds[TAUT_FLAT_LEFT].ends[end], sizeof bound->ends[1]);
+        if (l->ground->is_ring[held]) { /* as t runs */
+            const int along = 1 - held;
+            int index = 0;
+            const taut_status status =
+                add_border(l, border, bound->ends[0][along] > bound->ends[1][along], &index);
+            if (status != TAUT_OK) {
+                return status;
+            }
+            *bound = whole(layout, index);
+        }
+    }
+    for (int e = 0; e < 2; e++) { /* right and left, or end and start, are one line of a ring */
+        const int one = piece->bounds[e].side, other = piece->bounds[e + 2].side;
+        if (one >= 0 && other >= 0 && layout->sides[one].is_seam) {
+            layout->sides[one].twin = other;
+            layout->sides[other].twin = one;
+        }
+    }
+    layout->piece_count = 1;
+    l->strips = 1;
+    return TAUT_OK;
+}
+
+/* Of an edge that is not cut yet: a place inside it as a share of its side; -1: it is not there. */
+static double share_of(const taut_pattern_layout *layout, const taut_pattern_bound *bound,
+                       const double at[2])
+{
+    const taut_carrier *carrier = layout->carrier;
+    if (bound->border < 0 || !taut_pattern_is_on(carrier, at, bound->border)) {
+        return -1;
+    }
+    const int along = 1 - bound->border / 2;
+    double range[2] = {bound->from, bound->to};
+    const double a = bound->ends[0][along], b = bound->ends[1][along];
+    if ((at[along] - a) * (at[along] - b) > 0 || a == b) {
+        return -1;
+    }
+    if (at[along] == a || at[along] == b) {
+        return at[along] == a ? bound->from : bound->to;
+    }
+    if (bound->side < 0) {
+        return 0.5; /* it has none */
+    }
+    for (int round = 0; round < ROUNDS && range[0] != range[1]; round++) { /* monotonous */
+        const double middle = (range[0] + range[1]) / 2;
+        double w[3][2];
+        taut_pattern_side_at(&layout->sides[bound->side], middle, w);
+        if (middle == range[0] || middle == range[1]) {
+            break;
+        }
+        range[(w[0][along] - at[along]) * (b - a) > 0] = middle;
+    }
+    return (range[0] + range[1]) / 2;
+}
+
+/* The edge up to a place (which 0), or from it on (1). */
+static void shorten(taut_pattern_bound *bound, int which, double share, const double at[2])
+{
+    memcpy(bound->ends[1 - which], at, sizeof bound->ends[0]);
+    if (bound->side >= 0) {
+        *(which == 0 ? &bound->to : &bound->from) = share;
+    }
+    bound->is_point =
+        bound->ends[0][0] == bound->ends[1][0] && bound->ends[0][1] == bound->ends[1][1];
+}
+
+/* A copy of a piece behind it, in the list; 0: there is no room. */
+static taut_status split(laying *l, int index)
+{
+    taut_pattern_layout *layout = l->layout;
+    if (layout->piece_count == TAUT_PATTERN_PIECES_MAX) {
+        return taut_fail(l->error, TAUT_BAD_INPUT, "count", "/seams", taut_none,
+                         TAUT_PATTERN_PIECES_MAX, "found more than %d pieces",
+                         TAUT_PATTERN_PIECES_MAX);
+    }
+    memmove(&layout->pieces[index + 1], &layout->pieces[index],
+            (size_t)(layout->piece_count - index) * sizeof *layout->pieces);
+    layout->piece_count++;
+    return TAUT_OK;
+}
+
+/* From start to end: two strips. shares: of the seam's ends on start and end. */
+static taut_status cut_along(laying *l, int index, int side, const double shares[2])
+{
+    taut_pattern_layout *layout = l->layout;
+    const taut_status status = split(l, index);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    const int first = l->seams.ends[0];
+    const int lies_left = first == TAUT_EDGE_V0 || first == TAUT_EDGE_U1;
+    taut_pattern_piece *left = &layout->pieces[lies_left ? index : index + 1];
+    taut_pattern_piece *right = &layout->pieces[lies_left ? index + 1 : index];
+    const taut_pattern_bound seam = whole(layout, side);
+    for (int end = 0; end < 2; end++) {
+        const int edge = end == 0 ? TAUT_FLAT_START : TAUT_FLAT_END;
+        shorten(&right->bounds[edge], 0, shares[end], seam.ends[end]);
+        shorten(&left->bounds[edge], 1, shares[end], seam.ends[end]);
+    }
+    right->bounds[TAUT_FLAT_LEFT] = seam;
+    left->bounds[TAUT_FLAT_RIGHT] = seam;
+    layout->pieces[index + 1].strip = l->strips++;
+    return TAUT_OK;
+}
+
+/* From right to left: a part to the start, and one to the end of the strip. */
+static taut_status cut_across(laying *l, int index, int side, const double shares[2])
+{
+    taut_pattern_layout *layout = l->layout;
+    const taut_status status = split(l, index);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    taut_pattern_piece *near = &layout->pieces[index], *far = &layout->pieces[index + 1];
+    const taut_pattern_bound seam = whole(layout, side);
+    for (int end = 0; end < 2; end++) {
+        const int edge = end == 0 ? TAUT_FLAT_RIGHT : TAUT_FLAT_LEFT;
+        shorten(&near->bounds[edge], 0, shares[end], seam.ends[end]);
+        shorten(&far->bounds[edge], 1, shares[end], seam.ends[end]);
+    }
+    near->bounds[TAUT_FLAT_END] = seam;
+    far->bounds[TAUT_FLAT_START] = seam;
+    return TAUT_OK;
+}
+
+/* A seam that lies in no piece: it crosses another one, or leaves one that has no four sides. */
+static taut_status fail_seam(const laying *l, const taut_pattern_side *seam, int rule)
+{
+    double chain[2][CHAIN + 1][2], at[2];
+    char where[48];
+    snprintf(where, sizeof where, "/seams/%d", rule);
+    chain_of(seam, chain[0]);
+    for (int k = 0; k < l->layout->side_count; k++) {
+        chain_of(&l->layout->sides[k], chain[1]);
+        if (l->layout->sides[k].border < 0 &&
+            cross((const double(*)[2])chain[0], (const double(*)[2])chain[1], at)) {
+            return taut_fail(l->error, TAUT_NO_SOLUTION, "crossing", where, taut_none, taut_none,
+                             "the seam from (%.6g, %.6g) to (%.6g, %.6g) crosses another one at "
+                             "(%.6g, %.6g)",
+                             seam->ends[0][0], seam->ends[0][1], seam->ends[1][0], seam->ends[1][1],
+                             at[0], at[1]);
+        }
+    }
+    return taut_fail(l->error, TAUT_NO_SOLUTION, "shape", where, taut_none, taut_none,
+                     "the seam from (%.6g, %.6g) to (%.6g, %.6g) leaves a piece that has not four "
+                     "sides",
+                     seam->ends[0][0], seam->ends[0][1], seam->ends[1][0], seam->ends[1][1]);
+}
+
+/* Cuts the piece that a seam begins and ends on the borders of. */
+static taut_status place_seam(laying *l, const taut_pattern_side *seam, int rule)
+{
+    static const int pairs[4][2] = {{TAUT_FLAT_START, TAUT_FLAT_END},
+                                    {TAUT_FLAT_RIGHT, TAUT_FLAT_LEFT}};
+    const taut_pattern_layout *layout = l->layout;
+    for (int p = 0; p < 2; p++) {
+        for (int k = 0; k < layout->piece_count; k++) {
+            const taut_pattern_bound *bounds = layout->pieces[k].bounds;
+            const double shares[2] = {share_of(layout, &bounds[pairs[p][0]], seam->ends[0]),
+                                      share_of(layout, &bounds[pairs[p][1]], seam->ends[1])};
+            if (shares[0] < 0 || shares[1] < 0) {
+                continue;
+            }
+            const int side = add_side(l, seam);
+            if (side < 0) {
+                return taut_fail_memory(l->error);
+            }
+            return p == 0 ? cut_along(l, k, side, shares) : cut_across(l, k, side, shares);
+        }
+    }
+    return fail_seam(l, seam, rule);
+}
+
+/* ---- butts ---- */
+
+/* The piece of a strip that a share of both its long edges lies in: as shares of their sides. */
+static int find_part(const laying *l, int strip, double x, double shares[2])
+{
+    for (int k = 0; k < l->layout->piece_count; k++) {
+        const taut_pattern_piece *piece = &l->layout->pieces[k];
+        const taut_pattern_bound *right = &piece->bounds[TAUT_FLAT_RIGHT];
+        const taut_pattern_bound *left = &piece->bounds[TAUT_FLAT_LEFT];
+        if (piece->strip == strip && right->from < x && x < right->to && left->from < x &&
+            x < left->to) {
+            shares[0] = shares[1] = x;
+            return k;
+        }
+    }
+    return -1;
+}
+
+static taut_status cut_strip(laying *l, int strip, double x, int rule)
+{
+    const taut_pattern_ground *g = l->ground;
+    taut_pattern_side seam = {.border = -1, .is_seam = 1, .twin = -1};
+    double shares[2] = {0, 0}, w[3][2], ends[2][2];
+    char where[48];
+    const int k = find_part(l, strip, x, shares);
+
+    snprintf(where, sizeof where, "/seams/%d", rule);
+    if (k < 0) {
+        return taut_fail(l->error, TAUT_BAD_INPUT, "outside", where, x, 1,
+                         "found a butt at %.6g, expected one inside a piece, at a share of its "
+                         "length that nothing else is at",
+                         x);
+    }
+    for (int end = 0; end < 2; end++) {
+        const taut_pattern_bound *bound =
+            &l->layout->pieces[k].bounds[end == 0 ? TAUT_FLAT_RIGHT : TAUT_FLAT_LEFT];
+        taut_pattern_side_at(&l->layout->sides[bound->side], shares[end], w);
+        memcpy(ends[end], w[0], sizeof ends[end]);
+        if (bound->border >= 0) { /* on it exactly */
+            ends[end][bound->border / 2] = bound->ends[0][bound->border / 2];
+        }
+    }
+    const taut_status status =
+        taut_pattern_geodesic(g->carrier, ends[0], ends[1], g->monitor, g->arena, &seam, l->error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    const int side = add_side(l, &seam);
+    return side >= 0 ? cut_across(l, k, side, shares) : taut_fail_memory(l->error);
+}
+
+static taut_status lay_butts(laying *l, const taut_pattern_rule *rule, int index)
+{
+    /* strips are numbered as they were cut: their order is that of the list */
+    int order[TAUT_PATTERN_PIECES_MAX], count = 0;
+    char where[48];
+    for (int k = 0; k < l->layout->piece_count; k++) {
+        const int strip = l->layout->pieces[k].strip;
+        if (count == 0 || order[count - 1] != strip) {
+            order[count++] = strip;
+        }
+    }
+    snprintf(where, sizeof where, "/seams/%d/butt", index);
+    if (rule->strip >= count) {
+        return taut_fail(l->error, TAUT_BAD_INPUT, "rule", where, rule->strip + 1, count,
+                         "found a butt in P%d, expected one of the %d strips that rules before it "
+                         "make",
+                         rule->strip + 1, count);
+    }
+    taut_status status = TAUT_OK;
+    for (int k = 0; status == TAUT_OK && k < rule->value_count; k++) {
+        status = cut_strip(l, order[rule->strip], rule->values[k], index);
     }
     return status;
 }
 
-taut_status taut_pattern_lay_out(const taut_carrier *carrier, const taut_pattern_rule *rule,
-                                 int count, const taut_monitor *monitor, taut_arena *arena,
+/* ---- names ---- */
+
+static taut_status take_names(laying *l)
+{
+    taut_pattern_layout *layout = l->layout;
+    const int first = l->seams.ends[0];
+    const int lies_left = first == TAUT_EDGE_V0 || first == TAUT_EDGE_U1;
+    const int order[4] = {lies_left ? TAUT_FLAT_LEFT : TAUT_FLAT_RIGHT, TAUT_FLAT_START,
+                          TAUT_FLAT_END, lies_left ? TAUT_FLAT_RIGHT : TAUT_FLAT_LEFT};
+    const size_t count = (size_t)layout->side_count;
+    taut_pattern_side *sides = taut_arena_take(layout->arena, count, sizeof *sides);
+    int *moved = taut_arena_take(layout->arena, count, sizeof *moved);
+    int n = 0, seams = 0, strip = 0, part = 0;
+
+    if (sides == NULL || moved == NULL) {
+        return taut_fail_memory(l->error);
+    }
+    for (int k = 0; k < layout->piece_count; k++) {
+        taut_pattern_piece *piece = &layout->pieces[k];
+        const int is_next = k == 0 || piece->strip != layout->pieces[k - 1].strip;
+        const int is_cut =
+            k + 1 < layout->piece_count && layout->pieces[k + 1].strip == piece->strip;
+        strip += is_next;
+        part = is_next ? 1 : part + 1;
+        if (is_next && !is_cut) {
+            snprintf(piece->name, sizeof piece->name, "P%d", strip);
+        } else {
+            snprintf(piece->name, sizeof piece->name, "P%d-%d", strip, part);
+        }
+        for (int e = 0; e < 4; e++) {
+            const int side = piece->bounds[order[e]].side;
+            if (side < 0 || moved[side] > 0) {
+                continue;
+            }
+            const int twin = layout->sides[side].twin;
+            sides[n] = layout->sides[side];
+            moved[side] = ++n;
+            if (!sides[n - 1].is_seam || (twin >= 0 && moved[twin] == 0)) {
+                continue; /* a ring's closes where both its borders are met */
+            }
+            snprintf(sides[n - 1].seam, sizeof sides[n - 1].seam, "S%d", ++seams);
+            if (twin >= 0) {
+                memcpy(sides[moved[twin] - 1].seam, sides[n - 1].seam, sizeof sides[n - 1].seam);
+            } else {
+                memcpy(sides[n - 1].name, sides[n - 1].seam, sizeof sides[n - 1].name);
+            }
+        }
+    }
+    for (int k = 0; k < n; k++) {
+        sides[k].twin = sides[k].twin >= 0 ? moved[sides[k].twin] - 1 : -1;
+    }
+    layout->sides = sides;
+    layout->side_count = n;
+    for (int k = 0; k < layout->piece_count; k++) {
+        for (int e = 0; e < TAUT_FLAT_EDGES; e++) {
+            taut_pattern_bound *bound = &layout->pieces[k].bounds[e];
+            bound->side = bound->side >= 0 ? moved[bound->side] - 1 : -1;
+            bound->line = bound->side >= 0 ? &sides[bound->side] : NULL;
+        }
+    }
+    return TAUT_OK;
+}
+
+/* ---- who lies along which side ---- */
+
+static int by_place(const void *a, const void *b)
+{
+    const taut_pattern_holder *p = a, *q = b;
+    if (p->hand != q->hand) {
+        return p->hand - q->hand;
+    }
+    return (p->from > q->from) - (p->from < q->from);
+}
+
+static taut_status find_holders(laying *l)
+{
+    taut_pattern_layout *layout = l->layout;
+    for (int k = 0; k < layout->side_count; k++) {
+        taut_pattern_side *side = &layout->sides[k];
+        int count = 0, hands[2] = {0, 0};
+        for (int pass = 0; pass < 2; pass++) {
+            count = 0;
+            for (int i = 0; i < layout->piece_count; i++) {
+                for (int e = 0; e < TAUT_FLAT_EDGES; e++) {
+                    const taut_pattern_bound *bound = &layout->pieces[i].bounds[e];
+                    if (bound->side < 0 || (bound->side != k && side->twin != bound->side)) {
+                        continue;
+                    }
+                    if (pass == 1) {
+                        const int hand = e == TAUT_FLAT_LEFT || e == TAUT_FLAT_START;
+                        side->holders[count] =
+                            (taut_pattern_holder){i, e, hand, bound->from, bound->to};
+                        hands[hand]++;
+                    }
+                    count++;
+                }
+            }
+            if (pass == 0) {
+                side->holders =
+                    taut_arena_take(layout->arena, (size_t)count + 1, sizeof *side->holders);
+            }
+            if (side->holders == NULL) {
+                return taut_fail_memory(l->error);
+            }
+        }
+        side->holder_count = count;
+        side->is_jointed = hands[0] > 1 || hands[1] > 1;
+        qsort(side->holders, (size_t)count, sizeof *side->holders, by_place);
+    }
+    return TAUT_OK;
+}
+
+/* ---- the whole ---- */
+
+taut_status taut_pattern_lay_out(const taut_pattern_ground *ground,
+                                 const taut_pattern_problem *problem, int count,
                                  taut_pattern_layout *layout, taut_error *error)
 {
-    const int first = (int)rule->edges[0];
-    const int lies_left = first == TAUT_EDGE_V0 || first == TAUT_EDGE_U1; /* the lower side */
+    laying l = {.ground = ground,
+                .problem = problem,
+                .layout = layout,
+                .seams = {.ends = {-1, -1}},
+                .error = error};
+    taut_status status = TAUT_OK;
 
-    *layout = (taut_pattern_layout){.carrier = carrier, .arena = arena};
-    layout->sides = taut_arena_take(arena, (size_t)count + 1, sizeof *layout->sides);
-    layout->pieces = taut_arena_take(arena, (size_t)count, sizeof *layout->pieces);
-    if (layout->sides == NULL || layout->pieces == NULL) {
+    *layout = (taut_pattern_layout){.carrier = ground->carrier, .arena = ground->arena};
+    layout->pieces =
+        taut_arena_take(ground->arena, TAUT_PATTERN_PIECES_MAX + 1, sizeof *layout->pieces);
+    if (layout->pieces == NULL) {
         return taut_fail_memory(error);
     }
-    taut_status status = add_sides(layout, rule, count, monitor, error);
-    for (int k = 0; status == TAUT_OK && k < count; k++) {
-        taut_pattern_piece *piece = &layout->pieces[layout->piece_count++];
-        snprintf(piece->name, sizeof piece->name, "P%d", k + 1);
-        piece->carrier = carrier;
-        for (int side = 0; side < 2; side++) {
-            piece->sides[side] = (side == TAUT_PIECE_LEFT) == lies_left ? k : k + 1;
-            piece->edge[side] = &layout->sides[piece->sides[side]];
-            layout->sides[piece->sides[side]].owners[side] = k;
+    for (int r = 0; status == TAUT_OK && r < problem->rule_count; r++) {
+        const taut_pattern_rule *rule = &problem->rules[r];
+        const int is_butt = rule->kind == TAUT_PATTERN_BUTT;
+        if (!is_butt) {
+            status = taut_pattern_rule_seams(ground, rule, r, count, &l.seams, error);
         }
-        status = check_piece(piece, error);
+        if (status == TAUT_OK && layout->piece_count == 0) {
+            status = begin(&l);
+        }
+        for (int k = 0; !is_butt && status == TAUT_OK && k < l.seams.count; k++) {
+            status = place_seam(&l, &l.seams.list[k], r);
+        }
+        if (is_butt && status == TAUT_OK) {
+            status = lay_butts(&l, rule, r);
+        }
+    }
+    if (status == TAUT_OK) {
+        status = take_names(&l);
+    }
+    if (status == TAUT_OK) {
+        status = find_holders(&l);
+    }
+    for (int k = 0; status == TAUT_OK && k < layout->piece_count; k++) {
+        status = check_sides(&layout->pieces[k], error);
+    }
+    for (int k = 0; status == TAUT_OK && k < layout->piece_count; k++) {
+        status = check_piece(&layout->pieces[k], error);
     }
     return status;
 }

@@ -5,6 +5,15 @@
 #include "construct/pattern/piece.h"
 #include "taut/pattern.h"
 
+/* What is cut. */
+typedef struct taut_pattern_ground {
+    const taut_carrier *carrier;
+    const taut_model *model; /* curves that seams run along are in it */
+    int is_ring[2];          /* u0 and u1, v0 and v1 are one line */
+    const taut_monitor *monitor;
+    taut_arena *arena;
+} taut_pattern_ground;
+
 typedef struct taut_pattern_layout {
     const taut_carrier *carrier;
     taut_arena *arena;
@@ -14,9 +23,10 @@ typedef struct taut_pattern_layout {
     int piece_count;
 } taut_pattern_layout;
 
-/* Cuts by a rule that says how many strips it makes. TAUT_NO_SOLUTION, reasons no-geodesic, crossing, singular, crease. */
-taut_status taut_pattern_lay_out(const taut_carrier *carrier, const taut_pattern_rule *rule,
-                                 int count, const taut_monitor *monitor, taut_arena *arena,
+/* Cuts by the rules in their order; `count` strips by the one that tells no number. TAUT_BAD_INPUT, reasons outside, curve, count, rule;
+ * TAUT_NO_SOLUTION, reasons no-geodesic, crossing, shape, singular, crease. */
+taut_status taut_pattern_lay_out(const taut_pattern_ground *ground,
+                                 const taut_pattern_problem *problem, int count,
                                  taut_pattern_layout *layout, taut_error *error);
 
 #endif /* TAUT_CONSTRUCT_PATTERN_LAYOUT_H */

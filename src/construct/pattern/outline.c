@@ -21,7 +21,7 @@ static const double even = 5e-11, settled = 1e-15;
 typedef struct edge_source {
     const taut_pattern_layout *layout;
     const taut_pattern_cut *cut;
-    int piece, side;
+    int piece, edge;
     const taut_curve *spline;
 } edge_source;
 
@@ -30,7 +30,7 @@ static void slopes_at(const edge_source *e, double s, double slope[2][2])
 {
     double y[3][3], speed[2] = {0, 0};
     taut_curve_eval(e->spline, s, 2, y[0]);
-    taut_pattern_held_speed(e->layout, e->cut, e->piece, e->side, s, speed);
+    taut_pattern_held_speed(e->layout, e->cut, e->piece, e->edge, s, speed);
     const double length = taut_hypot(y[1][0], y[1][1]);
     const double way[2] = {y[1][0] / length, y[1][1] / length};
     const double turn = (way[0] * y[2][1] - way[1] * y[2][0]) / length;
@@ -49,7 +49,7 @@ static double unevenness(const edge_source *e, const taut_curve *curve, int span
         const double s = (k / 2 + (k % 2 == 0 ? 0.21 : 0.79)) / spans;
         double y[2][3], speed[2] = {0, 0};
         taut_curve_eval(curve, s, 1, y[0]);
-        taut_pattern_held_speed(e->layout, e->cut, e->piece, e->side, s, speed);
+        taut_pattern_held_speed(e->layout, e->cut, e->piece, e->edge, s, speed);
         most = fmax(most, fabs(taut_hypot(y[1][0], y[1][1]) / speed[0] - 1));
     }
     return most;
@@ -176,7 +176,6 @@ void taut_pattern_outline_bound(taut_pattern_outline *outline)
 taut_status taut_pattern_outline_new(const taut_pattern_layout *layout, const taut_pattern_cut *cut,
                                      int piece, taut_arena *arena, taut_pattern_outline *outline)
 {
-    static const int sides[TAUT_FLAT_EDGES] = {TAUT_PIECE_RIGHT, -1, TAUT_PIECE_LEFT, -1};
     const taut_pattern_piece *one = &layout->pieces[piece];
     taut_status status = TAUT_OK;
 
@@ -184,8 +183,8 @@ taut_status taut_pattern_outline_new(const taut_pattern_layout *layout, const ta
     for (int e = 0; status == TAUT_OK && e < TAUT_FLAT_EDGES; e++) {
         double speed[2];
         outline->edges[e] = one->edges[e];
-        if (sides[e] >= 0 && taut_pattern_held_speed(layout, cut, piece, sides[e], 0, speed)) {
-            const edge_source source = {layout, cut, piece, sides[e], one->edges[e]};
+        if (taut_pattern_held_speed(layout, cut, piece, e, 0, speed)) {
+            const edge_source source = {layout, cut, piece, e, one->edges[e]};
             status = exact_edge(&source, arena, &outline->edges[e], &outline->closure);
         }
     }

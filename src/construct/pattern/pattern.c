@@ -40,8 +40,7 @@ typedef struct made_pieces {
     taut_pattern_margin *margins;
     double widest; /* extent across of a cut piece, in the carrier's unit */
     int widest_piece;
-    double strain;  /* the largest of all principal ones */
-    int is_ring[2]; /* u0 and u1, v0 and v1 are one line */
+    double strain; /* the largest of all principal ones */
 } made_pieces;
 
 /* ---- what is asked for ---- */
@@ -72,28 +71,107 @@ static taut_status check_material(const taut_pattern_material *m, taut_error *er
                                 m->e[0], m->e[1], m->nu, m->g);
 }
 
-static taut_status check_rule(const taut_pattern_problem *problem, taut_error *error)
+/* Strips of a number that is not told. */
+static int is_searched(const taut_pattern_rule *rule)
 {
-    const taut_pattern_rule *rule = &problem->rules[0];
-    if (problem->rule_count > 1) {
-        return taut_fail(error, TAUT_BAD_INPUT, "rule", "/seams/1", problem->rule_count, 1,
-                         "found %d rules, expected one", problem->rule_count);
-    }
+    return (rule->kind == TAUT_PATTERN_ACROSS || rule->kind == TAUT_PATTERN_RADIAL) &&
+           rule->count == 0;
+}
+
+static taut_status check_strips(const taut_pattern_problem *problem, int index, taut_error *error)
+{
+    const taut_pattern_rule *rule = &problem->rules[index];
+    char where[48];
+    snprintf(where, sizeof where, "/seams/%d/%s", index,
+             rule->kind == TAUT_PATTERN_RADIAL ? "radial" : "across");
     if ((unsigned)rule->edges[0] > 3 || (unsigned)rule->edges[1] > 3 ||
         rule->edges[0] == rule->edges[1] || (int)rule->edges[0] / 2 != (int)rule->edges[1] / 2) {
-        return taut_fail(error, TAUT_BAD_INPUT, "edge", "/seams/0/across", taut_none, taut_none,
+        return taut_fail(error, TAUT_BAD_INPUT, "edge", where, taut_none, taut_none,
                          "found %s and %s, expected two opposite edges",
                          taut_edge_name(rule->edges[0]), taut_edge_name(rule->edges[1]));
     }
+    snprintf(where, sizeof where, "/seams/%d/count", index);
     if (rule->count < 0 || rule->count > TAUT_PATTERN_PIECES_MAX) {
-        return taut_fail(error, TAUT_BAD_INPUT, "count", "/seams/0/count", rule->count,
+        return taut_fail(error, TAUT_BAD_INPUT, "count", where, rule->count,
                          TAUT_PATTERN_PIECES_MAX, "found %d, expected a number from 1 to %d",
                          rule->count, TAUT_PATTERN_PIECES_MAX);
     }
-    if (rule->count == 0 && !(rule->width > 0) && !(problem->cloth.width > 0) &&
+    if (is_searched(rule) && !(rule->width > 0) && !(problem->cloth.width > 0) &&
         !(rule->strain > 0)) {
         return taut_fail(error, TAUT_BAD_INPUT, "missing", "/cloth/width", taut_none, taut_none,
                          "found no count, no width and no strain, expected one of them");
+    }
+    snprintf(where, sizeof where, "/seams/%d/strain", index);
+    return check_range(rule->strain, 0, 1, "value", where, error);
+}
+
+static taut_status check_at(const taut_pattern_at *at, int index, taut_error *error)
+{
+    char where[48];
+    snprintf(where, sizeof where, "/seams/%d", index);
+    if (at->is_on_edge && (unsigned)at->edge > 3) {
+        return taut_fail(error, TAUT_BAD_INPUT, "edge", where, taut_none, taut_none,
+                         "found edge %d, expected one of u0, u1, v0 and v1", (int)at->edge);
+    }
+    return at->is_on_edge ? check_range(at->value, -1e300, 1e300, "outside", where, error)
+                          : TAUT_OK;
+}
+
+static taut_status check_rule(const taut_pattern_problem *problem, int index, taut_error *error)
+{
+    const taut_pattern_rule *rule = &problem->rules[index];
+    char where[48];
+    snprintf(where, sizeof where, "/seams/%d", index);
+    switch (rule->kind) {
+    case TAUT_PATTERN_ACROSS:
+    case TAUT_PATTERN_RADIAL:
+        return check_strips(problem, index, error);
+    case TAUT_PATTERN_PARALLEL:
+    case TAUT_PATTERN_GEODESIC: {
+        taut_status status = check_at(&rule->at[0], index, error);
+        if (status == TAUT_OK) {
+            status = check_at(&rule->at[1], index, error);
+        }
+        return status == TAUT_OK && rule->kind == TAUT_PATTERN_PARALLEL
+                   ? check_range(rule->spacing, 1e-300, 1e300, "value", where, error)
+                   : status;
+    }
+    case TAUT_PATTERN_LINE:
+    case TAUT_PATTERN_BUTT:
+        if (rule->value_count < 1 || rule->values == NULL ||
+            (rule->kind == TAUT_PATTERN_BUTT && (index == 0 || rule->strip < 0))) {
+            return taut_fail(error, TAUT_BAD_INPUT, "rule", where, taut_none, taut_none,
+                             rule->kind == TAUT_PATTERN_BUTT
+                                 ? "found a butt before there are strips, or nowhere, expected one "
+                                   "in a strip that rules before it make"
+                                 : "found no value of a line, expected one");
+        }
+        return TAUT_OK;
+    case TAUT_PATTERN_CURVE:
+        if (rule->curve != NULL) {
+            return TAUT_OK;
+        }
+        break;
+    }
+    return taut_fail(error, TAUT_BAD_INPUT, "rule", where, (int)rule->kind, taut_none,
+                     "found a rule that is not known");
+}
+
+static taut_status check_rules(const taut_pattern_problem *problem, taut_error *error)
+{
+    int searched = 0;
+    for (int k = 0; k < problem->rule_count; k++) {
+        const taut_status status = check_rule(problem, k, error);
+        if (status != TAUT_OK) {
+            return status;
+        }
+        searched += is_searched(&problem->rules[k]);
+        if (searched > 1) {
+            char where[48];
+            snprintf(where, sizeof where, "/seams/%d", k);
+            return taut_fail(error, TAUT_BAD_INPUT, "rule", where, searched, 1,
+                             "found two rules whose number of strips is to be found, expected one");
+        }
     }
     return TAUT_OK;
 }
@@ -121,7 +199,7 @@ static taut_status check_problem(const taut_pattern_problem *problem, taut_error
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "a pattern needs a model or a problem of its surface, and a rule");
     }
-    taut_status status = check_rule(problem, error);
+    taut_status status = check_rules(problem, error);
     if (status == TAUT_OK) {
         status = check_range(problem->cloth.width, 0, 1e300, "value", "/cloth/width", error);
     }
@@ -157,9 +235,6 @@ static taut_status check_problem(const taut_pattern_problem *problem, taut_error
                                    "/compensation/seam"};
     if (status == TAUT_OK) {
         status = check_range(problem->strain, 0, 1, "value", "/strain", error);
-    }
-    if (status == TAUT_OK) {
-        status = check_range(problem->rules[0].strain, 0, 1, "value", "/seams/0/strain", error);
     }
     for (int k = 0; status == TAUT_OK && k < 3; k++) {
         status = check_range(shares[k], -0.1, 0.3, "compensation", places[k], error);
@@ -242,13 +317,13 @@ static taut_status check_marks(const request *r, const taut_pattern_layout *layo
 }
 
 /* All of so many strips. */
-static taut_status make_strips(const request *r, const taut_carrier *carrier, int count,
+static taut_status make_strips(const request *r, const taut_pattern_ground *ground, int count,
                                const taut_crew *crew, taut_arena *arena, made_pieces *made,
                                taut_error *error)
 {
-    made->arena = arena;
-    taut_status status = taut_pattern_lay_out(carrier, &r->problem->rules[0], count,
-                                              &r->options->monitor, arena, &made->layout, error);
+    taut_pattern_ground own = *ground;
+    own.arena = made->arena = arena;
+    taut_status status = taut_pattern_lay_out(&own, r->problem, count, &made->layout, error);
     if (status == TAUT_OK) {
         status = check_marks(r, &made->layout, error);
     }
@@ -296,7 +371,7 @@ static taut_status fail_wish(const taut_carrier *carrier, const wish *w, taut_er
 }
 
 /* The least number of strips that are all as wished, up from one that is too few, or nearly; in an arena of its own. */
-static taut_status fit(const request *r, const taut_carrier *carrier, const wish *w,
+static taut_status fit(const request *r, const taut_pattern_ground *ground, const wish *w,
                        const taut_crew *crew, made_pieces *made, taut_error *error)
 {
     int count = 1, last = 0;
@@ -304,8 +379,8 @@ static taut_status fit(const request *r, const taut_carrier *carrier, const wish
 
     while (count <= TAUT_PATTERN_PIECES_MAX) {
         taut_arena *own = taut_arena_new();
-        made_pieces one = {.is_ring = {made->is_ring[0], made->is_ring[1]}};
-        taut_status status = own != NULL ? make_strips(r, carrier, count, crew, own, &one, error)
+        made_pieces one = {.arena = own};
+        taut_status status = own != NULL ? make_strips(r, ground, count, crew, own, &one, error)
                                          : taut_fail_memory(error);
         if (status != TAUT_OK &&
             (status == TAUT_NO_MEMORY || status == TAUT_INTERRUPTED || count > 8)) {
@@ -334,27 +409,32 @@ static taut_status fit(const request *r, const taut_carrier *carrier, const wish
         count = need > count + 1 ? (int)fmin(need, TAUT_PATTERN_PIECES_MAX + 1.0) : count + 1;
     }
     if (kept == NULL) {
-        return fail_wish(carrier, w, error);
+        return fail_wish(ground->carrier, w, error);
     }
     made->arena = kept;
     return TAUT_OK;
 }
 
-static taut_status cut_pieces(const request *r, const taut_carrier *carrier, taut_arena *arena,
+static taut_status cut_pieces(const request *r, const taut_pattern_ground *ground,
                               made_pieces *made, taut_error *error)
 {
-    const taut_pattern_rule *rule = &r->problem->rules[0];
+    const taut_pattern_rule *searched = NULL;
     const double roll = r->problem->cloth.width;
+    const int scale = ground->carrier->scale;
     taut_pulse pulse = {.monitor = &r->options->monitor, .what = "pieces", .done = taut_none};
     const taut_crew crew = {.threads = r->options->threads, .pulse = &pulse};
 
-    if (rule->count == 0) {
-        const wish w = {ldexp(rule->width > 0 ? rule->width : roll, -carrier->scale), rule->strain};
-        return fit(r, carrier, &w, &crew, made, error);
+    for (int k = 0; k < r->problem->rule_count; k++) {
+        searched = is_searched(&r->problem->rules[k]) ? &r->problem->rules[k] : searched;
     }
-    const taut_status status = make_strips(r, carrier, rule->count, &crew, arena, made, error);
-    return status == TAUT_OK && roll > 0 && made->widest > ldexp(roll, -carrier->scale)
-               ? fail_width(made, carrier, roll, error)
+    if (searched != NULL) {
+        const wish w = {ldexp(searched->width > 0 ? searched->width : roll, -scale),
+                        searched->strain};
+        return fit(r, ground, &w, &crew, made, error);
+    }
+    const taut_status status = make_strips(r, ground, 0, &crew, ground->arena, made, error);
+    return status == TAUT_OK && roll > 0 && made->widest > ldexp(roll, -scale)
+               ? fail_width(made, ground->carrier, roll, error)
                : status;
 }
 
@@ -425,7 +505,7 @@ static taut_status add_seam(const taut_pattern_side *side, taut_model *model, ta
 {
     taut_curve *curve = NULL;
     const taut_status status =
-        taut_curve_new(side->name, side->part.basis, side->part.space, NULL, &curve, error);
+        taut_curve_new(side->seam, side->part.basis, side->part.space, NULL, &curve, error);
     return status == TAUT_OK ? taut_construct_add_curve(model, curve, error) : status;
 }
 
@@ -442,7 +522,8 @@ static taut_status add_all(const made_pieces *made, taut_model *model, taut_aren
         status = add_flat(&layout->pieces[k], model, arena, error);
     }
     for (int k = 0; status == TAUT_OK && k < layout->side_count; k++) {
-        status = layout->sides[k].is_seam ? add_seam(&layout->sides[k], model, error) : TAUT_OK;
+        const taut_pattern_side *side = &layout->sides[k];
+        status = side->is_seam && side->twin < k ? add_seam(side, model, error) : TAUT_OK;
     }
     for (int k = 0; status == TAUT_OK && k < layout->piece_count; k++) {
         status = add_piece(made, k, model, arena, error);
@@ -483,7 +564,7 @@ static taut_status fill(const request *r, const taut_model *of, const made_piece
         return taut_fail_memory(error);
     }
     const taut_pattern_told told = {&made->layout, &r->cut, r->problem, made->outlines,
-                                    made->margins, &roll,   gap_of(r),  made->is_ring};
+                                    made->margins, &roll,   gap_of(r)};
     taut_pattern_describe(&told, details);
     if (r->problem->of != NULL) {
         taut_construct_describe_of(r->problem->of, of, details);
@@ -524,13 +605,15 @@ static taut_status build(void *context, taut_arena *arena, taut_model *model, ta
         return taut_fail_memory(error);
     }
     status = check_carrier(carrier, error);
-    memcpy(made.is_ring, carrier->wraps, sizeof made.is_ring);
+    taut_pattern_ground ground = {
+        .carrier = carrier, .model = of, .monitor = &r->options->monitor, .arena = arena};
+    memcpy(ground.is_ring, carrier->wraps, sizeof ground.is_ring);
     for (int k = 0; k < 4; k++) { /* pieces do not go on across it */
         carrier->wraps[k / 2] = 0;
         carrier->seams[k] = NULL;
     }
     if (status == TAUT_OK) {
-        status = cut_pieces(r, carrier, arena, &made, error);
+        status = cut_pieces(r, &ground, &made, error);
     }
     if (status == TAUT_OK) {
         status = fill(r, of, &made, arena, model, error);

@@ -1,19 +1,79 @@
 #include "construct/pattern/piece.h"
 
 #include "core/vec3.h"
+#include "numeric/quadrature.h"
 
-void taut_pattern_piece_window(const taut_pattern_piece *piece, double s, double t, double w[5][2])
+enum { NODES = 8, CELLS = 16 };
+
+/* The place of an edge at x, and its first and second derivative by x. */
+static void bound_at(const taut_pattern_bound *bound, double x, double w[3][2])
+{
+    const double range = bound->to - bound->from;
+    taut_pattern_side_at(bound->line, x < 1 ? bound->from + x * range : bound->to, w);
+    for (int d = 0; d < 2; d++) {
+        w[1][d] *= range;
+        w[2][d] *= range * range;
+    }
+}
+
+/* Adds what an edge across, not straight or not in proportion, is off its chord: faded out along the piece. */
+static void add_bulge(const taut_pattern_bound *bound, double share, double slope, double t,
+                      double w[6][2])
+{
+    double at[3][2];
+    if (bound->line == NULL) {
+        return;
+    }
+    bound_at(bound, t, at);
+    for (int d = 0; d < 2; d++) {
+        const double chord = bound->ends[1][d] - bound->ends[0][d];
+        const double off = at[0][d] - ((1 - t) * bound->ends[0][d] + t * bound->ends[1][d]);
+        w[0][d] += share * off;
+        w[1][d] += slope * off;
+        w[2][d] += share * (at[1][d] - chord);
+        w[4][d] += slope * (at[1][d] - chord);
+        w[5][d] += share * at[2][d];
+    }
+}
+
+void taut_pattern_piece_window(const taut_pattern_piece *piece, double s, double t, double w[6][2])
 {
     double right[3][2], left[3][2];
-    taut_pattern_side_at(piece->edge[TAUT_PIECE_RIGHT], s, right);
-    taut_pattern_side_at(piece->edge[TAUT_PIECE_LEFT], s, left);
+    bound_at(&piece->bounds[TAUT_FLAT_RIGHT], s, right);
+    bound_at(&piece->bounds[TAUT_FLAT_LEFT], s, left);
     for (int d = 0; d < 2; d++) {
         w[0][d] = (1 - t) * right[0][d] + t * left[0][d];
         w[1][d] = (1 - t) * right[1][d] + t * left[1][d];
         w[2][d] = left[0][d] - right[0][d];
         w[3][d] = (1 - t) * right[2][d] + t * left[2][d];
         w[4][d] = left[1][d] - right[1][d];
+        w[5][d] = 0;
     }
+    add_bulge(&piece->bounds[TAUT_FLAT_START], 1 - s, -1, t, w);
+    add_bulge(&piece->bounds[TAUT_FLAT_END], s, 1, t, w);
+}
+
+int taut_pattern_is_sewn(const taut_pattern_piece *piece, int edge)
+{
+    const taut_pattern_side *line = piece->bounds[edge].line;
+    return line != NULL && line->is_seam;
+}
+
+double taut_pattern_bound_length(const taut_pattern_piece *piece, int edge)
+{
+    const taut_pattern_bound *bound = &piece->bounds[edge];
+    double nodes[NODES], weights[NODES], sum = 0;
+    if (bound->line != NULL) {
+        return fabs(bound->to - bound->from) * bound->line->length;
+    }
+    taut_gauss_rule(NODES, nodes, weights);
+    for (int i = 0; i < CELLS * NODES; i++) {
+        double g[3];
+        const double t = (i / NODES + (1 + nodes[i % NODES]) / 2) / CELLS;
+        taut_pattern_piece_metric(piece, edge == TAUT_FLAT_END, t, g);
+        sum += weights[i % NODES] / (2 * CELLS) * sqrt(g[2]);
+    }
+    return sum;
 }
 
 static void space_at(const taut_carrier *carrier, const double at[2], int order,
@@ -48,7 +108,7 @@ static void second(const double x[TAUT_CARRIER_VECTORS][3], const double a[2], c
 void taut_pattern_piece_metric(const void *context, double s, double t, double g[3])
 {
     const taut_pattern_piece *piece = context;
-    double w[5][2], x[TAUT_CARRIER_VECTORS][3], xs[3], xt[3];
+    double w[6][2], x[TAUT_CARRIER_VECTORS][3], xs[3], xt[3];
     taut_pattern_piece_window(piece, s, t, w);
     space_at(piece->carrier, w[0], 1, x);
     along((const double(*)[3])x, w[1], xs);
@@ -61,15 +121,14 @@ void taut_pattern_piece_metric(const void *context, double s, double t, double g
 void taut_pattern_piece_bends(const taut_pattern_piece *piece, double s, double t, double bend[2],
                               double *gauss)
 {
-    static const double none[2] = {0, 0};
-    double w[5][2], x[TAUT_CARRIER_VECTORS][3], first[3], bent[3], sideways[3];
+    double w[6][2], x[TAUT_CARRIER_VECTORS][3], first[3], bent[3], sideways[3];
     taut_form_pair forms;
     taut_pattern_piece_window(piece, s, t, w);
     space_at(piece->carrier, w[0], 2, x);
     taut_carrier_forms((const double(*)[3])x, &forms);
     for (int k = 0; k < 2; k++) {
         along((const double(*)[3])x, w[1 + k], first);
-        second((const double(*)[3])x, w[1 + k], k == 0 ? w[3] : none, bent);
+        second((const double(*)[3])x, w[1 + k], w[k == 0 ? 3 : 5], bent);
         taut_cross(forms.normal, first, sideways);
         bend[k] = taut_dot(bent, sideways) / taut_dot(first, first);
     }

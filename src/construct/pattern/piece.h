@@ -1,8 +1,9 @@
-/* piece.h -- a piece between two sides, as a map of (s, t) in [0, 1]^2 into the surface.
+/* piece.h -- a piece between four edges, as a map of (s, t) in [0, 1]^2 into the surface.
  *
- *     (u, v)(s, t) = (1 - t) right(s) + t left(s)
+ *     (u, v)(s, t) = (1 - t) right(s) + t left(s) + (1 - s) (start(t) - its chord) + s (end(t) - its chord)
  *
- * right and left in proportion to their own arc length: straight lines of the window run across.
+ * the patch of Coons in the window: right and left in proportion to their own arc length, and so start and end where they are sewn to
+ * something; where they are not, straight lines of the window run across.
  */
 #ifndef TAUT_CONSTRUCT_PATTERN_PIECE_H
 #define TAUT_CONSTRUCT_PATTERN_PIECE_H
@@ -10,26 +11,38 @@
 #include "construct/pattern/side.h"
 #include "pattern/flat/flat.h"
 
-enum { TAUT_PIECE_RIGHT = 0, TAUT_PIECE_LEFT = 1 };
+/* An edge of a piece, as s or t grows. */
+typedef struct taut_pattern_bound {
+    int side; /* of the layout's: a stretch of it; -1: along a border, to which nothing is sewn */
+    const taut_pattern_side *line; /* that side, or NULL */
+    int border;                    /* of the window, 0 to 3: u0, u1, v0, v1; -1 */
+    int is_point;                  /* it has no length: the piece has three sides */
+    double from, to;               /* shares of the side's length */
+    double ends[2][2];             /* the places where it begins and ends */
+} taut_pattern_bound;
 
 typedef struct taut_pattern_piece {
     char name[TAUT_SIDE_NAME];
     const taut_carrier *carrier;
-    int sides[2];                     /* right and left, of the layout's */
-    const taut_pattern_side *edge[2]; /* and those */
-    double curvature;                 /* iint K dA */
+    int strip; /* pieces of one strip have one number */
+    taut_pattern_bound bounds[TAUT_FLAT_EDGES];
+    double curvature; /* iint K dA */
     int is_developable;
     taut_flat alone, flat; /* of pass 1 and 2, in the carrier's unit */
     const taut_curve *alone_edges[TAUT_FLAT_EDGES],
         *edges[TAUT_FLAT_EDGES]; /* theirs, as s or t grows */
 } taut_pattern_piece;
 
-/* The place of the window, and its derivatives: w, w_s, w_t, w_ss, w_st (w_tt is 0). */
-void taut_pattern_piece_window(const taut_pattern_piece *piece, double s, double t, double w[5][2]);
+/* The place of the window, and its derivatives: w, w_s, w_t, w_ss, w_st, w_tt. */
+void taut_pattern_piece_window(const taut_pattern_piece *piece, double s, double t, double w[6][2]);
 /* g_ss, g_st, g_tt, as taut_flat_strip has it; context: the piece. */
 void taut_pattern_piece_metric(const void *piece, double s, double t, double g[3]);
 /* k_g ds/ds of the line t = const, k_g dt/dt of the line s = const, and the Gauss curvature. */
 void taut_pattern_piece_bends(const taut_pattern_piece *piece, double s, double t, double bend[2],
                               double *gauss);
+/* Is something sewn to the edge? */
+int taut_pattern_is_sewn(const taut_pattern_piece *piece, int edge);
+/* The length of an edge on the surface, in the carrier's unit. */
+double taut_pattern_bound_length(const taut_pattern_piece *piece, int edge);
 
 #endif /* TAUT_CONSTRUCT_PATTERN_PIECE_H */

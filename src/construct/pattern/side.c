@@ -1,6 +1,7 @@
 #include "construct/pattern/side.h"
 
 #include "core/fail.h"
+#include "core/vec3.h"
 #include "geometry/keep.h"
 #include "trace/between.h"
 
@@ -82,49 +83,147 @@ static taut_status follow(const taut_carrier *carrier, taut_linefield_kind kind,
     return TAUT_OK;
 }
 
-taut_status taut_pattern_geodesic(const taut_carrier *carrier, const double from[2],
-                                  const double to[2], const taut_monitor *monitor,
-                                  taut_arena *arena, taut_pattern_side *side, taut_error *error)
+static const taut_linefield_kind geodesic = {TAUT_TRACE_GEODESIC, 0};
+
+static taut_status find_geodesic(const taut_carrier *carrier, const double from[2],
+                                 const double to[2], const taut_monitor *monitor, taut_arena *arena,
+                                 taut_between *way, taut_error *error)
 {
-    static const taut_linefield_kind kind = {TAUT_TRACE_GEODESIC, 0};
     const taut_follow_options options = {
         .tolerance = step_tolerance, .max_length = lengths * carrier->size, .monitor = monitor};
-    taut_between way;
-    taut_lath lath;
-    taut_status status = taut_geodesic_between(carrier, from, to, &options, arena, &way);
+    const taut_status status = taut_geodesic_between(carrier, from, to, &options, arena, way);
 
     if (status != TAUT_OK) {
         return taut_fail_status(error, status);
     }
-    if (!way.is_found) {
+    if (!way->is_found) {
         return taut_fail(
             error, TAUT_NO_SOLUTION, "no-geodesic", "/seams", taut_none, taut_none,
             "no geodesic from (%.6g, %.6g) to (%.6g, %.6g) was found inside the window", from[0],
             from[1], to[0], to[1]);
     }
+    return TAUT_OK;
+}
+
+taut_status taut_pattern_geodesic_lath(const taut_carrier *carrier, const double from[2],
+                                       const double to[2], const taut_monitor *monitor,
+                                       taut_arena *arena, taut_lath *lath, taut_error *error)
+{
+    taut_pattern_side side = {.border = -1};
+    taut_between way;
+    const taut_status status = find_geodesic(carrier, from, to, monitor, arena, &way, error);
+
+    memcpy(side.ends[0], from, sizeof side.ends[0]);
+    memcpy(side.ends[1], to, sizeof side.ends[1]);
+    return status == TAUT_OK ? follow(carrier, geodesic, &side, way.along, way.length, monitor,
+                                      arena, lath, error)
+                             : status;
+}
+
+taut_status taut_pattern_take_lath(const taut_carrier *carrier, const taut_lath *lath,
+                                   taut_arena *arena, taut_pattern_side *side, taut_error *error)
+{
+    return take_lath(carrier, lath, -1, arena, side, error);
+}
+
+taut_status taut_pattern_geodesic(const taut_carrier *carrier, const double from[2],
+                                  const double to[2], const taut_monitor *monitor,
+                                  taut_arena *arena, taut_pattern_side *side, taut_error *error)
+{
+    taut_lath lath;
+    const taut_status status =
+        taut_pattern_geodesic_lath(carrier, from, to, monitor, arena, &lath, error);
+
     memcpy(side->ends[0], from, sizeof side->ends[0]);
     memcpy(side->ends[1], to, sizeof side->ends[1]);
-    side->is_seam = 1;
-    status = follow(carrier, kind, side, way.along, way.length, monitor, arena, &lath, error);
+    side->kind = TAUT_SIDE_GEODESIC;
     return status == TAUT_OK ? take_lath(carrier, &lath, -1, arena, side, error) : status;
 }
 
-taut_status taut_pattern_border(const taut_carrier *carrier, int edge, int backwards,
-                                const taut_monitor *monitor, taut_arena *arena,
-                                taut_pattern_side *side, taut_error *error)
+/* From a place on along a direction in space to the border: how far, where, and the direction there. */
+static taut_status walk_out(const taut_carrier *carrier, const double at[2], const double along[3],
+                            const taut_monitor *monitor, taut_arena *arena, double *length,
+                            double end[2], double way[3], taut_error *error)
 {
-    const int held = edge / 2, along = 1 - held;
+    const taut_follow_options options = {
+        .tolerance = step_tolerance, .max_length = lengths * carrier->size, .monitor = monitor};
+    taut_walk walk;
+    taut_walk_state state;
+    int span[2];
+
+    taut_carrier_cell(carrier, at, NULL, span);
+    if (taut_walk_start(carrier, geodesic, at, span, along, &state) != TAUT_LINEFIELD_FINE) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "singular", "/of", taut_none, taut_none,
+                         "the surface has no normal at (%.6g, %.6g)", at[0], at[1]);
+    }
+    const taut_status status = taut_follow(geodesic, &state, &options, arena, &walk);
+    if (status != TAUT_OK) {
+        return taut_fail_status(error, status);
+    }
+    if (walk.count == 0 || (walk.end != TAUT_END_EDGE && walk.end != TAUT_END_CORNER)) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "no-geodesic", "/seams", taut_none, taut_none,
+                         "the geodesic from (%.6g, %.6g) on does not come to a border", at[0],
+                         at[1]);
+    }
+    const taut_station *last = &walk.pieces[walk.count - 1].to;
+    *length = last->s;
+    memcpy(end, walk.end_at, 2 * sizeof(double));
+    memcpy(way, last->tangent, 3 * sizeof(double));
+    for (int k = 0; k < 2; k++) {
+        if (walk.edges[k] >= 0) { /* on it exactly */
+            const int held = walk.edges[k] / 2;
+            end[held] = walk.edges[k] % 2 == 0 ? carrier->lo[held] : carrier->hi[held];
+        }
+    }
+    return TAUT_OK;
+}
+
+taut_status taut_pattern_square_ends(const taut_carrier *carrier, const taut_station *station,
+                                     const taut_monitor *monitor, taut_arena *arena,
+                                     double ends[2][2], double ways[2][3], double *length,
+                                     taut_error *error)
+{
+    double out[2][3], lengths_of[2] = {0, 0};
+    taut_status status = TAUT_OK;
+
+    taut_cross(station->normal, station->tangent, out[1]);
+    for (int c = 0; c < 3; c++) {
+        out[0][c] = -out[1][c];
+    }
+    for (int k = 0; status == TAUT_OK && k < 2; k++) {
+        status = walk_out(carrier, station->at, out[k], monitor, arena, &lengths_of[k], ends[k],
+                          ways[k], error);
+        for (int c = 0; status == TAUT_OK && c < 3; c++) {
+            ways[k][c] = -ways[k][c];
+        }
+    }
+    *length = lengths_of[0] + lengths_of[1];
+    return status;
+}
+
+taut_status taut_pattern_geodesic_along(const taut_carrier *carrier, const double ends[2][2],
+                                        const double way[3], double length,
+                                        const taut_monitor *monitor, taut_arena *arena,
+                                        taut_pattern_side *side, taut_error *error)
+{
+    taut_lath lath;
+    memcpy(side->ends, ends, sizeof side->ends);
+    side->kind = TAUT_SIDE_GEODESIC;
+    const taut_status status =
+        follow(carrier, geodesic, side, way, length, monitor, arena, &lath, error);
+    return status == TAUT_OK ? take_lath(carrier, &lath, -1, arena, side, error) : status;
+}
+
+/* Of side->ends, which are on it. */
+static taut_status follow_line(const taut_carrier *carrier, int held, const taut_monitor *monitor,
+                               taut_arena *arena, taut_pattern_side *side, taut_error *error)
+{
+    const int along = 1 - held, backwards = side->ends[0][along] > side->ends[1][along];
     const taut_linefield_kind kind = {TAUT_TRACE_ISOPARAMETRIC, held};
     double x[TAUT_CARRIER_VECTORS][3];
     taut_form_pair forms;
     taut_lath lath;
 
-    for (int end = 0; end < 2; end++) {
-        side->ends[end][held] = edge % 2 == 0 ? carrier->lo[held] : carrier->hi[held];
-        side->ends[end][along] = end == backwards ? carrier->lo[along] : carrier->hi[along];
-    }
-    side->border = edge;
-    snprintf(side->name, sizeof side->name, "%s", edges[edge]);
     taut_carrier_forms_at(carrier, side->ends[0], x, &forms);
     double way[3];
     for (int c = 0; c < 3; c++) {
@@ -133,6 +232,33 @@ taut_status taut_pattern_border(const taut_carrier *carrier, int edge, int backw
     const taut_status status =
         follow(carrier, kind, side, way, lengths * carrier->size, monitor, arena, &lath, error);
     return status == TAUT_OK ? take_lath(carrier, &lath, held, arena, side, error) : status;
+}
+
+taut_status taut_pattern_parameter_line(const taut_carrier *carrier, int held, double value,
+                                        int backwards, const taut_monitor *monitor,
+                                        taut_arena *arena, taut_pattern_side *side,
+                                        taut_error *error)
+{
+    const int along = 1 - held;
+    for (int end = 0; end < 2; end++) {
+        side->ends[end][held] = value;
+        side->ends[end][along] = end == backwards ? carrier->lo[along] : carrier->hi[along];
+    }
+    side->kind = TAUT_SIDE_LINE;
+    return follow_line(carrier, held, monitor, arena, side, error);
+}
+
+taut_status taut_pattern_border(const taut_carrier *carrier, int edge, int backwards,
+                                const taut_monitor *monitor, taut_arena *arena,
+                                taut_pattern_side *side, taut_error *error)
+{
+    const int held = edge / 2;
+    const double value = edge % 2 == 0 ? carrier->lo[held] : carrier->hi[held];
+
+    side->border = edge;
+    snprintf(side->name, sizeof side->name, "%s", edges[edge]);
+    return taut_pattern_parameter_line(carrier, held, value, backwards, monitor, arena, side,
+                                       error);
 }
 
 void taut_pattern_side_at(const taut_pattern_side *side, double x, double w[3][2])

@@ -1,6 +1,6 @@
-/* side.h -- the long edges of pieces: seams and borders, as quintic splines of the window over arc length.
+/* side.h -- the lines that pieces lie between: seams and borders, as quintic splines of the window over arc length.
  *
- * Both pieces of a seam have one and the same spline.
+ * All pieces along a seam have one and the same spline, or stretches of it.
  */
 #ifndef TAUT_CONSTRUCT_PATTERN_SIDE_H
 #define TAUT_CONSTRUCT_PATTERN_SIDE_H
@@ -8,24 +8,67 @@
 #include "taut/curve.h"
 #include "trace/curve.h"
 
-enum { TAUT_SIDE_NAME = 16 };
+enum { TAUT_SIDE_NAME = 24, TAUT_SIDE_MEAN = 6 };
+
+/* How a seam runs. */
+typedef enum taut_pattern_side_kind {
+    TAUT_SIDE_GEODESIC = 0,
+    TAUT_SIDE_LINE, /* a parameter line */
+    TAUT_SIDE_CURVE /* as a curve that is given */
+} taut_pattern_side_kind;
+
+/* A piece along a side: its edge from `from` to `to` of the side's length, as s or t grows. */
+typedef struct taut_pattern_holder {
+    int piece, edge;
+    int hand; /* 0: it lies to the left of the side, 1: to the right */
+    double from, to;
+} taut_pattern_holder;
 
 typedef struct taut_pattern_side {
     char name[TAUT_SIDE_NAME]; /* "S1", or of a border the edge, "u0" */
     int is_seam;
-    int border;               /* where it is none: 0 to 3, u0, u1, v0, v1 */
-    const taut_curve *window; /* points (u, v, 0); the arena's */
-    taut_lath_part part;      /* and in space, in the surface's own unit */
-    double length;            /* in the carrier's unit */
-    double ends[2][2];        /* u, v */
-    int owners[2];            /* the pieces whose right, and whose left it is, or -1 */
-    double share;             /* of a seam of true length: flat over that of the surface */
+    char seam[TAUT_SIDE_NAME];   /* "S1": where a ring closes, of both its borders */
+    int twin;                    /* the side of the other one; -1: none */
+    taut_pattern_side_kind kind; /* of a seam */
+    int border;                  /* where it is on one: 0 to 3, u0, u1, v0, v1; -1 */
+    const taut_curve *window;    /* points (u, v, 0); the arena's */
+    taut_lath_part part;         /* and in space, in the surface's own unit */
+    double length;               /* in the carrier's unit */
+    double ends[2][2];           /* u, v */
+    double share;                /* of a seam of true length: flat over that of the surface */
+    int holder_count;
+    taut_pattern_holder *holders; /* those to the left first, from its beginning on */
+    int is_jointed;               /* more than one of them on one hand: pieces meet on it */
+    double mean[TAUT_SIDE_MEAN];  /* then: the stretch it is held at, by Legendre's polynomials */
 } taut_pattern_side;
 
 /* The geodesic between two places of the window; `tolerance` over the size. TAUT_NO_SOLUTION, reason "no-geodesic". */
 taut_status taut_pattern_geodesic(const taut_carrier *carrier, const double from[2],
                                   const double to[2], const taut_monitor *monitor,
                                   taut_arena *arena, taut_pattern_side *side, taut_error *error);
+/* The parameter line `held` (0: u, 1: v) = value, backwards or not. */
+taut_status taut_pattern_parameter_line(const taut_carrier *carrier, int held, double value,
+                                        int backwards, const taut_monitor *monitor,
+                                        taut_arena *arena, taut_pattern_side *side,
+                                        taut_error *error);
+/* Where the geodesic square to another one at a place of it begins and ends, on the border to its right and left; ways: directions in
+ * space into the window there; its whole length. */
+taut_status taut_pattern_square_ends(const taut_carrier *carrier, const taut_station *station,
+                                     const taut_monitor *monitor, taut_arena *arena,
+                                     double ends[2][2], double ways[2][3], double *length,
+                                     taut_error *error);
+/* A geodesic from ends[0] along a direction, so long that it ends at ends[1]. */
+taut_status taut_pattern_geodesic_along(const taut_carrier *carrier, const double ends[2][2],
+                                        const double way[3], double length,
+                                        const taut_monitor *monitor, taut_arena *arena,
+                                        taut_pattern_side *side, taut_error *error);
+/* A geodesic as a lath, between two places. */
+taut_status taut_pattern_geodesic_lath(const taut_carrier *carrier, const double from[2],
+                                       const double to[2], const taut_monitor *monitor,
+                                       taut_arena *arena, taut_lath *lath, taut_error *error);
+/* A lath that was made otherwise, with side->ends. */
+taut_status taut_pattern_take_lath(const taut_carrier *carrier, const taut_lath *lath,
+                                   taut_arena *arena, taut_pattern_side *side, taut_error *error);
 /* An edge of the window (0 to 3: u0, u1, v0, v1), backwards or not. */
 taut_status taut_pattern_border(const taut_carrier *carrier, int edge, int backwards,
                                 const taut_monitor *monitor, taut_arena *arena,

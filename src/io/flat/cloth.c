@@ -176,11 +176,19 @@ static void add_mark(drawing *to, const char *notch, const double place[2], cons
         (taut_flat_line){MARK, is_dot, is_dot ? 4 : count, (const double(*)[2])points};
 }
 
-/* The marks along right (0) or left (1), numbered from the start. */
-static void add_marks(drawing *to, const taut_record *piece, const char *name, int side,
+/* The part of its seam that an edge is. */
+static void part_of(const taut_record *edge, double part[2])
+{
+    const taut_record *told = member(edge, "part");
+    part[0] = told != NULL ? taut_record_number(taut_record_at(told, 0)) : 0;
+    part[1] = told != NULL ? taut_record_number(taut_record_at(told, 1)) : 1;
+}
+
+/* The marks along an edge, numbered from the seam's start. */
+static void add_marks(drawing *to, const taut_record *piece, const char *name, int e,
                       const taut_record *seam, const double at[2])
 {
-    const char *what = side == 0 ? "right" : "left";
+    const char *what = edge_names[e];
     const taut_record *edge = member(member(piece, "edges"), what);
     const taut_record *marks = member(seam, "marks");
     const taut_curve *curve = curve_named(to->model, name, what);
@@ -188,16 +196,19 @@ static void add_marks(drawing *to, const taut_record *piece, const char *name, i
         taut_record_text(member(member(taut_model_details(to->model), "marks"), "notch"));
     const double whole = number_of(seam, "length"), left = number_of(edge, "allowance");
     const double length = left > 0 ? mark_share * left : -mark_length * to->millimetre;
+    double part[2];
 
+    part_of(edge, part);
     for (size_t k = 0; curve != NULL && k < taut_record_count(marks); k++) {
-        const double x = taut_record_number(taut_record_at(marks, k)) / whole;
+        const double share = taut_record_number(taut_record_at(marks, k)) / whole;
+        const double x = (share - part[0]) / (part[1] - part[0]);
         double y[2][3];
         char number[24];
         if (!(x > 0) || !(x < 1)) {
             continue;
         }
         taut_curve_eval(curve, x, 1, y[0]);
-        const double speed = taut_hypot(y[1][0], y[1][1]), sign = side == 0 ? 1 : -1;
+        const double speed = taut_hypot(y[1][0], y[1][1]), sign = e < 2 ? 1 : -1;
         const double out[2] = {sign * y[1][1] / speed, -sign * y[1][0] / speed};
         const double place[2] = {y[0][0] + at[0], y[0][1] + at[1]};
         const double height = fmin(mark_letters * fabs(length), to->most / 2);
@@ -210,47 +221,59 @@ static void add_marks(drawing *to, const taut_record *piece, const char *name, i
 
 /* ---- names ---- */
 
+/* Who is on the other side of a seam: the only other piece, or nobody to name. */
+static void add_neighbour(drawing *to, const char *name, const taut_record *seam,
+                          const double place[2], double angle, double height)
+{
+    const taut_record *pieces = member(seam, "pieces");
+    const char *first = taut_record_text(taut_record_at(pieces, 0));
+    const char *second = taut_record_text(taut_record_at(pieces, 1));
+    const char *own = taut_record_text(member(seam, "name"));
+    char text[64];
+    if (taut_record_count(pieces) == 2) {
+        snprintf(text, sizeof text, "%.20s: %.20s", own, strcmp(first, name) == 0 ? second : first);
+    } else { /* several meet on it, or one is sewn to itself */
+        snprintf(text, sizeof text, "%.20s", own);
+    }
+    add_text(to, text, place, angle, height);
+}
+
 /* The piece's own name and its arrow in the middle, and along each seam who is on its other side. */
 static void add_names(drawing *to, const taut_record *piece, const char *name, const double at[2])
 {
-    static const char *const sides[2] = {"right", "left"};
     const taut_record *seams = member(taut_model_details(to->model), "seams");
-    double middle[2][3], centre[2] = {0, 0}, ways[2];
+    double middle[4][3], centre[2] = {0, 0}, ways[4];
 
-    for (int k = 0; k < 2; k++) {
-        const taut_curve *edge = curve_named(to->model, name, sides[k]);
+    for (int e = 0; e < 4; e++) {
+        const taut_curve *edge = curve_named(to->model, name, edge_names[e]);
         double y[2][3];
         if (edge == NULL) {
             return;
         }
         taut_curve_eval(edge, 0.5, 1, y[0]);
-        memcpy(middle[k], y[0], sizeof middle[k]);
-        ways[k] = taut_atan2(y[1][1], y[1][0]);
-        centre[0] += y[0][0] / 2 + at[0] / 2;
-        centre[1] += y[0][1] / 2 + at[1] / 2;
+        memcpy(middle[e], y[0], sizeof middle[e]);
+        ways[e] = taut_atan2(y[1][1], y[1][0]);
+        for (int d = 0; e % 2 == 0 && d < 2; d++) {
+            centre[d] += y[0][d] / 2 + at[d] / 2;
+        }
     }
-    const double wide = taut_hypot(middle[1][0] - middle[0][0], middle[1][1] - middle[0][1]);
+    const double wide = taut_hypot(middle[2][0] - middle[0][0], middle[2][1] - middle[0][1]);
     const double height = fmin(letters * wide, to->most);
     const double above[2] = {centre[0], centre[1] + 1.5 * height};
     add_text(to, name, above, 0, height);
     add_arrow(to, centre, arrow * wide);
-    for (int k = 0; k < 2; k++) {
-        const taut_record *seam = member(member(member(piece, "edges"), sides[k]), "seam");
+    for (int e = 0; e < 4; e++) {
+        const taut_record *seam = member(member(member(piece, "edges"), edge_names[e]), "seam");
         for (size_t i = 0; seam != NULL && i < taut_record_count(seams); i++) {
-            const taut_record *one = taut_record_at(seams, i), *pair = member(one, "pieces");
-            const char *first = taut_record_text(taut_record_at(pair, 0));
-            const char *second = taut_record_text(taut_record_at(pair, 1));
-            char text[64];
+            const taut_record *one = taut_record_at(seams, i);
             if (strcmp(taut_record_text(member(one, "name")), taut_record_text(seam)) != 0) {
                 continue;
             }
-            snprintf(text, sizeof text, "%.20s: %.20s", taut_record_text(seam),
-                     strcmp(first, name) == 0 ? second : first);
-            const double inward = k == 0 ? 1.2 * height : -1.2 * height;
-            const double place[2] = {middle[k][0] + at[0] - inward * taut_sin(ways[k]),
-                                     middle[k][1] + at[1] + inward * taut_cos(ways[k])};
-            add_text(to, text, place, ways[k], height);
-            add_marks(to, piece, name, k, one, at);
+            const double inward = e < 2 ? 1.2 * height : -1.2 * height;
+            const double place[2] = {middle[e][0] + at[0] - inward * taut_sin(ways[e]),
+                                     middle[e][1] + at[1] + inward * taut_cos(ways[e])};
+            add_neighbour(to, name, one, place, ways[e], height);
+            add_marks(to, piece, name, e, one, at);
         }
     }
 }

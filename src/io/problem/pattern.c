@@ -20,7 +20,17 @@ static const char *const patterns[] = {"cloth", NULL};
 static const char *const lengths[] = {"shared", "true", NULL};
 static const char *const edges[] = {"u0", "u1", "v0", "v1", NULL};
 static const char *const measures[] = {"length", "parameter", NULL};
-static const char *const rule_members[] = {"across", "count", "width", "strain", "by", NULL};
+static const char *const kinds[] = {"across", "radial", "parallel", "geodesic",
+                                    "line",   "curve",  "butt",     NULL}; /* in their order */
+static const char *const strip_members[] = {"across", "radial", "count", "width",
+                                            "strain", "by",     NULL};
+static const char *const parallel_members[] = {"parallel", "spacing", NULL};
+static const char *const geodesic_members[] = {"geodesic", NULL};
+static const char *const line_members[] = {"line", NULL};
+static const char *const curve_members[] = {"curve", NULL};
+static const char *const butt_members[] = {"butt", "at", NULL};
+static const char *const at_members[] = {"edge", "part", "length", "parameter", NULL};
+static const char *const parameters[] = {"u", "v", NULL};
 static const char *const cloth_members[] = {"width", "material", "thread", "gap", NULL};
 static const char *const material_members[] = {"E", "nu", "G", NULL};
 static const char *const compensation_members[] = {"warp", "weft", "seam", NULL};
@@ -55,6 +65,7 @@ static void take_reason(taut_reader *in, int was_fine, const char *reason)
 typedef struct rules {
     taut_pattern_rule *list;
     int count;
+    taut_arena *arena;
 } rules;
 
 static taut_status read_edge(const taut_json *at, void *edge, taut_error *error)
@@ -90,18 +101,19 @@ static taut_status read_strain(const taut_json *at, void *into, taut_error *erro
                : status;
 }
 
-static taut_status read_rule(const taut_json *at, void *into, taut_error *error)
+/* Strips: how many, or what they are to keep within. */
+static taut_status read_strips(const taut_json *at, taut_pattern_rule *rule, taut_error *error)
 {
-    rules *all = into;
     static const char *const searched[] = {"width", "strain"};
-    taut_pattern_rule *rule = &all->list[all->count++];
-    taut_reader in = taut_reader_of(at, rule_members, error);
+    taut_reader in = taut_reader_of(at, strip_members, error);
     int by = 0;
 
-    if (in.status == TAUT_OK && !taut_reader_has(&in, "across")) {
-        return taut_json_refuse(at, error, "rule", "\"across\" with two opposite edges");
+    if (rule->kind == TAUT_PATTERN_RADIAL) {
+        taut_reader_member(&in, "radial", read_edge, &rule->edges[0]);
+        rule->edges[1] = (taut_edge)((int)rule->edges[0] ^ 1); /* the opposite one */
+    } else {
+        taut_reader_items(&in, "across", 2, "edges", read_edge, rule->edges, sizeof rule->edges[0]);
     }
-    taut_reader_items(&in, "across", 2, "edges", read_edge, rule->edges, sizeof rule->edges[0]);
     for (int k = 0; in.status == TAUT_OK && taut_reader_has(&in, "count") && k < 2; k++) {
         if (taut_reader_has(&in, searched[k])) {
             const taut_json other = taut_json_member(at, searched[k]);
@@ -122,11 +134,182 @@ static taut_status read_rule(const taut_json *at, void *into, taut_error *error)
     return in.status;
 }
 
+/* [u, v], or { "edge": E, "part" | "length" | "parameter": x }. */
+static taut_status read_at(const taut_json *at, void *into, taut_error *error)
+{
+    taut_pattern_at *place = into;
+    if (taut_json_kind_at(at) == TAUT_JSON_ARRAY) {
+        return taut_json_numbers(at, 2, place->uv, error);
+    }
+    if (taut_json_kind_at(at) != TAUT_JSON_OBJECT) {
+        return taut_json_refuse(at, error, "outside",
+                                "a place: [u, v], or an edge with a part, length or parameter");
+    }
+    taut_reader in = taut_reader_of(at, at_members, error);
+    const char *found = NULL;
+    place->is_on_edge = 1;
+    taut_reader_member(&in, "edge", read_edge, &place->edge);
+    for (int k = 1; in.status == TAUT_OK && at_members[k] != NULL; k++) {
+        const taut_json one = taut_json_member(at, at_members[k]);
+        if (!taut_reader_has(&in, at_members[k])) {
+            continue;
+        }
+        if (found != NULL) {
+            return taut_json_fail(&one, error, "conflict", taut_none, taut_none,
+                                  "found \"%s\" beside \"%s\", expected one of them", at_members[k],
+                                  found);
+        }
+        found = at_members[k];
+        place->place = (taut_pattern_place)(k - 1);
+        in.status = taut_json_number(&one, &place->value, error);
+    }
+    return in.status == TAUT_OK && found == NULL
+               ? taut_json_expected(at, error, "a part, length or parameter of the edge")
+               : in.status;
+}
+
+static taut_status read_ends(const taut_json *at, const char *const *own, const char *word,
+                             taut_pattern_rule *rule, taut_error *error)
+{
+    taut_reader in = taut_reader_of(at, own, error);
+    taut_reader_items(&in, word, 2, "places", read_at, rule->at, sizeof rule->at[0]);
+    if (rule->kind == TAUT_PATTERN_PARALLEL) {
+        taut_reader_member(&in, "spacing", read_positive, &rule->spacing);
+    }
+    return in.status;
+}
+
+typedef struct values {
+    double *list;
+    int count;
+} values;
+
+static taut_status read_value(const taut_json *at, void *into, taut_error *error)
+{
+    values *all = into;
+    return taut_json_number(at, &all->list[all->count++], error);
+}
+
+/* A number, or a list of them. */
+static taut_status read_values(const taut_json *at, const rules *all, taut_pattern_rule *rule,
+                               taut_error *error)
+{
+    const size_t count = taut_json_count_at(at);
+    values own = {
+        taut_arena_take(all->arena,
+                        (count < TAUT_PATTERN_PIECES_MAX ? count : TAUT_PATTERN_PIECES_MAX) + 1,
+                        sizeof(double)),
+        0};
+    if (own.list == NULL) {
+        return taut_fail_memory(error);
+    }
+    const taut_status status =
+        taut_json_kind_at(at) == TAUT_JSON_ARRAY
+            ? taut_json_each(at, 1, TAUT_PATTERN_PIECES_MAX - 1, "numbers", read_value, &own, error)
+            : read_value(at, &own, error);
+    rule->values = own.list;
+    rule->value_count = own.count;
+    return status;
+}
+
+static taut_status read_lines(const taut_json *at, const rules *all, taut_pattern_rule *rule,
+                              taut_error *error)
+{
+    taut_reader in = taut_reader_of(at, line_members, error);
+    const taut_json line = taut_json_member(at, "line");
+    taut_reader own = taut_reader_of(&line, parameters, error);
+    if (in.status != TAUT_OK || own.status != TAUT_OK) {
+        return in.status != TAUT_OK ? in.status : own.status;
+    }
+    rule->held = !taut_reader_has(&own, "u");
+    const taut_json found = taut_json_member(&line, parameters[rule->held]);
+    if (taut_reader_has(&own, "u") == taut_reader_has(&own, "v")) {
+        return taut_json_expected(&line, error, "\"u\" or \"v\" with the lines' values");
+    }
+    return read_values(&found, all, rule, error);
+}
+
+/* "P2" and so on: the strip's number from 0. */
+static taut_status read_strip(const taut_json *at, void *into, taut_error *error)
+{
+    int *strip = into;
+    const char *name = taut_json_text_at(at);
+    int number = 0;
+    if (name != NULL && name[0] == 'P' && name[1] >= '1' && name[1] <= '9') {
+        for (const char *c = name + 1; *c >= '0' && *c <= '9' && number < 100000; c++) {
+            number = 10 * number + (*c - '0');
+            if (c[1] == '\0') {
+                *strip = number - 1;
+                return TAUT_OK;
+            }
+        }
+    }
+    return taut_json_refuse(at, error, "rule", "a strip, such as \"P2\"");
+}
+
+static taut_status read_butt(const taut_json *at, const rules *all, taut_pattern_rule *rule,
+                             taut_error *error)
+{
+    taut_reader in = taut_reader_of(at, butt_members, error);
+    const taut_json shares = taut_json_member(at, "at");
+    taut_reader_member(&in, "butt", read_strip, &rule->strip);
+    if (in.status == TAUT_OK && !taut_reader_has(&in, "at")) {
+        return taut_json_expected(at, error, "\"at\": where along the strip, from 0 to 1");
+    }
+    return in.status == TAUT_OK ? read_values(&shares, all, rule, error) : in.status;
+}
+
+static taut_status read_rule(const taut_json *at, void *into, taut_error *error)
+{
+    rules *all = into;
+    taut_pattern_rule *rule = &all->list[all->count++];
+    int kind = -1;
+
+    for (int k = 0; kinds[k] != NULL; k++) {
+        const taut_json one = taut_json_member(at, kinds[k]);
+        if (one.value == NULL) {
+            continue;
+        }
+        if (kind >= 0) {
+            return taut_json_fail(&one, error, "conflict", taut_none, taut_none,
+                                  "found \"%s\" beside \"%s\", expected one of them", kinds[k],
+                                  kinds[kind]);
+        }
+        kind = k;
+    }
+    rule->kind = (taut_pattern_rule_kind)(kind > 0 ? kind : 0);
+    switch (kind) {
+    case TAUT_PATTERN_ACROSS:
+    case TAUT_PATTERN_RADIAL:
+        return read_strips(at, rule, error);
+    case TAUT_PATTERN_PARALLEL:
+        return read_ends(at, parallel_members, "parallel", rule, error);
+    case TAUT_PATTERN_GEODESIC:
+        return read_ends(at, geodesic_members, "geodesic", rule, error);
+    case TAUT_PATTERN_LINE:
+        return read_lines(at, all, rule, error);
+    case TAUT_PATTERN_BUTT:
+        return read_butt(at, all, rule, error);
+    case TAUT_PATTERN_CURVE: {
+        taut_reader in = taut_reader_of(at, curve_members, error);
+        const char *name = NULL;
+        taut_reader_text(&in, "curve", &name);
+        rule->curve = name != NULL ? taut_arena_text(all->arena, name) : NULL;
+        return in.status == TAUT_OK && name != NULL && rule->curve == NULL ? taut_fail_memory(error)
+                                                                           : in.status;
+    }
+    default:
+        return taut_json_refuse(at, error, "rule",
+                                "\"across\", \"radial\", \"parallel\", \"geodesic\", "
+                                "\"line\", \"curve\" or \"butt\"");
+    }
+}
+
 static void read_rules(taut_reader *document, taut_arena *arena, taut_pattern_problem *data)
 {
     const taut_json at = taut_json_member(document->object, "seams");
     const size_t count = taut_json_count_at(&at);
-    rules all = {.count = 0};
+    rules all = {.count = 0, .arena = arena};
 
     if (document->status != TAUT_OK) {
         return;

@@ -22,8 +22,8 @@ static const taut_record *named(const taut_record *list, const char *name)
 static taut_status read_side(const taut_record *details, const taut_record *edge, taut_arena *arena,
                              const taut_curve **side)
 {
-    const taut_record *seam = taut_record_get(edge, "seam");
-    const char *name = taut_record_text(seam != NULL ? seam : taut_record_get(edge, "edge"));
+    const taut_record *border = taut_record_get(edge, "edge");
+    const char *name = taut_record_text(border != NULL ? border : taut_record_get(edge, "seam"));
     taut_curve *made = NULL;
     const taut_status status =
         taut_stretch_read(named(taut_record_get(details, "domain"), name), arena, &made);
@@ -34,7 +34,8 @@ static taut_status read_side(const taut_record *details, const taut_record *edge
 taut_status taut_mounted_new(const taut_model *model, const taut_surface *flat, taut_arena *arena,
                              taut_mounted *mounted)
 {
-    static const char *const edges[2] = {"right", "left"}, *const ways[2] = {"warp", "weft"};
+    static const char *const edges[4] = {"right", "end", "left", "start"};
+    static const char *const ways[2] = {"warp", "weft"};
     const taut_record *details = taut_model_details(model);
     const char *pattern = taut_record_text(taut_record_get(details, "pattern"));
     const taut_record *piece = named(taut_record_get(details, "pieces"), taut_surface_name(flat));
@@ -44,13 +45,22 @@ taut_status taut_mounted_new(const taut_model *model, const taut_surface *flat, 
     if (strcmp(pattern, "cloth") != 0 || piece == NULL || mounted->surface == flat) {
         return TAUT_OK;
     }
-    for (int k = 0; k < 2; k++) {
-        const taut_status status =
-            read_side(details, taut_record_get(taut_record_get(piece, "edges"), edges[k]), arena,
-                      &mounted->sides[k]);
-        if (status != TAUT_OK || mounted->sides[k] == NULL) {
+    for (int e = 0; e < 4; e++) {
+        const taut_record *edge = taut_record_get(taut_record_get(piece, "edges"), edges[e]);
+        const taut_record *part = taut_record_get(edge, "part");
+        for (int k = 0; k < 2; k++) {
+            mounted->parts[e][k] =
+                part != NULL ? taut_record_number(taut_record_at(part, (size_t)k)) : k;
+        }
+        if (e % 2 == 1 && taut_record_get(edge, "seam") == NULL) { /* straight */
+            continue;
+        }
+        const taut_status status = read_side(details, edge, arena, &mounted->sides[e]);
+        if (status != TAUT_OK || mounted->sides[e] == NULL) {
             return status;
         }
+    }
+    for (int k = 0; k < 2; k++) {
         const taut_record *share = taut_record_get(shares, ways[k]);
         mounted->shrink[k] = 1 - (share != NULL ? taut_record_number(share) : 0);
     }
@@ -58,23 +68,50 @@ taut_status taut_mounted_new(const taut_model *model, const taut_surface *flat, 
     return TAUT_OK;
 }
 
-/* w, w_s and w_t, in the window. */
+/* An edge at x in [0, 1], and its derivative. */
+static void edge_at(const taut_mounted *m, int e, double x, double w[2][2])
+{
+    const taut_basis *basis = taut_curve_t(m->sides[e]);
+    const double lo = taut_basis_lo(basis), hi = taut_basis_hi(basis);
+    const double range = m->parts[e][1] - m->parts[e][0];
+    const double share = x < 1 ? m->parts[e][0] + x * range : m->parts[e][1];
+    double c[2][3];
+    taut_curve_eval(m->sides[e], share < 1 ? lo + share * (hi - lo) : hi, 1, c[0]);
+    for (int d = 0; d < 2; d++) {
+        w[0][d] = c[0][d];
+        w[1][d] = range * (hi - lo) * c[1][d];
+    }
+}
+
+/* w, w_s and w_t, in the window: the patch of Coons between right and left, and ends that are not straight. */
 static void window_at(const taut_mounted *m, double s, double t, double w[3][2])
 {
     const taut_basis *bases[2] = {taut_surface_u(m->surface), taut_surface_v(m->surface)};
-    double sides[2][2][3];
-    for (int k = 0; k < 2; k++) {
-        const taut_basis *basis = taut_curve_t(m->sides[k]);
-        const double lo = taut_basis_lo(basis), hi = taut_basis_hi(basis);
-        taut_curve_eval(m->sides[k], s < 1 ? lo + s * (hi - lo) : hi, 1, sides[k][0]);
+    double right[2][2], left[2][2], corners[2][2][2], across[2][2];
+    edge_at(m, 0, s, right);
+    edge_at(m, 2, s, left);
+    for (int d = 0; d < 2; d++) {
+        w[0][d] = (1 - t) * right[0][d] + t * left[0][d];
+        w[1][d] = (1 - t) * right[1][d] + t * left[1][d];
+        w[2][d] = left[0][d] - right[0][d];
+    }
+    for (int e = 1; e < 4; e += 2) {
+        const double end = e == 1, fade = e == 1 ? s : 1 - s, slope = e == 1 ? 1 : -1;
+        if (m->sides[e] == NULL) {
+            continue;
+        }
+        edge_at(m, 0, end, corners[0]);
+        edge_at(m, 2, end, corners[1]);
+        edge_at(m, e, t, across);
         for (int d = 0; d < 2; d++) {
-            sides[k][1][d] *= hi - lo;
+            const double chord = corners[1][0][d] - corners[0][0][d];
+            const double off = across[0][d] - corners[0][0][d] - t * chord;
+            w[0][d] += fade * off;
+            w[1][d] += slope * off;
+            w[2][d] += fade * (across[1][d] - chord);
         }
     }
     for (int d = 0; d < 2; d++) {
-        w[0][d] = (1 - t) * sides[0][0][d] + t * sides[1][0][d];
-        w[1][d] = (1 - t) * sides[0][1][d] + t * sides[1][1][d];
-        w[2][d] = sides[1][0][d] - sides[0][0][d];
         w[0][d] = fmin(fmax(w[0][d], taut_basis_lo(bases[d])), taut_basis_hi(bases[d]));
     }
 }

@@ -11,8 +11,10 @@
 
 typedef struct taut_mounted {
     const taut_surface *surface, *flat; /* flat: NULL where there is no such piece */
-    const taut_curve *sides[2];         /* right and left in the window */
-    double shrink[2];                   /* 1 / F0, of warp and weft */
+    const taut_curve
+        *sides[4];      /* right, end, left and start in the window; ends that are straight: NULL */
+    double parts[4][2]; /* the shares of them that edges are */
+    double shrink[2];   /* 1 / F0, of warp and weft */
 } taut_mounted;
 
 /* Of a flat surface of the model; what it makes is the arena's. TAUT_NO_MEMORY. */

@@ -317,6 +317,138 @@ static void test_warnings(void)
     }
 }
 
+/* The seams that cut the saddle in four strips, by other rules: the same pieces. */
+static void test_rules(void)
+{
+    static const char *const rules[2] = {
+        "{ \"radial\": \"v0\", \"count\": 4 }",
+        "{ \"geodesic\": [{ \"edge\": \"v0\", \"part\": 0.25 }, { \"edge\": \"v1\", \"part\": "
+        "0.25 }] }, { \"geodesic\": [[0.5, 1], [0.5, 0]] }, { \"geodesic\": [{ \"edge\": \"v1\", "
+        "\"part\": 0.75 }, { \"edge\": \"v0\", \"length\": 1.5856739076421045 }] }"};
+    char members[512];
+    for (size_t k = 0; k < 2; k++) {
+        snprintf(members, sizeof members, "\"seams\": [%s]", rules[k]);
+        made_cloth made = cloth_make(SADDLE, members);
+        CHECK(made.status == TAUT_OK, "%s: %s", rules[k], made.error.message);
+        check_holds(&made, rules[k]);
+        CHECK_NEAR(cloth_number(&made, "seams", "S1", "length"), 2.10558835496695862, 1e-11, "S1");
+        CHECK_NEAR(cloth_number(&made, "seams", "S2", "length"), 2.11423187685613931, 1e-11, "S2");
+        CHECK_NEAR(cloth_number(&made, "seams", "S3", "length"), 2.10558835496695862, 1e-11, "S3");
+        CHECK_NEAR(total(&made, "energy"), 1.34268e-5, 6e-11, "%s", rules[k]);
+        cloth_free(&made);
+    }
+}
+
+/* Lines of symmetry are geodesics: by rules of all sorts one seam, x = 0. */
+static void test_middle(void)
+{
+    static const char *const rules[] = {
+        "{ \"line\": { \"u\": 0.5 } }",
+        "{ \"geodesic\": [[0.5, 0], { \"edge\": \"v1\", \"parameter\": 0.5 }] }",
+        "{ \"curve\": \"middle\" }"};
+    static const char curves[] =
+        ", \"curves\": [{ \"name\": \"middle\", \"t\": { \"type\": \"bezier\", \"degree\": 2 }, "
+        "\"points\": [[0, 1, -0.3], [0, 0, 0.3], [0, -1, -0.3]] }] }";
+    char members[256], surface[1024];
+    snprintf(surface, sizeof surface, "%.*s%s", (int)strlen(SADDLE) - 2, SADDLE, curves);
+    for (size_t k = 0; k < 3; k++) {
+        snprintf(members, sizeof members, "\"seams\": [%s]", rules[k]);
+        made_cloth made = cloth_make(surface, members);
+        CHECK(made.status == TAUT_OK, "%s: %s", rules[k], made.error.message);
+        if (made.status == TAUT_OK) {
+            check_holds(&made, rules[k]);
+            CHECK_NEAR(cloth_number(&made, "seams", "S1", "length"), 2.11423187685613931, 1e-11,
+                       "%s", rules[k]);
+            CHECK_NEAR(cloth_number(&made, "pieces", "P1", "edges/right/flat_length"),
+                       cloth_number(&made, "pieces", "P2", "edges/left/flat_length"), 1e-11, "%s",
+                       rules[k]);
+            CHECK(has_claim(made.proof, "geodesic") == (k == 1), "%s", rules[k]);
+        }
+        cloth_free(&made);
+    }
+}
+
+/* Square to y = 0, whose quarters are at x = -+0.5202.. */
+static void test_parallel(void)
+{
+    made_cloth made = cloth_make(SADDLE, "\"seams\": [{ \"parallel\": [[0, 0.5], [1, 0.5]], "
+                                         "\"spacing\": 0.52855796921403482 }]");
+    CHECK(made.status == TAUT_OK, "%s", made.error.message);
+    if (made.status == TAUT_OK) {
+        double x[3];
+        check_holds(&made, "parallel");
+        CHECK_NEAR(figure_of(made.proof, "pieces"), 4, 0, "of steps of a quarter");
+        const taut_curve *seam = taut_model_curve(made.model, 0);
+        taut_curve_eval(seam, taut_basis_hi(taut_curve_t(seam)) / 2, 0, x);
+        CHECK_NEAR(x[0], -0.520229661428359748, 1e-10, "a quarter");
+        CHECK_NEAR(x[1], 0, 1e-10, "square to it");
+        CHECK_NEAR(cloth_number(&made, "seams", "S2", "length"), 2.11423187685613931, 1e-11, "S2");
+    }
+    cloth_free(&made);
+}
+
+/* Strips cut across: two pieces along one seam are as long as the one on its other side. */
+static void test_butts(void)
+{
+    made_cloth made = cloth_make(SADDLE, "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": "
+                                         "3 }, { \"butt\": \"P2\", \"at\": 0.4 }], \"marks\": { "
+                                         "\"spacing\": 0.5 }");
+    CHECK(made.status == TAUT_OK, "%s", made.error.message);
+    if (made.status == TAUT_OK) {
+        check_holds(&made, "butts");
+        const double whole = cloth_number(&made, "pieces", "P1", "edges/right/flat_length");
+        const double parts = cloth_number(&made, "pieces", "P2-1", "edges/left/flat_length") +
+                             cloth_number(&made, "pieces", "P2-2", "edges/left/flat_length");
+        const double length = cloth_number(&made, "seams", "S1", "length");
+        CHECK_NEAR(parts, whole, 1e-10, "both sides of S1");
+        CHECK_NEAR(cloth_number(&made, "pieces", "P2-1", "edges/end/flat_length"),
+                   cloth_number(&made, "pieces", "P2-2", "edges/start/flat_length"), 1e-11,
+                   "the butt");
+        CHECK_NEAR(cloth_number(&made, "seams", "S1", "marks/1"), 0.4 * length, 1e-12,
+                   "where pieces meet");
+        CHECK_NEAR(cloth_number(&made, "seams", "S1", "marks/2"), 1, 0, "and the next");
+        CHECK(taut_record_count(taut_record_get(cloth_told(&made, "seams", "S1"), "pieces")) == 3,
+              "three pieces along S1");
+    }
+    cloth_free(&made);
+}
+
+/* R = 2, height 3, all around: eight rectangles, the last one sewn to the first one. */
+static void test_ring(void)
+{
+    static const char cylinder[] =
+        "{ \"taut\": 1, \"surfaces\": [{ \"name\": \"ring\", \"u\": { \"type\": \"bspline\", "
+        "\"degree\": 2, \"knots\": [0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4] }, \"v\": { \"type\": "
+        "\"bezier\", \"degree\": 1 }, \"points\": [[[2, 0, 0], [2, 0, 3]], [[2, 2, 0], [2, 2, 3]], "
+        "[[0, 2, 0], [0, 2, 3]], [[-2, 2, 0], [-2, 2, 3]], [[-2, 0, 0], [-2, 0, 3]], [[-2, -2, 0], "
+        "[-2, -2, 3]], [[0, -2, 0], [0, -2, 3]], [[2, -2, 0], [2, -2, 3]], [[2, 0, 0], [2, 0, "
+        "3]]], "
+        "\"weights\": [[1, 1], [0.70710678118654752, 0.70710678118654752], [1, 1], "
+        "[0.70710678118654752, 0.70710678118654752], [1, 1], [0.70710678118654752, "
+        "0.70710678118654752], [1, 1], [0.70710678118654752, 0.70710678118654752], [1, 1]] }] }";
+    made_cloth made =
+        cloth_make(cylinder, "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 8 }]");
+    CHECK(made.status == TAUT_OK, "%s", made.error.message);
+    if (made.status == TAUT_OK) {
+        check_holds(&made, "ring");
+        for (int k = 1; k <= 8; k++) {
+            char seam[8], piece[8];
+            snprintf(seam, sizeof seam, "S%d", k);
+            snprintf(piece, sizeof piece, "P%d", k);
+            const taut_record *told = cloth_told(&made, "seams", seam);
+            CHECK(taut_record_count(taut_record_get(told, "pieces")) == 2, "%s", seam);
+            CHECK_NEAR(cloth_number(&made, "seams", seam, "flat_length"), 3, 1e-11, "%s", seam);
+            CHECK_NEAR(cloth_number(&made, "pieces", piece, "flat_area"), 4.71238898038468986,
+                       1e-10, "%s", piece);
+        }
+        const taut_record *last = taut_record_get(cloth_told(&made, "pieces", "P8"), "edges");
+        CHECK(strcmp(taut_record_text(taut_record_get(taut_record_get(last, "right"), "seam")),
+                     "S8") == 0,
+              "the ring is closed");
+    }
+    cloth_free(&made);
+}
+
 static void test_refusals(void)
 {
     static const struct {
@@ -334,7 +466,41 @@ static void test_refusals(void)
         {"\"seams\": [{ \"count\": 2 }]", "rule", "/seams/0", TAUT_BAD_INPUT},
         {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }, { \"across\": [\"v0\", "
          "\"v1\"], \"count\": 2 }]",
+         "shape", "/seams", TAUT_NO_SOLUTION},
+        {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"width\": 1 }, { \"radial\": \"v0\", "
+         "\"strain\": 0.1 }]",
          "rule", "/seams/1", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 3 }, { \"line\": { \"v\": 0.5 "
+         "} }]",
+         "crossing", "/seams/1", TAUT_NO_SOLUTION},
+        {"\"seams\": [{ \"line\": { \"u\": [0.5, 1] } }]", "outside", "/seams/0", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"line\": { \"u\": 0.5, \"v\": 0.5 } }]", "type", "/seams/0/line",
+         TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"geodesic\": [[0.5, 0.5], [0.5, 1]] }]", "outside", "/seams/0",
+         TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"geodesic\": [[0.5, 1.5], [0.5, 1]] }]", "outside", "/seams/0",
+         TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"geodesic\": [[0.5, 1], [0.5, 1]] }]", "outside", "/seams/0",
+         TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"geodesic\": [{ \"edge\": \"v0\", \"part\": 2 }, [0.5, 1]] }]", "outside",
+         "/seams/0", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"geodesic\": [{ \"edge\": \"v0\" }, [0.5, 1]] }]", "type",
+         "/seams/0/geodesic/0", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"geodesic\": [[0.5, 0], [1, 0.5]] }]", "shape", "/seams/0",
+         TAUT_NO_SOLUTION},
+        {"\"seams\": [{ \"geodesic\": [[0, 0], [0.5, 1]] }]", "shape", "/seams", TAUT_NO_SOLUTION},
+        {"\"seams\": [{ \"parallel\": [[0, 0.5], [1, 0.5]], \"spacing\": 1e-6 }]", "count",
+         "/seams/0", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"parallel\": [[0, 0.5], [1, 0.5]] }]", "missing", "/seams/0/spacing",
+         TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"curve\": \"none\" }]", "curve", "/seams/0", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"butt\": \"P1\", \"at\": 0.5 }]", "rule", "/seams/0", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }, { \"butt\": \"P3\", "
+         "\"at\": 0.5 }]",
+         "rule", "/seams/1/butt", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }, { \"butt\": \"P2\", "
+         "\"at\": [0.5, 0.5] }]",
+         "outside", "/seams/1", TAUT_BAD_INPUT},
         {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"width\": true }]", "missing",
          "/cloth/width", TAUT_BAD_INPUT},
         {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2, \"width\": 1 }]", "conflict",
@@ -437,6 +603,11 @@ int main(void)
     test_allowance();
     test_prestress();
     test_warnings();
+    test_rules();
+    test_middle();
+    test_parallel();
+    test_butts();
+    test_ring();
     test_refusals();
     test_sizes();
     return check_failures != 0;
