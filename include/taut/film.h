@@ -78,6 +78,7 @@ typedef struct taut_film_edge {
     unsigned char has_plane; /* of a cable: it is kept in `plane`; a slide always has one */
     unsigned char is_mirror; /* of a slide: the claim `mirror` too */
     taut_film_guide plane;
+    int along; /* of a cable: 1 + the one of the problem's `along` that it is part of, whose law counts; 0: one of its own */
 } taut_film_edge;
 
 /* The most patches of a film, and the most control points of all of them. */
@@ -96,11 +97,23 @@ typedef struct taut_film_seam {
     taut_film_edge edge; /* a cable where one runs along the seam, or all zero */
 } taut_film_seam;
 
+/* One cable along several edges or seams, with one force: its law counts the whole length. Each of its edges, or the seam that this
+ * is in, is a cable with this one's number in `along`. */
+typedef struct taut_film_along {
+    const char *name; /* NULL: "cable-0", ... */
+    int count;
+    const taut_film_side *sides; /* as it runs: each begins where the one before it ends */
+    taut_film_edge edge;         /* a cable: the law */
+} taut_film_along;
+
 /* One side of a patch: the one that x_u x x_v points to, or, reversed, the other. */
 typedef struct taut_film_face {
     int patch;
     unsigned char reversed;
 } taut_film_face;
+
+/* The most cables along several edges. */
+enum { TAUT_FILM_ALONG_MAX = 64 };
 
 /* The most cells of a film. */
 enum { TAUT_FILM_CELLS_MAX = 64 };
@@ -186,6 +199,9 @@ typedef struct taut_film_problem {
     /* Of films of one patch too, with cables of force, and without start, refine, updates and threads. */
     int cell_count;
     const taut_film_cell *cells;
+    /* Of films of one patch too, as cells. */
+    int along_count; /* at most TAUT_FILM_ALONG_MAX */
+    const taut_film_along *along;
     /* Of all films: each in turn. Copy n of surface "a" is called a with n primes, "a'", "a''", and from the ninth on "a'9". */
     int image_count;
     const taut_film_image *images;

@@ -170,6 +170,12 @@
     X(taut_family_member, shift, "double[2]") \
     X(taut_family_member, motion, "double[3][4]")
 
+#define TAUT_ABI_MEMBERS_taut_film_along(X) \
+    X(taut_film_along, name, "const char *") \
+    X(taut_film_along, count, "int") \
+    X(taut_film_along, sides, "const taut_film_side *") \
+    X(taut_film_along, edge, "taut_film_edge")
+
 #define TAUT_ABI_MEMBERS_taut_film_cell(X) \
     X(taut_film_cell, name, "const char *") \
     X(taut_film_cell, count, "int") \
@@ -190,7 +196,8 @@
     X(taut_film_edge, stiffness, "double") \
     X(taut_film_edge, has_plane, "unsigned char") \
     X(taut_film_edge, is_mirror, "unsigned char") \
-    X(taut_film_edge, plane, "taut_film_guide")
+    X(taut_film_edge, plane, "taut_film_guide") \
+    X(taut_film_edge, along, "int")
 
 #define TAUT_ABI_MEMBERS_taut_film_face(X) \
     X(taut_film_face, patch, "int") \
@@ -243,6 +250,8 @@
     X(taut_film_problem, seams, "const taut_film_seam *") \
     X(taut_film_problem, cell_count, "int") \
     X(taut_film_problem, cells, "const taut_film_cell *") \
+    X(taut_film_problem, along_count, "int") \
+    X(taut_film_problem, along, "const taut_film_along *") \
     X(taut_film_problem, image_count, "int") \
     X(taut_film_problem, images, "const taut_film_image *")
 
@@ -720,6 +729,7 @@
     X(taut_extension_g1) \
     X(taut_extension_merge) \
     X(taut_family_member) \
+    X(taut_film_along) \
     X(taut_film_cell) \
     X(taut_film_edge) \
     X(taut_film_face) \
@@ -1080,6 +1090,7 @@
     X(TAUT_FILM_POINTS_MAX, "TAUT_FILM_POINTS_MAX") \
     X(TAUT_FILM_PATCHES_MAX, "TAUT_FILM_PATCHES_MAX") \
     X(TAUT_FILM_PATCHES_POINTS_MAX, "TAUT_FILM_PATCHES_POINTS_MAX") \
+    X(TAUT_FILM_ALONG_MAX, "TAUT_FILM_ALONG_MAX") \
     X(TAUT_FILM_CELLS_MAX, "TAUT_FILM_CELLS_MAX") \
     X(TAUT_FILM_IMAGES_MAX, "TAUT_FILM_IMAGES_MAX") \
     X(TAUT_FILM_IMAGES_POINTS_MAX, "TAUT_FILM_IMAGES_POINTS_MAX") \

@@ -2,6 +2,7 @@
 
 #include "core/fail.h"
 #include "core/vec3.h"
+#include "problem/film_ropes.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -11,7 +12,6 @@ static const char *const edge_names[4] = {"u0", "u1", "v0", "v1"};
 static const char *const corner_names[4] = {"u0v0", "u1v0", "u0v1", "u1v1"};
 static const double knots_alike = 1e-12; /* of the range */
 static const double gap_meeting = 1e-9;  /* of the size */
-static const double parallel = 1e-9;     /* sine */
 
 const taut_film_problem *taut_film_complex_of(const taut_film_problem *problem,
                                               taut_film_lone *room)
@@ -35,109 +35,7 @@ const taut_film_problem *taut_film_complex_of(const taut_film_problem *problem,
     return &room->problem;
 }
 
-/* Films of many patches have no bases of their own. */
-static int is_lone(const taut_film_problem *problem)
-{
-    return problem->u != NULL;
-}
-
-void taut_film_complex_where(const taut_film_problem *problem, taut_error *error)
-{
-    static const char prefix[] = "/patches/0";
-    const size_t length = sizeof prefix - 1;
-
-    if (is_lone(problem) && error != NULL && strncmp(error->where, prefix, length) == 0) {
-        memmove(error->where, error->where + length, strlen(error->where + length) + 1);
-    }
-}
-
-void taut_film_complex_name(const taut_film_problem *problem, int patch, const char *part,
-                            char name[TAUT_FILM_NAME])
-{
-    snprintf(name, TAUT_FILM_NAME, "%.88s%s%s",
-             is_lone(problem) ? "" : problem->patches[patch].name, is_lone(problem) ? "" : ".",
-             part);
-}
-
-int taut_film_complex_along(const taut_film_problem *patch, int edge)
-{
-    return taut_basis_count(edge < 2 ? patch->v : patch->u);
-}
-
-int taut_film_complex_point(const taut_film_problem *patch, int edge, int k)
-{
-    const int nu = taut_basis_count(patch->u), nv = taut_basis_count(patch->v);
-    return edge < 2 ? (edge == 1 ? nu - 1 : 0) * nv + k : k * nv + (edge == 3 ? nv - 1 : 0);
-}
-
-static int point_of(const taut_film_complex *c, const taut_film_side *side, int k)
-{
-    const taut_film_problem *patch = &c->problem->patches[side->patch];
-    const int last = taut_film_complex_along(patch, side->edge) - 1;
-    return c->first[side->patch] +
-           taut_film_complex_point(patch, side->edge, side->reversed ? last - k : k);
-}
-
-int taut_film_complex_node(const taut_film_complex *complex, const taut_film_side *side, int k)
-{
-    return complex->node[point_of(complex, side, k)];
-}
-
-int taut_film_edge_corner(int edge, int end)
-{
-    return edge < 2 ? edge + 2 * end : end + 2 * (edge - 2);
-}
-
-int taut_film_complex_corner(const taut_film_complex *complex, int patch, int corner)
-{
-    const taut_film_problem *of = &complex->problem->patches[patch];
-    const int last = taut_film_complex_along(of, corner % 2) - 1;
-    return complex
-        ->node[complex->first[patch] + taut_film_complex_point(of, corner % 2, corner / 2 * last)];
-}
-
-int taut_film_complex_seam(const taut_film_problem *problem, int patch, int edge)
-{
-    for (int s = 0; s < problem->seam_count; s++) {
-        for (int k = 0; k < problem->seams[s].count; k++) {
-            const taut_film_side *side = &problem->seams[s].sides[k];
-            if (side->patch == patch && side->edge == edge) {
-                return s;
-            }
-        }
-    }
-    return -1;
-}
-
-/* ---- planes ---- */
-
-int taut_film_hold_add(taut_film_hold *hold, const double normal[3], double offset, double gap)
-{
-    double n[3] = {normal[0], normal[1], normal[2]};
-    const double whole = taut_norm(normal);
-
-    for (int k = 0; k < hold->count; k++) {
-        const double along = taut_dot(n, hold->normals[k]);
-        taut_add_scaled(-along, hold->normals[k], n);
-        offset -= along * hold->offsets[k];
-    }
-    const double left = taut_norm(n);
-    if (hold->count == 3 || !(left > parallel * whole)) {
-        return fabs(offset) <= gap * whole;
-    }
-    for (int c = 0; c < 3; c++) {
-        hold->normals[hold->count][c] = n[c] / left;
-    }
-    hold->offsets[hold->count++] = offset / left;
-    return 1;
-}
-
-void taut_film_hold_onto(const taut_film_hold *hold, double x[3])
-{
-    for (int k = 0; k < hold->count; k++) {
-        taut_add_scaled(hold->offsets[k] - taut_dot(hold->normals[k], x), hold->normals[k], x);
-    }
-}
+/* ---- what holds corners ---- */
 
 static int add_plane(taut_film_hold *hold, const taut_film_guide *plane, double gap)
 {
@@ -288,7 +186,8 @@ static taut_status find_nodes(taut_film_complex *c, taut_arena *arena)
         const int n = taut_basis_count(basis_of(problem, &seam->sides[0]));
         for (int j = 1; j < seam->count; j++) {
             for (int k = 0; k < n; k++) {
-                unite(up, point_of(c, &seam->sides[0], k), point_of(c, &seam->sides[j], k));
+                unite(up, taut_film_complex_run(c, &seam->sides[0], k),
+                      taut_film_complex_run(c, &seam->sides[j], k));
             }
         }
     }
@@ -298,7 +197,7 @@ static taut_status find_nodes(taut_film_complex *c, taut_arena *arena)
             for (int k = 1; problem->patches[p].edges[e].kind == TAUT_FILM_POLE &&
                             k < taut_film_complex_along(&problem->patches[p], e);
                  k++) {
-                unite(up, point_of(c, &side, 0), point_of(c, &side, k));
+                unite(up, taut_film_complex_run(c, &side, 0), taut_film_complex_run(c, &side, k));
             }
         }
     }
@@ -501,14 +400,22 @@ static taut_status check_support(const taut_film_complex *c, taut_error *error)
 
 /* ---- what moves how ---- */
 
-/* Cables of one force are of one kind: where two end in a vertex and nothing else does, it may lie anywhere along them. */
+/* Cables of one force are of one kind, as edges of one cable are: where two end in a vertex and nothing else does, it may lie anywhere
+ * along them. */
 static int cable_kind(const taut_film_complex *c, const taut_film_edge *edge)
 {
-    int k = 0;
-    while (c->strands[k].edge != edge && c->strands[k].edge->force != edge->force) {
+    int k = 0, first = 0;
+
+    while (c->strands[k].edge != edge) {
         k++;
     }
-    return 1000 + k;
+    const taut_film_edge *law = c->ropes[c->strands[k].rope].edge;
+    while (first < c->strands[k].rope &&
+           !(law->law == TAUT_FILM_FORCE && c->ropes[first].edge->law == TAUT_FILM_FORCE &&
+             c->ropes[first].edge->force == law->force)) {
+        first++;
+    }
+    return 1000 + first;
 }
 
 /* What kind of line the edge of a side is, or 0: of one number run on into each other. */
@@ -588,7 +495,7 @@ static taut_status find_strands(taut_film_complex *c, taut_arena *arena)
         for (int e = 0; e < 4; e++) {
             if (problem->patches[p].edges[e].kind == TAUT_FILM_CABLE) {
                 c->strands[c->strand_count++] =
-                    (taut_film_strand){{p, e, 0}, &problem->patches[p].edges[e], -1};
+                    (taut_film_strand){{p, e, 0}, &problem->patches[p].edges[e], -1, -1};
             }
         }
     }
@@ -596,7 +503,8 @@ static taut_status find_strands(taut_film_complex *c, taut_arena *arena)
         if (problem->seams[s].edge.kind == TAUT_FILM_CABLE) {
             taut_film_side side = problem->seams[s].sides[0];
             side.reversed = 0;
-            c->strands[c->strand_count++] = (taut_film_strand){side, &problem->seams[s].edge, s};
+            c->strands[c->strand_count++] =
+                (taut_film_strand){side, &problem->seams[s].edge, s, -1};
         }
     }
     return TAUT_OK;
@@ -628,6 +536,10 @@ taut_status taut_film_complex_new(const taut_film_problem *problem, taut_arena *
     if (find_nodes(c, arena) != TAUT_OK || find_strands(c, arena) != TAUT_OK) {
         return taut_fail_memory(error);
     }
+    status = taut_film_ropes_find(c, arena, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
     c->kind = taut_arena_take(arena, (size_t)c->nodes, 1);
     c->fixed = taut_arena_take(arena, (size_t)c->nodes, 1);
     c->line = taut_arena_take(arena, (size_t)c->nodes, sizeof *c->line);
@@ -639,6 +551,9 @@ taut_status taut_film_complex_new(const taut_film_problem *problem, taut_arena *
     status = find_holds(c, error);
     if (status == TAUT_OK) {
         status = check_support(c, error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_film_ropes_check(c, error);
     }
     if (status == TAUT_OK && find_kinds(c, arena) != TAUT_OK) {
         status = taut_fail_memory(error);

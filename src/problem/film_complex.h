@@ -29,12 +29,22 @@ typedef struct taut_film_hold {
     double normals[3][3], offsets[3];
 } taut_film_hold;
 
-/* Cables, in the order of figures: edges of patches, then seams. */
+/* Edges with a cable: edges of patches, then seams. */
 typedef struct taut_film_strand {
     taut_film_side side; /* where its points lie: not reversed */
     const taut_film_edge *edge;
     int seam; /* -1: an edge of its own */
+    int rope; /* the cable that it is part of */
 } taut_film_strand;
+
+/* A cable: one strand, or those of one along several edges; in the order of figures: of edges, of seams, then along several
+ * (problem/film_ropes.h). */
+typedef struct taut_film_rope {
+    const taut_film_edge *edge; /* its law */
+    int along;                  /* which of the problem's along several edges; -1: of one strand */
+    int strand;                 /* its first */
+    int ends[2];                /* nodes: the same where it closes */
+} taut_film_rope;
 
 typedef struct taut_film_complex {
     const taut_film_problem *problem;
@@ -49,6 +59,8 @@ typedef struct taut_film_complex {
     taut_film_hold *holds; /* [nodes] */
     int strand_count;
     taut_film_strand *strands;
+    int rope_count;
+    taut_film_rope *ropes;
 } taut_film_complex;
 
 /* A film of one patch as one of many: what stands here lives as long as it does. */
@@ -57,6 +69,12 @@ typedef struct taut_film_lone {
     taut_film_side sides[2];
     taut_film_seam seam; /* of a ring */
 } taut_film_lone;
+
+/* Is the film one that is made and certified as those of many patches are? */
+static inline int taut_film_is_complex(const taut_film_problem *problem)
+{
+    return problem->patch_count > 0 || problem->cell_count > 0 || problem->along_count > 0;
+}
 
 /* The problem itself, or one of one patch in its room, whose edges go without the patch's name. */
 const taut_film_problem *taut_film_complex_of(const taut_film_problem *problem,
@@ -72,7 +90,8 @@ void taut_film_complex_name(const taut_film_problem *problem, int patch, const c
 int taut_film_complex_point(const taut_film_problem *patch, int edge, int k);
 /* How many. */
 int taut_film_complex_along(const taut_film_problem *patch, int edge);
-/* The node of point k of a side, as it is run. */
+/* Point k of a side, as it is run, among all, and its node. */
+int taut_film_complex_run(const taut_film_complex *complex, const taut_film_side *side, int k);
 int taut_film_complex_node(const taut_film_complex *complex, const taut_film_side *side, int k);
 /* The seam that an edge is in, or -1. */
 int taut_film_complex_seam(const taut_film_problem *problem, int patch, int edge);

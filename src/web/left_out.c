@@ -10,6 +10,7 @@
 #include "io/flat/spread.h"
 #include "io/format.h"
 #include "io/problem/boundary_file.h"
+#include "io/problem/film_along.h"
 #include "io/problem/film_curves.h"
 #include "io/problem/film_patches.h"
 #include "mesh/parts.h"
@@ -93,13 +94,16 @@ taut_status taut_cad_read_step(const char *path, taut_model **model, taut_error 
 }
 
 /* Films of many patches: what nobody drags by hand. */
-static const char no_patches[] = "films of many patches, or with cells, are not made in the "
-                                 "browser: let the program `taut make` do it";
+static const char no_patches[] =
+    "films of many patches, with cells or cables along several edges, are not made in the "
+    "browser: let the program `taut make` do it";
 
 void taut_film_document_patches(taut_reader *document, taut_problem *problem,
-                                const taut_film_patch_readers *readers, taut_film_problem *data)
+                                const taut_film_patch_readers *readers, taut_film_problem *data,
+                                taut_film_parts *parts)
 {
     const taut_json at = taut_json_member(document->object, "patches");
+    (void)parts;
     (void)readers;
     (void)problem;
     (void)data;
@@ -110,11 +114,28 @@ void taut_film_document_patches(taut_reader *document, taut_problem *problem,
 }
 
 void taut_film_document_curves(taut_reader *document, taut_problem *problem,
-                               taut_film_curve_read *read, taut_film_problem *data)
+                               taut_film_curve_read *read, taut_film_problem *data,
+                               taut_film_parts *parts)
 {
     const taut_json at = taut_json_member(document->object, "curves");
+    (void)parts;
     (void)problem;
     (void)read;
+    (void)data;
+    if (document->status == TAUT_OK) {
+        document->status = taut_json_fail(&at, document->error, "not-installed", taut_none,
+                                          taut_none, "%s", no_patches);
+    }
+}
+
+void taut_film_document_along(taut_reader *document, taut_problem *problem,
+                              const taut_film_parts *parts, taut_film_law_read *read_law,
+                              taut_film_problem *data)
+{
+    const taut_json at = taut_json_member(document->object, "cables");
+    (void)problem;
+    (void)parts;
+    (void)read_law;
     (void)data;
     if (document->status == TAUT_OK) {
         document->status = taut_json_fail(&at, document->error, "not-installed", taut_none,

@@ -86,7 +86,7 @@ film 3 'type /edges/u0/fixed/line/1' '"edges": { "u0": { "fixed": { "line": [[0,
 film 3 'type /edges/u0/fixed/line found null expected two points' '"edges": { "u0": { "fixed": { "line": null } } }'
 film 3 'conflict /edges/u0/fixed found 2 expected 1' '"edges": { "u0": { "fixed": { "arc": [], "line": [] } } }'
 film 3 'unknown-member /edges/u0/fixed/t' '"edges": { "u0": { "fixed": { "arc": [], "t": {} } } }'
-film 3 'not-yet /cables' '"cables": []'
+film 3 'missing /cables/0' '"cables": [{ "along": ["u0"] }]'
 # curves of a file, in any order and run either way: two quads of Schwarz's D
 python3 - <<'END'
 import json

@@ -41,6 +41,7 @@
 #include "geometry/exponent.h"
 #include "measure/integrate/integrals.h"
 #include "measure/integrate/line.h"
+#include "problem/film_complex.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -792,7 +793,7 @@ static taut_status certify(const taut_model *model, const void *data, const taut
     const taut_film_problem *problem = data;
     request r;
 
-    if (problem != NULL && (problem->patch_count > 0 || problem->cell_count > 0)) {
+    if (problem != NULL && taut_film_is_complex(problem)) {
         return taut_film_complex_certify(model, problem, certificate, error);
     }
     taut_status status = read_request(model, data, &r, error);
@@ -820,7 +821,7 @@ static void identify(const taut_model *model, const void *data, taut_identity *i
         taut_identity_surface(identity, 0, NULL, NULL, NULL);
         return;
     }
-    if (problem->patch_count > 0 || problem->cell_count > 0) {
+    if (taut_film_is_complex(problem)) {
         taut_film_complex_identify(problem, identity);
         return;
     }

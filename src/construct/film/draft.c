@@ -2,13 +2,14 @@
 
 #include "construct/plateau/draft.h"
 #include "core/fail.h"
+#include "problem/film_complex.h"
 
 #include <math.h>
 #include <string.h>
 
 int taut_film_has_draft(const taut_film_problem *problem)
 {
-    int has = problem->patch_count == 0 && problem->cell_count == 0 && problem->image_count == 0 &&
+    int has = !taut_film_is_complex(problem) && problem->image_count == 0 &&
               problem->updates == 0 && problem->start == NULL && problem->refine == 0;
 
     for (int e = 0; e < 4; e++) {

@@ -20,6 +20,7 @@
 #include "construct/film/witness.h"
 #include "core/fail.h"
 #include "core/vec3.h"
+#include "problem/film_complex.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -635,7 +636,7 @@ taut_status taut_film_make(const taut_film_problem *problem, const taut_make_opt
     static const taut_make_options none;
     request r = {.problem = problem,
                  .monitor = options != NULL ? &options->monitor : &none.monitor};
-    if (problem != NULL && (problem->patch_count > 0 || problem->cell_count > 0)) {
+    if (problem != NULL && taut_film_is_complex(problem)) {
         return taut_film_complex_make(problem, options, model, error);
     }
     const taut_status status = check_problem(problem, error);

@@ -21,6 +21,7 @@
 #include "core/elementary/elementary.h"
 #include "core/fail.h"
 #include "core/vec3.h"
+#include "problem/film_complex.h"
 #include "problem/problem.h"
 
 #include <math.h>
@@ -662,7 +663,7 @@ static taut_status check_request(const taut_film_problem *problem,
 
 static taut_status check_kind(const taut_film_problem *problem, taut_error *error)
 {
-    if (problem->patch_count > 0 || problem->cell_count > 0) {
+    if (taut_film_is_complex(problem)) {
         return taut_gradient_refuse("films of many patches or with cells have no derivatives yet",
                                     error);
     }

@@ -121,6 +121,14 @@ static void add_pull(const taut_area_cable *cable, int node)
     }
 }
 
+void taut_area_cable_pull(taut_area_cable *cable)
+{
+    memset(cable->pull, 0, 3 * (size_t)cable->count * sizeof(double));
+    for (int k = 0; k < cable->nodes; k++) {
+        add_pull(cable, k);
+    }
+}
+
 double taut_area_cable_gradient(taut_area_cable *cable, const double *net, double *gradient)
 {
     taut_sum sum = {0, 0};

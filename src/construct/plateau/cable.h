@@ -37,7 +37,8 @@ typedef struct taut_area_cable {
     double *slope;       /* [nodes][local], over the unit interval */
     double *weight;      /* [nodes]: their sum is 1 */
     double *state;       /* [nodes][TAUT_AREA_CABLE_STATE] of the last gradient */
-    double *pull;        /* [count][3]: dL of the last gradient, where there is a stiffness */
+    double *
+        pull; /* [count][3]: dL of the last gradient, where there is a stiffness, or of taut_area_cable_pull */
 } taut_area_cable;
 
 /* local + extra nodes a span, in the arena. TAUT_NO_MEMORY. */
@@ -53,6 +54,8 @@ double taut_area_cable_energy(const taut_area_cable *cable, double length);
 double taut_area_cable_length(const taut_area_cable *cable, const double *net);
 /* The same; gradient += r dL, and the operators below are those of this net from now on. */
 double taut_area_cable_gradient(taut_area_cable *cable, const double *net, double *gradient);
+/* cable->pull = dL of the last gradient. */
+void taut_area_cable_pull(taut_area_cable *cable);
 /* product += (r ((1 - theta) d2L + theta metric) + k dL dL^T) direction. */
 void taut_area_cable_product(const taut_area_cable *cable, double theta, const double *direction,
                              double *product);

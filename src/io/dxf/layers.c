@@ -35,6 +35,20 @@ static const taut_record *find(const taut_record *list, const char *member, cons
     return NULL;
 }
 
+/* Is a cable along several edges along this one? */
+static int is_along(const taut_record *cables, const char *curve)
+{
+    for (size_t k = 0; cables != NULL && k < taut_record_count(cables); k++) {
+        const taut_record *along = list_of(taut_record_at(cables, k), "along");
+        for (size_t i = 0; along != NULL && i < taut_record_count(along); i++) {
+            if (strcmp(taut_record_text(taut_record_at(along, i)), curve) == 0) {
+                return 1;
+            }
+        }
+    }
+    return 0;
+}
+
 static void name_layer(const taut_record *details, const char *curve, size_t *next,
                        char name[NAME_ROOM])
 {
@@ -46,7 +60,8 @@ static void name_layer(const taut_record *details, const char *curve, size_t *ne
                  text_of(lath, "family"));
         return;
     }
-    if (find(list_of(details, "cables"), "edge", curve, &first) != NULL) {
+    const taut_record *cables = list_of(details, "cables");
+    if (find(cables, "edge", curve, &first) != NULL || is_along(cables, curve)) {
         plain = "cables";
     } else if (strncmp(curve, "axis", 4) == 0) {
         plain = "axes";

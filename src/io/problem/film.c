@@ -7,12 +7,10 @@
  *     "points":  [[P | null, ..], ..]             in place of corners; "start": a model
  *     SHAPE      { "arc": [P, Q, R] } | { "line": [P, R] } | { "circle": { "center", "normal", "radius", "start" } }
  *     LINE       { "point": P, "direction": D }    PLANE  { "point": P, "normal": N }
+ *     "cables":  [CABLE, ..]                      io/problem/film_along.h
  *     "images":  [IMAGE, ..]
  *     IMAGE      { "mirror": PLANE } | { "half_turn": LINE } | { "turn": LINE, "angle": t } | { "translate": V }; "count": k
  *     LAW        { "force": T } | { "length": L } | { "sag": f } | { "unstressed": L0, "stiffness": EA }
- *
- * Members and words that films will have are known by name and refused as not built yet, so that
- * nobody looks for a spelling mistake.
  */
 #include "taut/film.h"
 
@@ -22,6 +20,7 @@
 #include "io/model/basis.h"
 #include "io/model/surface.h"
 #include "io/problem/document_ops.h"
+#include "io/problem/film_along.h"
 #include "io/problem/film_curves.h"
 #include "io/problem/film_net.h"
 #include "io/problem/film_patches.h"
@@ -44,7 +43,6 @@ static const char *const members[] = {
     "least",         "patches",   "curves",    "boundary", "degree",         "count",
     "seams",         "cables",    "cells",     "images",   "start",          "refine",
     "force_density", "prestress", "reference", "updates",  "through",        NULL};
-static const char *const not_yet[] = {"cables", NULL};
 static const char *const corner_members[] = {"u0v0", "u1v0", "u0v1", "u1v1", NULL};
 static const char *const edge_members[] = {"u0", "u1", "v0", "v1", NULL};
 static const char *const kind_members[] = {"fixed",  "cable", "plane", "slide",
@@ -64,20 +62,6 @@ static taut_status refuse_yet(const taut_json *at, const char *what, taut_error 
 {
     return taut_json_fail(at, error, "not-yet", taut_none, taut_none,
                           "found %s, which films cannot have in this version: leave it out", what);
-}
-
-/* The first member of the list that is there. */
-static void refuse_members(taut_reader *in, const char *const *list)
-{
-    for (int k = 0; in->status == TAUT_OK && list[k] != NULL; k++) {
-        const taut_json at = taut_json_member(in->object, list[k]);
-        if (at.value != NULL) {
-            char what[64] = "\"";
-            strncat(what, list[k], sizeof what - 3);
-            strcat(what, "\"");
-            in->status = refuse_yet(&at, what, in->error);
-        }
-    }
 }
 
 static taut_status read_positive(const taut_json *at, void *value, taut_error *error)
@@ -222,34 +206,32 @@ static taut_status read_sag(const taut_json *at, void *value, taut_error *error)
 }
 
 /* Exactly one law: a force, a length, a sag, or an unstressed length with a stiffness. */
-static void read_law(taut_reader *in, taut_film_edge *edge)
+static void read_law(taut_reader *law, const taut_json *at, taut_film_edge *edge)
 {
-    const taut_json at = taut_json_member(in->object, "cable");
-    taut_reader law = taut_reader_inside(in, &at, law_members);
-    const int elastic = taut_reader_has(&law, "unstressed") || taut_reader_has(&law, "stiffness");
-    const int laws = taut_reader_has(&law, "force") + taut_reader_has(&law, "length") +
-                     taut_reader_has(&law, "sag") + elastic;
+    const int elastic = taut_reader_has(law, "unstressed") || taut_reader_has(law, "stiffness");
+    const int laws = taut_reader_has(law, "force") + taut_reader_has(law, "length") +
+                     taut_reader_has(law, "sag") + elastic;
 
-    if (law.status == TAUT_OK && laws != 1) {
-        law.status = taut_json_fail(&at, law.error, laws == 0 ? "missing" : "conflict", laws, 1,
-                                    "found %d laws of a cable, expected one: \"force\", "
-                                    "\"length\", \"sag\", or \"unstressed\" with \"stiffness\"",
-                                    laws);
+    if (law->status == TAUT_OK && laws != 1) {
+        law->status = taut_json_fail(at, law->error, laws == 0 ? "missing" : "conflict", laws, 1,
+                                     "found %d laws of a cable, expected one: \"force\", "
+                                     "\"length\", \"sag\", or \"unstressed\" with \"stiffness\"",
+                                     laws);
     }
+    edge->kind = TAUT_FILM_CABLE;
     if (elastic) {
         edge->law = TAUT_FILM_ELASTIC;
-        taut_reader_member(&law, "unstressed", read_positive, &edge->unstressed);
-        taut_reader_member(&law, "stiffness", read_positive, &edge->stiffness);
-    } else if (taut_reader_has(&law, "length")) {
+        taut_reader_member(law, "unstressed", read_positive, &edge->unstressed);
+        taut_reader_member(law, "stiffness", read_positive, &edge->stiffness);
+    } else if (taut_reader_has(law, "length")) {
         edge->law = TAUT_FILM_LENGTH;
-        taut_reader_member(&law, "length", read_positive, &edge->length);
-    } else if (taut_reader_has(&law, "sag")) {
+        taut_reader_member(law, "length", read_positive, &edge->length);
+    } else if (taut_reader_has(law, "sag")) {
         edge->law = TAUT_FILM_SAG;
-        taut_reader_member(&law, "sag", read_sag, &edge->sag);
+        taut_reader_member(law, "sag", read_sag, &edge->sag);
     } else {
-        taut_reader_member(&law, "force", read_positive, &edge->force);
+        taut_reader_member(law, "force", read_positive, &edge->force);
     }
-    in->status = law.status;
 }
 
 /* Points of a shape: `count` of them. */
@@ -402,9 +384,12 @@ static void read_pole(taut_reader *in)
 
 static void read_cable(taut_reader *in, taut_film_edge *edge)
 {
-    edge->kind = TAUT_FILM_CABLE;
+    const taut_json at = taut_json_member(in->object, "cable");
+    taut_reader law = taut_reader_inside(in, &at, law_members);
+
     edge->has_plane = (unsigned char)taut_reader_has(in, "plane");
-    read_law(in, edge);
+    read_law(&law, &at, edge);
+    in->status = law.status;
     if (edge->has_plane) {
         read_guide(in, "plane", plane_members, &edge->plane);
     }
@@ -758,19 +743,22 @@ static void refuse_without_curves(taut_reader *document)
 static void film_read(taut_reader *document, taut_problem *problem, void *into)
 {
     taut_film_problem *const data = into;
+    taut_film_parts parts = {.patches = data};
 
-    refuse_members(document, not_yet);
     refuse_without_curves(document);
     if (taut_reader_has(document, "patches")) {
         static const taut_film_patch_readers readers = {read_one, read_film_tension, read_cable};
-        taut_film_document_patches(document, problem, &readers, data);
+        taut_film_document_patches(document, problem, &readers, data, &parts);
     } else if (taut_reader_has(document, "curves") || taut_reader_has(document, "boundary")) {
         taut_member_name(document, problem->arena, &data->name);
         check_name(document, data->name);
         read_film_tension(document, data);
-        taut_film_document_curves(document, problem, read_curve, data);
+        taut_film_document_curves(document, problem, read_curve, data, &parts);
     } else {
         read_alone(document, problem, data);
+    }
+    if (taut_reader_has(document, "cables")) {
+        taut_film_document_along(document, problem, &parts, read_law, data);
     }
     read_images(document, problem->arena, data);
     if (taut_reader_has(document, "cells")) {

@@ -176,7 +176,7 @@ static taut_status make_one(reading *r, const taut_basis *basis, taut_film_probl
 }
 
 static taut_status make_round(reading *r, const taut_basis *basis, taut_film_problem *data,
-                              taut_error *error)
+                              taut_film_parts *parts, taut_error *error)
 {
     taut_arena *arena = r->problem->arena;
     const size_t n = (size_t)r->count;
@@ -209,12 +209,14 @@ static taut_status make_round(reading *r, const taut_basis *basis, taut_film_pro
     data->patch_count = data->seam_count = r->count;
     data->patches = patches;
     data->seams = seams;
+    *parts = (taut_film_parts){patches, seams};
     data->name = NULL;
     return status;
 }
 
 void taut_film_document_curves(taut_reader *document, taut_problem *problem,
-                               taut_film_curve_read *read, taut_film_problem *data)
+                               taut_film_curve_read *read, taut_film_problem *data,
+                               taut_film_parts *parts)
 {
     const int is_file = !taut_reader_has(document, "curves");
     const taut_json at = taut_json_member(document->object, "curves");
@@ -256,6 +258,6 @@ void taut_film_document_curves(taut_reader *document, taut_problem *problem,
     }
     if (document->status == TAUT_OK) {
         document->status = r.count == 4 ? make_one(&r, basis, data, document->error)
-                                        : make_round(&r, basis, data, document->error);
+                                        : make_round(&r, basis, data, parts, document->error);
     }
 }

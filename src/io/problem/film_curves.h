@@ -2,7 +2,7 @@
 #ifndef TAUT_IO_PROBLEM_FILM_CURVES_H
 #define TAUT_IO_PROBLEM_FILM_CURVES_H
 
-#include "io/problem/document_ops.h"
+#include "io/problem/film_patches.h"
 #include "taut/film.h"
 
 enum { TAUT_FILM_CURVES_MAX = 12 };
@@ -19,6 +19,7 @@ typedef void taut_film_curve_read(taut_reader *document, const taut_json *at, ta
  *
  * A curve is halved in the middle of its parameters. */
 void taut_film_document_curves(taut_reader *document, taut_problem *problem,
-                               taut_film_curve_read *read, taut_film_problem *data);
+                               taut_film_curve_read *read, taut_film_problem *data,
+                               taut_film_parts *parts);
 
 #endif /* TAUT_IO_PROBLEM_FILM_CURVES_H */

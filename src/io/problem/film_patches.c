@@ -74,31 +74,33 @@ static taut_status read_patch(const taut_json *at, void *into, taut_error *error
     return in.status;
 }
 
-static taut_status read_side(const reading *r, const taut_json *at, taut_film_side *side,
-                             taut_error *error)
+taut_status taut_film_document_side(const taut_json *at, const taut_film_problem *data,
+                                    taut_film_side *side, taut_error *error)
 {
-    const char *text = taut_json_text_at(at);
+    const char *text = taut_json_text_at(at),
+               *first = data->patch_count > 0 ? data->patches[0].name : "";
+    const char *join = data->patch_count > 0 ? "." : "";
 
     if (text == NULL) {
-        return taut_json_refuse(at, error, "type", "the name of an edge, \"NAME.u0\"");
+        return taut_json_refuse(at, error, "type", "the name of an edge, \"%s%su0\"", first, join);
     }
     side->reversed = text[0] == '-';
     text += side->reversed;
     const char *dot = strrchr(text, '.');
-    for (int p = 0; dot != NULL && p < r->count; p++) {
-        const size_t length = strlen(r->patches[p].name);
-        for (int e = 0; e < 4; e++) {
-            if (length == (size_t)(dot - text) && strncmp(r->patches[p].name, text, length) == 0 &&
-                strcmp(dot + 1, edge_names[e]) == 0) {
-                side->patch = p;
-                side->edge = e;
-                return TAUT_OK;
-            }
+    for (int k = 0; k < 4 * data->patch_count || (data->patch_count == 0 && k < 4); k++) {
+        const char *name = data->patch_count > 0 ? data->patches[k / 4].name : NULL;
+        const int is_patch = name == NULL ? dot == NULL
+                                          : dot != NULL && strlen(name) == (size_t)(dot - text) &&
+                                                strncmp(name, text, strlen(name)) == 0;
+        if (is_patch && strcmp(dot == NULL ? text : dot + 1, edge_names[k % 4]) == 0) {
+            side->patch = k / 4;
+            side->edge = k % 4;
+            return TAUT_OK;
         }
     }
     return taut_json_refuse(at, error, "name",
-                            "an edge of a patch, such as \"%s.u0\" or \"-%s.v1\"",
-                            r->patches[0].name, r->patches[0].name);
+                            "an edge of a patch, such as \"%s%su0\" or \"-%s%sv1\"", first, join,
+                            first, join);
 }
 
 static taut_status read_sides(const reading *r, const taut_json *at, taut_film_seam *seam,
@@ -117,7 +119,7 @@ static taut_status read_sides(const reading *r, const taut_json *at, taut_film_s
     }
     for (size_t k = 0; status == TAUT_OK && k < count; k++) {
         const taut_json item = taut_json_item(at, k);
-        status = read_side(r, &item, &sides[k], error);
+        status = taut_film_document_side(&item, r->data, &sides[k], error);
     }
     seam->count = (int)count;
     seam->sides = sides;
@@ -149,7 +151,8 @@ static taut_status read_seam(const taut_json *at, void *into, taut_error *error)
 }
 
 void taut_film_document_patches(taut_reader *document, taut_problem *problem,
-                                const taut_film_patch_readers *readers, taut_film_problem *data)
+                                const taut_film_patch_readers *readers, taut_film_problem *data,
+                                taut_film_parts *parts)
 {
     const taut_json patches = taut_json_member(document->object, "patches");
     const taut_json seams = taut_json_member(document->object, "seams");
@@ -183,6 +186,7 @@ void taut_film_document_patches(taut_reader *document, taut_problem *problem,
                                           read_seam, &r, document->error);
     }
     data->seams = r.seams;
+    *parts = (taut_film_parts){r.patches, r.seams};
 }
 
 /* ---- cells ---- */

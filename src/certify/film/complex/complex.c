@@ -8,7 +8,9 @@
  *   mirror      of edges in mirrors
  *   cables      how many numbers of the curves differ from the edges they are: 0
  *   volume      of cells of given volume: the largest difference from it over it; 1e-10
- *   stationary  as of one patch, over the nodes, of E - sum p V; pressures that are not given are those that leave the least
+ *   length      of cables of given length: the same
+ *   stationary  as of one patch, over the nodes, of E - sum p V; pressures and forces that are not given are those that leave the least;
+ *               forces must be above 0
  *   stable      lowest eigenvalue of the second variation over the moves, scaled; above 1e-6
  *   least       null: no bound is known of films of many patches
  *   equilibrium where it is asked for: the largest defect
@@ -23,6 +25,7 @@
 #include "core/fail.h"
 #include "core/vec3.h"
 #include "problem/film_cells.h"
+#include "problem/film_ropes.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -32,7 +35,7 @@ enum { RULES = 6, SECOND_EXTRA = 1, SECOND_CELLS = 4 /* volumes are of higher de
 static const int extra_nodes[RULES] = {4, 8, 15, 27, 48, 76};
 static const double tolerance_default = 1e-10, largest_limit = 1e-6, stable_limit = 1e-6,
                     kept_limit = 0x1p-47, /* 64 2^-53 */
-    volume_limit = 1e-10;
+    volume_limit = 1e-10, length_limit = 1e-10;
 static const char *const edge_names[4] = {"u0", "u1", "v0", "v1"};
 static const char *const corner_names[4] = {"u0v0", "u1v0", "u0v1", "u1v1"};
 
@@ -46,9 +49,10 @@ typedef struct request {
     double tolerance, size;
     int all; /* nonzero: all coordinates count, found by the method `full`, which folds some nets: these say `normal` */
     double residual;
-    int at;     /* the node of it */
-    double off; /* of given volumes */
-    int off_cell;
+    int at;                 /* the node of it */
+    double off, length_off; /* of given volumes, of given lengths */
+    int off_cell, off_rope;
+    int slack; /* a cable that is not drawn, or -1 */
     int settled;
     double lowest, lowest_user;
     int below;
@@ -371,6 +375,44 @@ static void judge_volumes(request *r, const taut_sheets *s)
     }
 }
 
+static void judge_ropes(request *r, const taut_sheets *s)
+{
+    r->length_off = 0;
+    r->slack = -1;
+    for (int k = 0; k < r->complex.rope_count; k++) {
+        const double given = taut_film_rope_length(&r->complex, k);
+        const double off = taut_film_rope_is_given(r->complex.ropes[k].edge)
+                               ? fabs((s->lengths[k] - given) / given)
+                               : 0;
+        if (!(off <= r->length_off)) {
+            r->length_off = off;
+            r->off_rope = k;
+        }
+        r->slack = s->forces[k] > 0 ? r->slack : k;
+    }
+}
+
+static taut_status add_length(const request *r, taut_certificate *certificate, taut_error *error)
+{
+    char where[TAUT_FILM_NAME] = "";
+    const taut_claim claim = {.claim = "length",
+                              .kind = TAUT_CHECK,
+                              .residual = r->length_off,
+                              .limit = length_limit,
+                              .holds = taut_certify_below(r->length_off, length_limit),
+                              .where = where};
+    int given = 0;
+
+    for (int k = 0; k < r->complex.rope_count; k++) {
+        given += taut_film_rope_is_given(r->complex.ropes[k].edge);
+    }
+    if (given == 0) {
+        return TAUT_OK;
+    }
+    taut_film_rope_name(&r->complex, r->off_rope, where);
+    return add(certificate, &claim, error);
+}
+
 static taut_status add_volume(const request *r, taut_certificate *certificate, taut_error *error)
 {
     char where[TAUT_FILM_NAME] = "";
@@ -405,6 +447,7 @@ static taut_status settle(request *r)
         if (status == TAUT_OK) {
             judge(r, &s);
             judge_volumes(r, &s);
+            judge_ropes(r, &s);
         }
         taut_arena_free(arena);
         if (status != TAUT_OK) {
@@ -439,6 +482,9 @@ static taut_status add_stationary(const request *r, taut_certificate *certificat
     claim.holds = taut_certify_below(claim.residual, claim.limit);
     if (claim.holds == TAUT_UNDECIDED) {
         snprintf(where, sizeof where, TAUT_CERTIFY_OUT_OF_RANGE);
+    } else if (r->slack >= 0) {
+        claim.holds = TAUT_FALSE;
+        snprintf(where, sizeof where, "a cable is slack");
     } else if (!r->settled) {
         claim.holds = TAUT_UNDECIDED;
         snprintf(where, sizeof where, "no Gauss rule settles the integrals");
@@ -526,9 +572,9 @@ static int has_slide(const taut_film_problem *problem)
 static taut_status fill_figures(const request *r, taut_record *figures,
                                 taut_certificate *certificate, taut_error *error)
 {
-    const int patches = r->problem->patch_count, strands = r->complex.strand_count;
+    const int patches = r->problem->patch_count, ropes = r->complex.rope_count;
     taut_sheets s;
-    double *numbers = taut_arena_take(r->arena, (size_t)strands, 2 * sizeof(double));
+    double *sags = taut_arena_take(r->arena, (size_t)ropes, sizeof(double));
     double *pressures = taut_arena_take(r->arena, (size_t)r->problem->cell_count, sizeof(double));
     double *forces = taut_arena_take(r->arena, (size_t)r->complex.nodes, 3 * sizeof(double));
     unsigned char *seen = taut_arena_take(r->arena, (size_t)r->complex.nodes, 1);
@@ -542,10 +588,14 @@ static taut_status fill_figures(const request *r, taut_record *figures,
         area += s.areas[p];
         energy += s.shares[p] * s.tension * s.areas[p];
     }
-    for (int k = 0; k < strands; k++) {
-        numbers[k] = r->complex.strands[k].edge->force;
-        numbers[strands + k] = taut_complex_sag(&s, k);
-        energy += numbers[k] * s.lengths[k];
+    for (int k = 0; k < ropes; k++) {
+        const taut_film_edge *law = r->complex.ropes[k].edge;
+        const double longer = fmax(0, s.lengths[k] - law->unstressed);
+        sags[k] = taut_complex_sag(&s, k);
+        energy += law->law == TAUT_FILM_FORCE ? law->force * s.lengths[k]
+                  : law->law == TAUT_FILM_ELASTIC
+                      ? law->stiffness * longer * longer / (2 * law->unstressed)
+                      : 0;
     }
     for (int k = 0; k < r->problem->cell_count; k++) {
         const taut_film_cell *cell = &r->problem->cells[k];
@@ -556,9 +606,9 @@ static taut_status fill_figures(const request *r, taut_record *figures,
     taut_record_add_number(figures, "energy", energy);
     taut_record_add_number(figures, "area", area);
     taut_record_add_numbers(figures, "areas", patches, s.areas);
-    taut_record_add_numbers(figures, "lengths", strands, s.lengths);
-    taut_record_add_numbers(figures, "tensions", strands, numbers);
-    taut_record_add_numbers(figures, "sags", strands, numbers + strands);
+    taut_record_add_numbers(figures, "lengths", ropes, s.lengths);
+    taut_record_add_numbers(figures, "tensions", ropes, s.forces);
+    taut_record_add_numbers(figures, "sags", ropes, sags);
     if (r->problem->cell_count > 0) {
         taut_record_add_numbers(figures, "volumes", r->problem->cell_count, s.volumes);
         taut_record_add_numbers(figures, "pressures", r->problem->cell_count, pressures);
@@ -569,7 +619,7 @@ static taut_status fill_figures(const request *r, taut_record *figures,
     }
     const taut_complex_defects d = taut_complex_defects_of(&s);
     taut_record_add_number(figures, "mean_curvature", d.mean);
-    if (strands > 0) {
+    if (ropes > 0) {
         taut_record_add_number(figures, "cable_geodesic", d.geodesic);
         taut_record_add_number(figures, "cable_normal", d.normal);
     }
@@ -642,6 +692,9 @@ static taut_status prove(request *r, taut_certificate *certificate, taut_error *
     }
     if (status == TAUT_OK) {
         status = add_volume(r, certificate, error);
+    }
+    if (status == TAUT_OK) {
+        status = add_length(r, certificate, error);
     }
     if (status == TAUT_OK) {
         status = add_stationary(r, certificate, error);

@@ -68,6 +68,17 @@ static double tension_of(const taut_sheets *s, int p)
     return s->shares[p] * s->tension;
 }
 
+/* What the cable along an edge, or the seam that it is in, draws with. */
+static double force_of(const taut_sheets *s, const taut_film_edge *edge)
+{
+    const taut_film_complex *c = s->complex;
+    int k = 0;
+    while (c->strands[k].edge != edge) {
+        k++;
+    }
+    return s->forces[c->strands[k].rope];
+}
+
 /* Without its part along a plane's normal. */
 static void into_plane(const taut_film_edge *edge, double x[3])
 {
@@ -90,7 +101,7 @@ static double seam_at(const taut_sheets *s, const taut_film_seam *seam, double p
         taut_add_scaled(tension, at.nu, sum);
         largest = fmax(largest, tension);
         if (k == 0 && seam->edge.kind == TAUT_FILM_CABLE) {
-            taut_add_scaled(-seam->edge.force, at.bend, sum);
+            taut_add_scaled(-force_of(s, &seam->edge), at.bend, sum);
         }
     }
     if (seam->edge.kind == TAUT_FILM_CABLE && seam->edge.has_plane) {
@@ -110,7 +121,7 @@ static void edge_at(const taut_sheets *s, const taut_film_side *side, double par
         into_plane(edge, at.nu); /* nu - (nu . N) N */
         d->slide = taut_certify_max(taut_norm(at.nu), d->slide);
     } else if (edge->kind == TAUT_FILM_CABLE) {
-        const double radius = edge->force / tension_of(s, side->patch);
+        const double radius = force_of(s, edge) / tension_of(s, side->patch);
         if (edge->has_plane) {
             into_plane(edge, at.nu);
             for (int k = 0; k < 3; k++) {
@@ -174,30 +185,54 @@ void taut_complex_pulls(const taut_sheets *sheets, double *forces)
         for (int end = 0; end < 2; end++) {
             double t[3];
             leave_end(sheets, side, end, t);
-            taut_add_scaled(c->strands[k].edge->force, t,
+            taut_add_scaled(sheets->forces[c->strands[k].rope], t,
                             forces + 3 * taut_film_complex_node(c, side, end * last));
         }
     }
 }
 
-double taut_complex_sag(const taut_sheets *sheets, int strand)
+/* The place of part `at` of a strand. */
+static void find_place(const taut_sheets *s, const taut_film_side *side, double at, double x[3])
 {
-    const taut_film_side *side = &sheets->complex->strands[strand].side;
-    double ends[2][TAUT_SURFACE_VECTORS(0)][3], chord[3], largest = 0;
+    double values[TAUT_SURFACE_VECTORS(0)][3];
     const int e = side->edge;
+    look(s, side->patch, e < 2 ? e : at, e < 2 ? at : e - 2, 0, values);
+    memcpy(x, values[0], 3 * sizeof(double));
+}
 
-    for (int end = 0; end < 2; end++) {
-        look(sheets, side->patch, e < 2 ? e : end, e < 2 ? end : e - 2, 0, ends[end]);
+/* Where a node is. */
+static void find_node(const taut_sheets *s, int rope, int end, double x[3])
+{
+    const taut_film_complex *c = s->complex;
+
+    for (int k = 0; k < c->strand_count; k++) {
+        const taut_film_side *side = &c->strands[k].side;
+        const int last = taut_film_complex_along(&c->problem->patches[side->patch], side->edge) - 1;
+        for (int at = 0; c->strands[k].rope == rope && at < 2; at++) {
+            if (taut_film_complex_node(c, side, at * last) == c->ropes[rope].ends[end]) {
+                find_place(s, side, at, x);
+            }
+        }
     }
-    taut_difference(ends[1][0], ends[0][0], chord);
+}
+
+double taut_complex_sag(const taut_sheets *sheets, int rope)
+{
+    const taut_film_complex *c = sheets->complex;
+    double first[3] = {0, 0, 0}, last[3] = {0, 0, 0}, chord[3], largest = 0;
+
+    find_node(sheets, rope, 0, first);
+    find_node(sheets, rope, 1, last);
+    taut_difference(last, first, chord);
     const double length = taut_norm(chord);
-    for (int k = 1; length > 0 && k < SAMPLES; k++) {
-        double x[TAUT_SURFACE_VECTORS(0)][3], from[3], across[3];
-        const double at = (double)k / SAMPLES;
-        look(sheets, side->patch, e < 2 ? e : at, e < 2 ? at : e - 2, 0, x);
-        taut_difference(x[0], ends[0][0], from);
-        taut_cross(from, chord, across);
-        largest = taut_certify_max(taut_norm(across) / length / length, largest);
+    for (int k = 0; k < c->strand_count * SAMPLES && length > 0; k++) {
+        double x[3], from[3], across[3];
+        if (c->strands[k / SAMPLES].rope == rope) {
+            find_place(sheets, &c->strands[k / SAMPLES].side, (double)(k % SAMPLES) / SAMPLES, x);
+            taut_difference(x, first, from);
+            taut_cross(from, chord, across);
+            largest = taut_certify_max(taut_norm(across) / length / length, largest);
+        }
     }
     return largest;
 }

@@ -21,7 +21,7 @@ taut_complex_defects taut_complex_defects_of(const taut_sheets *sheets);
 
 /* forces[nodes][3]: what the cables that end in a node pull it with, in the user's unit. */
 void taut_complex_pulls(const taut_sheets *sheets, double *forces);
-/* The largest distance of a strand from its chord over the chord; 0 where it closes. */
-double taut_complex_sag(const taut_sheets *sheets, int strand);
+/* The largest distance of a cable from its chord over the chord; 0 where it closes. */
+double taut_complex_sag(const taut_sheets *sheets, int rope);
 
 #endif /* TAUT_CERTIFY_FILM_COMPLEX_DEFECTS_H */

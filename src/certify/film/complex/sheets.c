@@ -7,6 +7,7 @@
 #include "numeric/quadrature.h"
 #include "numeric/sum.h"
 #include "problem/film_cells.h"
+#include "problem/film_ropes.h"
 
 #include <math.h>
 #include <string.h>
@@ -147,7 +148,8 @@ static void find_slope(const taut_sheets *s, const taut_film_side *side, int nod
     }
 }
 
-static void add_strand(taut_sheets *s, int k)
+/* dL of a strand, to `to` double[nodes][3], `ratio` times; its length. */
+static double add_strand(taut_sheets *s, int k, double ratio, double *to)
 {
     const taut_film_side *side = &s->complex->strands[k].side;
     const taut_sheet_axis *axis = &s->axes[2 * side->patch + (side->edge < 2)];
@@ -160,13 +162,48 @@ static void add_strand(taut_sheets *s, int k)
         taut_sum_add(&length, axis->weights[n] * speed);
         for (int i = 0; i < axis->table->local; i++) {
             const int node = taut_film_complex_node(s->complex, side, axis->table->first[n] + i);
-            taut_add_scaled(s->ratios[k] * axis->weights[n] * taut_table_row(axis->table, n, 1)[i] /
-                                speed,
-                            d, s->gradient + 3 * node);
+            taut_add_scaled(ratio * axis->weights[n] * taut_table_row(axis->table, n, 1)[i] / speed,
+                            d, to + 3 * node);
         }
     }
-    s->lengths[k] = ldexp(taut_sum_total(&length), s->unit);
-    s->largest = taut_certify_max(s->ratios[k], s->largest);
+    return ldexp(taut_sum_total(&length), s->unit);
+}
+
+/* Cables whose force is given or follows from their length; stretches of the others, and of elastic ones. */
+static taut_status add_ropes(taut_sheets *s)
+{
+    const taut_film_complex *c = s->complex;
+
+    for (int r = 0; r < c->rope_count; r++) {
+        if (c->ropes[r].edge->law != TAUT_FILM_FORCE) {
+            s->stretches[r] = taut_arena_take(s->arena, (size_t)c->nodes, 3 * sizeof(double));
+        } else {
+            s->forces[r] = c->ropes[r].edge->force;
+            s->ratios[r] = ldexp(s->forces[r] / s->tension, -s->unit);
+        }
+    }
+    if (taut_arena_status(s->arena) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    for (int k = 0; k < c->strand_count; k++) {
+        const int r = c->strands[k].rope, stretches = s->stretches[r] != NULL;
+        s->lengths[r] += add_strand(s, k, stretches ? 1 : s->ratios[r],
+                                    stretches ? s->stretches[r] : s->gradient);
+    }
+    for (int r = 0; r < c->rope_count; r++) {
+        const taut_film_edge *law = c->ropes[r].edge;
+        if (law->law == TAUT_FILM_ELASTIC) {
+            const double longer = s->lengths[r] - law->unstressed;
+            s->forces[r] = fmax(0, law->stiffness * longer / law->unstressed);
+            s->ratios[r] = ldexp(s->forces[r] / s->tension, -s->unit);
+            s->springs[r] = longer > 0 ? law->stiffness / law->unstressed / s->tension : 0;
+            for (int i = 0; i < 3 * c->nodes; i++) {
+                s->gradient[i] += s->ratios[r] * s->stretches[r][i];
+            }
+        }
+        s->largest = taut_certify_max(s->ratios[r], s->largest);
+    }
+    return TAUT_OK;
 }
 
 /* ---- moves ---- */
@@ -297,32 +334,62 @@ static void solve_small(int m, const double *s, double *x)
     }
 }
 
-/* Cells of given volume: cell[..]; how many. */
-static int find_given(const taut_film_problem *problem, int cell[TAUT_FILM_CELLS_MAX])
-{
-    int count = 0;
-    for (int k = 0; k < problem->cell_count; k++) {
-        if (problem->cells[k].has_volume) {
-            cell[count++] = k;
-        }
-    }
-    return count;
-}
+/* What is kept: cells of given volume, cables of given length, and, with springs, elastic ones. */
+typedef struct kept {
+    int count, cells;
+    int *which; /* [count]: cell, rope */
+} kept;
 
-static double swell_along(const taut_sheets *s, int cell, int node, int move)
-{
-    return taut_dot(s->way + 3 * move, s->swells + 3 * (cell * s->complex->nodes + node));
-}
-
-/* Least squares of the derivatives along moves, g - sum p dV. */
-static taut_status find_pressures(taut_sheets *s)
+static taut_status find_kept(const taut_sheets *s, int with_springs, taut_arena *arena, kept *k)
 {
     const taut_film_complex *c = s->complex;
-    int cell[TAUT_FILM_CELLS_MAX];
-    const int m = find_given(c->problem, cell);
-    double p[TAUT_FILM_CELLS_MAX] = {0};
-    double *square = taut_arena_take(s->arena, (size_t)m * (size_t)m, sizeof(double));
 
+    *k = (kept){.which = taut_arena_take(
+                    arena, (size_t)c->problem->cell_count + (size_t)c->rope_count, sizeof(int))};
+    if (k->which == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    for (int i = 0; i < c->problem->cell_count; i++) {
+        if (c->problem->cells[i].has_volume) {
+            k->which[k->cells++] = i;
+        }
+    }
+    k->count = k->cells;
+    for (int r = 0; r < c->rope_count; r++) {
+        if (taut_film_rope_is_given(c->ropes[r].edge) || (with_springs && s->springs[r] > 0)) {
+            k->which[k->count++] = r;
+        }
+    }
+    return TAUT_OK;
+}
+
+/* dV or -dL of row i: [nodes][3], with its sign. */
+static const double *row_of(const taut_sheets *s, const kept *k, int i, double *sign)
+{
+    *sign = i < k->cells ? 1 : -1;
+    return i < k->cells ? s->swells + 3 * (size_t)k->which[i] * (size_t)s->complex->nodes
+                        : s->stretches[k->which[i]];
+}
+
+static double row_along(const taut_sheets *s, const kept *k, int i, int node, int move)
+{
+    double sign = 1;
+    const double *row = row_of(s, k, i, &sign);
+    return sign * taut_dot(s->way + 3 * move, row + 3 * node);
+}
+
+/* Least squares of the derivatives along moves, g - sum p dV + sum r dL. */
+static taut_status find_multipliers(taut_sheets *s)
+{
+    const taut_film_complex *c = s->complex;
+    kept held;
+
+    if (find_kept(s, 0, s->arena, &held) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    const int m = held.count;
+    double *p = taut_arena_take(s->arena, (size_t)m, sizeof(double));
+    double *square = taut_arena_take(s->arena, (size_t)m * (size_t)m, sizeof(double));
     if (taut_arena_status(s->arena) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
@@ -337,10 +404,10 @@ static taut_status find_pressures(taut_sheets *s)
         for (int move = s->first[a]; move < s->first[a + 1]; move++) {
             const double g = taut_dot(s->way + 3 * move, s->gradient + 3 * a);
             for (int i = 0; i < m; i++) {
-                const double along = swell_along(s, cell[i], a, move);
+                const double along = row_along(s, &held, i, a, move);
                 p[i] += along * g;
                 for (int j = 0; j <= i; j++) {
-                    square[i * m + j] += along * swell_along(s, cell[j], a, move);
+                    square[i * m + j] += along * row_along(s, &held, j, a, move);
                 }
             }
         }
@@ -348,9 +415,17 @@ static taut_status find_pressures(taut_sheets *s)
     (void)factor_small(m, square);
     solve_small(m, square, p);
     for (int i = 0; i < m; i++) {
-        s->pressures[cell[i]] = p[i];
+        double sign = 1;
+        const double *row = row_of(s, &held, i, &sign);
         for (int k = 0; k < 3 * c->nodes; k++) {
-            s->gradient[k] -= p[i] * s->swells[3 * cell[i] * c->nodes + k];
+            s->gradient[k] -= p[i] * sign * row[k];
+        }
+        if (i < held.cells) {
+            s->pressures[held.which[i]] = p[i];
+        } else {
+            s->ratios[held.which[i]] = p[i];
+            s->forces[held.which[i]] = s->tension * ldexp(p[i], s->unit);
+            s->largest = taut_certify_max(p[i], s->largest);
         }
     }
     for (int q = 0; q < c->problem->patch_count; q++) {
@@ -385,12 +460,16 @@ taut_status taut_sheets_new(const taut_film_complex *complex, const taut_surface
 {
     taut_sheets *const s = sheets;
     const size_t patches = (size_t)complex->problem->patch_count, nodes = (size_t)complex->nodes,
-                 strands = (size_t)complex->strand_count;
+                 ropes = (size_t)complex->rope_count;
 
     *s = (taut_sheets){.arena = arena, .complex = complex, .surfaces = surfaces};
     s->points = taut_arena_take(arena, (size_t)complex->points, 3 * sizeof(double));
     s->shares = taut_arena_take(arena, patches, sizeof(double));
-    s->ratios = taut_arena_take(arena, strands, sizeof(double));
+    s->ratios = taut_arena_take(arena, ropes, sizeof(double));
+    s->forces = taut_arena_take(arena, ropes, sizeof(double));
+    s->springs = taut_arena_take(arena, ropes, sizeof(double));
+    s->stretches = taut_arena_take(arena, ropes, sizeof *s->stretches);
+    s->lengths = taut_arena_take(arena, ropes, sizeof(double));
     s->axes = taut_arena_take(arena, patches, 2 * sizeof *s->axes);
     s->gradient = taut_arena_take(arena, nodes, 3 * sizeof(double));
     s->moments = taut_arena_take(arena, nodes, 3 * sizeof(double));
@@ -400,7 +479,6 @@ taut_status taut_sheets_new(const taut_film_complex *complex, const taut_surface
     s->pressures = taut_arena_take(arena, cells, sizeof(double));
     s->pull = taut_arena_take(arena, patches, sizeof(double));
     s->areas = taut_arena_take(arena, patches, sizeof(double));
-    s->lengths = taut_arena_take(arena, strands, sizeof(double));
     double *local = taut_arena_take(arena, (size_t)complex->points, 6 * sizeof(double));
     taut_status status = taut_arena_status(arena);
     for (size_t k = 0; status == TAUT_OK && k < 2 * patches; k++) {
@@ -418,12 +496,11 @@ taut_status taut_sheets_new(const taut_film_complex *complex, const taut_surface
         s->shares[p] = (tension > 0 ? tension : 1) / s->tension;
         add_patch(s, (int)p, local);
     }
-    for (size_t k = 0; k < strands; k++) {
-        s->ratios[k] = ldexp(complex->strands[k].edge->force / s->tension, -s->unit);
-        add_strand(s, (int)k);
+    status = add_ropes(s);
+    if (status == TAUT_OK) {
+        status = find_moves(s);
     }
-    status = find_moves(s);
-    return status == TAUT_OK && cells > 0 ? find_pressures(s) : status;
+    return status == TAUT_OK ? find_multipliers(s) : status;
 }
 
 /* ---- the second variation ---- */
@@ -674,7 +751,7 @@ static void add_lines(const taut_sheets *s, const envelope *e)
     const taut_film_problem *problem = c->problem;
 
     for (int k = 0; k < c->strand_count; k++) {
-        add_line(s, &c->strands[k].side, s->ratios[k], e);
+        add_line(s, &c->strands[k].side, s->ratios[c->strands[k].rope], e);
     }
     for (int p = 0; p < problem->patch_count; p++) {
         for (int k = 0; k < 4; k++) {
@@ -763,21 +840,30 @@ static double dot(int n, const double *x, const double *y)
     return sum;
 }
 
-/* What given volumes hold: rows of dV in the order of the envelope, and what the last factor makes of them. */
+/* What given volumes and lengths hold, and springs stiffen: rows of dV and -dL in the order of the envelope, and what the last factor
+ * makes of them. A spring adds k dL dL' to K, which is a row with 1 / k on the diagonal of s (Woodbury). */
 typedef struct border {
     int count;
-    double *c; /* [count][rows] */
-    double *z; /* [count][rows]: (K - shift M)^-1 c */
-    double *s; /* [count][count]: c z, factored */
+    double *springs; /* [count]: 1 / k; 0 where nothing gives way */
+    double *c;       /* [count][rows] */
+    double *z;       /* [count][rows]: (K - shift M)^-1 c */
+    double *s;       /* [count][count]: c z + springs, factored */
+    double *p;       /* [count]: scratch */
 } border;
 
 static taut_status make_border(const taut_sheets *s, const envelope *e, taut_arena *arena,
                                border *b)
 {
-    int given[TAUT_FILM_CELLS_MAX];
     const size_t rows = (size_t)e->rows;
-    b->count = find_given(s->complex->problem, given);
+    kept held;
+
+    if (find_kept(s, 1, arena, &held) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    b->count = held.count;
     const size_t count = (size_t)b->count;
+    b->springs = taut_arena_take(arena, count, sizeof(double));
+    b->p = taut_arena_take(arena, count, sizeof(double));
 
     b->c = taut_arena_take(arena, count * rows, sizeof(double));
     b->z = taut_arena_take(arena, count * rows, sizeof(double));
@@ -785,17 +871,21 @@ static taut_status make_border(const taut_sheets *s, const envelope *e, taut_are
     if (taut_arena_status(arena) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
+    for (int i = held.cells; i < held.count; i++) {
+        const double k = s->springs[held.which[i]];
+        b->springs[i] = k > 0 ? 1 / k : 0;
+    }
     for (int a = 0; a < s->complex->nodes; a++) {
         for (int move = s->first[a]; move < s->first[a + 1]; move++) {
             for (int i = 0; i < b->count; i++) {
-                b->c[(size_t)i * rows + (size_t)e->row[move]] = swell_along(s, given[i], a, move);
+                b->c[(size_t)i * rows + (size_t)e->row[move]] = row_along(s, &held, i, a, move);
             }
         }
     }
     return TAUT_OK;
 }
 
-/* As factor, of what volumes leave: negative pivots there are fewer by as many as volumes take (Haynsworth). */
+/* As factor, of what the border leaves: negative pivots there are fewer by as many as its rows take (Haynsworth). */
 static int factor_held(const envelope *e, const border *b, double shift)
 {
     const int negative = factor(e, shift);
@@ -805,16 +895,17 @@ static int factor_held(const envelope *e, const border *b, double shift)
         memcpy(z, b->c + (size_t)i * (size_t)e->rows, (size_t)e->rows * sizeof(double));
         solve(e, z);
         for (int j = 0; j <= i; j++) {
-            b->s[i * b->count + j] = dot(e->rows, b->c + (size_t)j * (size_t)e->rows, z);
+            b->s[i * b->count + j] =
+                dot(e->rows, b->c + (size_t)j * (size_t)e->rows, z) + (i == j ? b->springs[i] : 0);
         }
     }
     return negative + factor_small(b->count, b->s) - b->count;
 }
 
-/* x is made one that keeps volumes, by what (K - shift M)^-1 does to them. */
-static void hold_volumes(const envelope *e, const border *b, double *x)
+/* x, a solution without the border, is made one with it. */
+static void hold(const envelope *e, const border *b, double *x)
 {
-    double p[TAUT_FILM_CELLS_MAX];
+    double *const p = b->p;
 
     for (int i = 0; i < b->count; i++) {
         p[i] = dot(e->rows, b->c + (size_t)i * (size_t)e->rows, x);
@@ -825,6 +916,17 @@ static void hold_volumes(const envelope *e, const border *b, double *x)
             x[k] -= p[i] * b->z[(size_t)i * (size_t)e->rows + (size_t)k];
         }
     }
+}
+
+/* x' (sum k dL dL') x. */
+static double stored_in(const envelope *e, const border *b, const double *x)
+{
+    double sum = 0;
+    for (int i = 0; i < b->count; i++) {
+        const double along = dot(e->rows, b->c + (size_t)i * (size_t)e->rows, x);
+        sum += b->springs[i] > 0 ? along * along / b->springs[i] : 0;
+    }
+    return sum;
 }
 
 /* Shifts fall until nothing lies below; then powers of (K - shift M)^-1 M. */
@@ -851,12 +953,12 @@ static taut_status iterate(const envelope *e, const border *b, taut_arena *arena
     for (int k = 0; k < STEPS; k++) {
         multiply(e, e->m, x, y);
         solve(e, y);
-        hold_volumes(e, b, y);
+        hold(e, b, y);
         memcpy(x, y, rows * sizeof(double));
         multiply(e, e->m, x, y);
         const double mass = dot(e->rows, x, y);
         multiply(e, e->k, x, y);
-        const double found = dot(e->rows, x, y) / mass;
+        const double found = (dot(e->rows, x, y) + stored_in(e, b, x)) / mass;
         for (size_t i = 0; i < rows; i++) {
             x[i] /= sqrt(mass);
         }

@@ -1,11 +1,11 @@
 /* sheets.h -- a film of many patches at Gauss nodes of the certificate's own: its derivatives by nodes of the
  * complex (problem/film_complex.h), the moves that it sees, and the second variation over these.
  *
- *     E / s    = sum (s_i / s) A_i + sum r_k L_k,      s the tension of the first patch
+ *     E / s    = sum (s_i / s) A_i + sum C_k,          s the tension of the first patch; C_k of cables of given length 0
  *     V        = 1/3 iint (x - from) . (x_u x x_v),    by parts dV = iint d . (x_u x x_v) along all that is free, since cells
  *                are closed or their rims held or in planes through `from` (problem/film_cells.h)
- *     pressure given, or that which leaves the least of the derivatives of E along moves
- *     gradient of E - sum p V
+ *     pressure given, or that which leaves the least of the derivatives of E along moves; so are forces of given lengths
+ *     gradient of E + sum r L - sum p V over given lengths and all cells
  *     inside   one move, along sum over sheets of n_a = iint N_a x_u x x_v, each sheet's turned to the side of the first one's
  *     line     across the tangent at the Greville abscissa, as far as planes leave it
  *     vertex   all that planes leave
@@ -32,16 +32,19 @@ typedef struct taut_sheets {
     double half;                         /* half the size, unscaled */
     double *points;                      /* [points][3], scaled, patch by patch */
     double *shares;                      /* [patch_count] */
-    double *ratios;                      /* [strand_count] */
-    double tension;                      /* of the first patch */
-    taut_sheet_axis *axes;               /* [patch_count][2] */
-    double *gradient;                    /* [nodes][3]: of E - sum p V */
-    double *swells;                      /* [cell_count][nodes][3]: dV */
-    double *volumes;                     /* [cell_count], unscaled */
-    double *pressures;                   /* [cell_count], over s, scaled */
-    double *pull;                        /* [patch_count]: sum of +-p, the same */
-    double *moments;                     /* [nodes][3] */
-    double *areas, *lengths;             /* unscaled */
+    double *ratios;                      /* [rope_count]: what cables draw with */
+    double *forces;                      /* [rope_count]: the same in the user's unit */
+    double *springs;         /* [rope_count]: k of elastic cables that are drawn, scaled; else 0 */
+    double **stretches;      /* [rope_count]: [nodes][3], dL; NULL of given forces */
+    double tension;          /* of the first patch */
+    taut_sheet_axis *axes;   /* [patch_count][2] */
+    double *gradient;        /* [nodes][3] */
+    double *swells;          /* [cell_count][nodes][3]: dV */
+    double *volumes;         /* [cell_count], unscaled */
+    double *pressures;       /* [cell_count], over s, scaled */
+    double *pull;            /* [patch_count]: sum of +-p, the same */
+    double *moments;         /* [nodes][3] */
+    double *areas, *lengths; /* [patch_count], [rope_count], unscaled */
     double
         largest; /* coordinate of a derivative of the sheets alone; force of a cable where that is more */
     int moves;
@@ -53,7 +56,7 @@ typedef struct taut_sheets {
 taut_status taut_sheets_new(const taut_film_complex *complex, const taut_surface *const *surfaces,
                             int extra, taut_arena *arena, taut_sheets *sheets);
 
-/* The lowest eigenvalue of K x = lambda M x where given volumes stay, in tension over length squared times size^2, and how many are not above `limit`.
+/* The lowest eigenvalue of K x = lambda M x where given volumes and lengths stay, in tension over length squared times size^2, and how many are not above `limit`.
  * TAUT_NO_MEMORY; TAUT_NOT_CONVERGED: too large, or no eigenvalue is found: *below is -1. */
 taut_status taut_sheets_lowest(const taut_sheets *sheets, double limit, double *lowest, int *below);
 

@@ -2,9 +2,29 @@
 
 #include <math.h>
 
-static const double *swell_of(const taut_film_border *b, const taut_film_energy *e, int i)
+const double *taut_film_border_row(const taut_film_border *border, const taut_film_energy *energy,
+                                   int i)
 {
-    return e->swells + 3 * (size_t)b->cell[i] * (size_t)e->layout->complex.nodes;
+    const size_t nodes = (size_t)energy->layout->complex.nodes;
+    return i < border->cells ? energy->swells + 3 * (size_t)border->which[i] * nodes
+                             : energy->stretches[border->which[i]];
+}
+
+static double stiffness_of(const taut_film_border *b, const taut_film_energy *e, int i)
+{
+    return taut_film_law_stiffness(&e->layout->drawn[b->which[i]], e->soft);
+}
+
+int taut_film_border_is_spring(const taut_film_border *border, const taut_film_energy *energy,
+                               int i)
+{
+    return i >= border->cells && stiffness_of(border, energy, i) > 0;
+}
+
+/* A spring that is slack does nothing. */
+static int is_slack(const taut_film_border *b, const taut_film_energy *e, int i)
+{
+    return taut_film_border_is_spring(b, e, i) && !(e->forces[b->which[i]] > 0);
 }
 
 static double dot(const taut_film_energy *e, const double *x, const double *y)
@@ -19,27 +39,31 @@ static double dot(const taut_film_energy *e, const double *x, const double *y)
 taut_status taut_film_border_new(const taut_film_layout *layout, taut_arena *arena,
                                  taut_film_border *border)
 {
-    const taut_film_problem *problem = layout->complex.problem;
-    size_t count = 0;
+    const taut_film_complex *c = &layout->complex;
+    const size_t most = (size_t)c->problem->cell_count + (size_t)c->rope_count;
 
-    for (int k = 0; k < problem->cell_count; k++) {
-        count += problem->cells[k].has_volume != 0;
-    }
-    *border = (taut_film_border){.count = (int)count};
-    border->cell = taut_arena_take(arena, count, sizeof(int));
-    border->p = taut_arena_take(arena, count, sizeof(double));
-    border->z = taut_arena_take(arena, count * (size_t)layout->complex.nodes, 3 * sizeof(double));
-    border->s = taut_arena_take(arena, count * count, sizeof(double));
-    border->excess = taut_arena_take(arena, count, sizeof(double));
-    if (taut_arena_status(arena) != TAUT_OK) {
+    *border = (taut_film_border){.which = taut_arena_take(arena, most, sizeof(int))};
+    if (border->which == NULL) {
         return TAUT_NO_MEMORY;
     }
-    for (int k = 0, i = 0; k < problem->cell_count; k++) {
-        if (problem->cells[k].has_volume) {
-            border->cell[i++] = k;
+    for (int k = 0; k < c->problem->cell_count; k++) {
+        if (c->problem->cells[k].has_volume) {
+            border->which[border->cells++] = k;
         }
     }
-    return TAUT_OK;
+    border->count = border->cells;
+    for (int k = 0; k < c->rope_count; k++) {
+        if (layout->drawn[k].law != TAUT_FILM_FORCE) {
+            border->which[border->count++] = k;
+        }
+    }
+    const size_t count = (size_t)border->count;
+    border->p = taut_arena_take(arena, count, sizeof(double));
+    border->z = taut_arena_take(arena, count * (size_t)c->nodes, 3 * sizeof(double));
+    border->s = taut_arena_take(arena, count * count, sizeof(double));
+    border->excess = taut_arena_take(arena, count, sizeof(double));
+    border->springs = taut_arena_take(arena, count, sizeof(double));
+    return taut_arena_status(arena);
 }
 
 double taut_film_border_look(taut_film_border *border, const taut_film_energy *energy)
@@ -47,8 +71,12 @@ double taut_film_border_look(taut_film_border *border, const taut_film_energy *e
     double largest = 0;
 
     for (int i = 0; i < border->count; i++) {
-        const double given = energy->layout->volumes[border->cell[i]];
-        border->excess[i] = energy->volumes[border->cell[i]] - given;
+        const int k = border->which[i];
+        const double given =
+            i < border->cells ? energy->layout->volumes[k] : energy->layout->drawn[k].length;
+        border->excess[i] = taut_film_border_is_spring(border, energy, i) ? 0
+                            : i < border->cells ? energy->volumes[k] - given
+                                                : energy->lengths[k] - given;
         largest = fmax(largest, fabs(border->excess[i] / given));
     }
     return largest;
@@ -62,10 +90,22 @@ int taut_film_border_factor(taut_film_border *border, const taut_film_energy *en
 
     for (int i = 0; i < m; i++) {
         double *z = border->z + 3 * (size_t)i * (size_t)energy->layout->complex.nodes;
-        taut_film_energy_solve(energy, swell_of(border, energy, i), right, z);
+        const int slack = is_slack(border, energy, i);
+        taut_film_energy_solve(energy, taut_film_border_row(border, energy, i), right, z);
+        border->springs[i] = slack ? INFINITY
+                             : taut_film_border_is_spring(border, energy, i)
+                                 ? 1 / stiffness_of(border, energy, i)
+                                 : 0;
         for (int j = 0; j < m; j++) {
-            border->s[i * m + j] = dot(energy, swell_of(border, energy, j), z);
+            border->s[i * m + j] =
+                slack ? 0 : dot(energy, taut_film_border_row(border, energy, j), z);
         }
+    }
+    for (int i = 0; i < m; i++) {
+        for (int j = 0; isinf(border->springs[i]) && j < m; j++) {
+            border->s[j * m + i] = j == i;
+        }
+        border->s[i * m + i] += isinf(border->springs[i]) ? 0 : border->springs[i];
     }
     for (int i = 0; i < m; i++) { /* S = L D L', no pivots exchanged */
         for (int j = 0; j <= i; j++) {
@@ -88,7 +128,10 @@ void taut_film_border_step(taut_film_border *border, const taut_film_energy *ene
 
     taut_film_energy_solve(energy, gradient, right, d);
     for (int i = 0; i < m; i++) {
-        border->p[i] = dot(energy, swell_of(border, energy, i), d) - border->excess[i];
+        border->p[i] =
+            isinf(border->springs[i])
+                ? 0
+                : dot(energy, taut_film_border_row(border, energy, i), d) - border->excess[i];
         for (int k = 0; k < i; k++) {
             border->p[i] -= border->s[i * m + k] * border->p[k];
         }

@@ -13,6 +13,7 @@
 #include "core/fail.h"
 #include "core/vec3.h"
 #include "problem/film_cells.h"
+#include "problem/film_ropes.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -39,16 +40,49 @@ static taut_status check_basis(const taut_basis *basis, int p, const char *membe
                               "found a basis of type \"%s\" and degree %d", type, degree);
 }
 
+static taut_status check_positive(double value, double most, const char *where, const char *before,
+                                  const char *member, taut_error *error)
+{
+    char at[96];
+
+    if (value > 0 && value < most) {
+        return TAUT_OK;
+    }
+    snprintf(at, sizeof at, "%.64s%s/%s", where, before, member);
+    return taut_fail(error, TAUT_BAD_INPUT, "value", at, value, value > 0 ? most : 0,
+                     "the %s of a cable is %.17g, expected a number above 0%s", member, value,
+                     isfinite(most) ? " and below 1/2" : "");
+}
+
+static taut_status check_law(const taut_film_edge *edge, const char *where, const char *before,
+                             taut_error *error)
+{
+    switch (edge->law) {
+    case TAUT_FILM_FORCE:
+        return check_positive(edge->force, INFINITY, where, before, "force", error);
+    case TAUT_FILM_LENGTH:
+        return check_positive(edge->length, INFINITY, where, before, "length", error);
+    case TAUT_FILM_SAG:
+        return check_positive(edge->sag, 0.5, where, before, "sag", error);
+    case TAUT_FILM_ELASTIC: {
+        const taut_status status =
+            check_positive(edge->unstressed, INFINITY, where, before, "unstressed", error);
+        return status == TAUT_OK
+                   ? check_positive(edge->stiffness, INFINITY, where, before, "stiffness", error)
+                   : status;
+    }
+    }
+    return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
+                     "a cable has no law");
+}
+
 static taut_status check_edge(const taut_film_edge *edge, const char *where, taut_error *error)
 {
-    if (edge->kind == TAUT_FILM_CABLE && edge->law != TAUT_FILM_FORCE) {
-        return taut_fail(error, TAUT_BAD_INPUT, "not-yet", where, taut_none, taut_none,
-                         "a cable of a film of many patches has a \"force\" in this version: give "
-                         "it one");
-    }
-    if (edge->kind == TAUT_FILM_CABLE && !(edge->force > 0 && isfinite(edge->force))) {
-        return taut_fail(error, TAUT_BAD_INPUT, "value", where, edge->force, 0,
-                         "the force of a cable is %.17g, expected a number above 0", edge->force);
+    if (edge->kind == TAUT_FILM_CABLE && edge->along == 0) {
+        const taut_status status = check_law(edge, where, "/cable", error);
+        if (status != TAUT_OK) {
+            return status;
+        }
     }
     const double size = taut_norm(edge->plane.direction), from = taut_norm(edge->plane.point);
     if ((edge->kind == TAUT_FILM_SLIDE || edge->has_plane) &&
@@ -190,6 +224,18 @@ static taut_status check_problem(const taut_film_problem *problem, taut_error *e
     for (int c = 0; status == TAUT_OK && c < problem->cell_count; c++) {
         status = check_cell(problem, c, error);
     }
+    if (status == TAUT_OK &&
+        (problem->along_count < 0 || problem->along_count > TAUT_FILM_ALONG_MAX ||
+         (problem->along_count > 0 && problem->along == NULL))) {
+        return taut_fail(error, TAUT_BAD_INPUT, "size", "/cables", problem->along_count,
+                         TAUT_FILM_ALONG_MAX, "%d cables, expected 0 to %d", problem->along_count,
+                         TAUT_FILM_ALONG_MAX);
+    }
+    for (int a = 0; status == TAUT_OK && a < problem->along_count; a++) {
+        char where[32];
+        snprintf(where, sizeof where, "/cables/%d", a);
+        status = check_law(&problem->along[a].edge, where, "", error);
+    }
     for (int s = 0; status == TAUT_OK && s < problem->seam_count; s++) {
         char where[32];
         snprintf(where, sizeof where, "/seams/%d", s);
@@ -264,6 +310,31 @@ static void add_supports(const taut_film_complex *c, taut_record *details, unsig
     }
 }
 
+static void add_rope(const taut_film_complex *c, int k, const taut_film_rest *rest,
+                     taut_record *cables)
+{
+    const taut_film_rope *rope = &c->ropes[k];
+    taut_record *cable = taut_record_add_object(cables, NULL);
+    char name[TAUT_FILM_NAME];
+
+    taut_film_rope_name(c, k, name);
+    taut_record_add_text(cable, "edge", name);
+    if (rope->along >= 0) {
+        const taut_film_along *along = &c->problem->along[rope->along];
+        taut_record *edges = taut_record_add_list(cable, "along");
+        for (int i = 0; i < along->count; i++) {
+            taut_film_complex_name(c->problem, along->sides[i].patch,
+                                   edge_names[along->sides[i].edge], name);
+            taut_record_add_text(edges, NULL, name);
+        }
+    }
+    taut_record_add_number(cable, "force", rest->forces[k]);
+    taut_record_add_number(cable, "length", rest->lengths[k]);
+    if (rope->edge->law == TAUT_FILM_ELASTIC) {
+        taut_record_add_number(cable, "unstressed", rope->edge->unstressed);
+    }
+}
+
 static taut_record *details_of(const taut_film_layout *l, const taut_film_rest *rest,
                                taut_arena *arena)
 {
@@ -277,13 +348,8 @@ static taut_record *details_of(const taut_film_layout *l, const taut_film_rest *
     taut_record_add_text(details, "solver", "fronts");
     taut_record_add_number(details, "residual", rest->residual);
     taut_record *cables = taut_record_add_list(details, "cables");
-    for (int k = 0; k < c->strand_count; k++) {
-        char name[TAUT_FILM_NAME];
-        taut_record *cable = taut_record_add_object(cables, NULL);
-        taut_film_complex_name(c->problem, c->strands[k].side.patch,
-                               edge_names[c->strands[k].side.edge], name);
-        taut_record_add_text(cable, "edge", name);
-        taut_record_add_number(cable, "force", c->strands[k].edge->force);
+    for (int k = 0; k < c->rope_count; k++) {
+        add_rope(c, k, rest, cables);
     }
     if (c->problem->cell_count > 0) {
         taut_record *cells = taut_record_add_list(details, "cells");

@@ -227,7 +227,7 @@ static taut_status make_parts(taut_film_energy *e, int extra)
         status = taut_area_cable_new(side->edge < 2 ? patch->v : patch->u, extra + 1,
                                      (size_t)(c->first[side->patch] + first),
                                      (size_t)(next - first), e->arena, &e->cables[k]);
-        e->cables[k].tension = e->layout->ratios[k];
+        e->cables[k].tension = e->layout->drawn[c->strands[k].rope].ratio;
     }
     return status;
 }
@@ -247,6 +247,14 @@ taut_status taut_film_energy_new(const taut_film_layout *layout, int extra,
     e->areas = taut_arena_take(e->arena, patches, sizeof *e->areas);
     e->shares = taut_arena_take(e->arena, patches, sizeof(double));
     e->cables = taut_arena_take(e->arena, (size_t)c->strand_count, sizeof *e->cables);
+    e->forces = taut_arena_take(e->arena, (size_t)c->rope_count, sizeof(double));
+    e->lengths = taut_arena_take(e->arena, (size_t)c->rope_count, sizeof(double));
+    e->stretches = taut_arena_take(e->arena, (size_t)c->rope_count, sizeof *e->stretches);
+    for (int k = 0; e->stretches != NULL && k < c->rope_count; k++) {
+        if (layout->drawn[k].law != TAUT_FILM_FORCE) {
+            e->stretches[k] = taut_arena_take(e->arena, (size_t)c->nodes, 3 * sizeof(double));
+        }
+    }
     const size_t cells = (size_t)c->problem->cell_count;
     int wide = 0;
     for (size_t p = 0; p < patches; p++) {
@@ -336,6 +344,73 @@ static void add_cells(taut_film_energy *e, int with_gradient, taut_sum *sum)
     }
 }
 
+/* Forces by lengths, and what they store. */
+static void find_forces(taut_film_energy *e, taut_sum *sum)
+{
+    const taut_film_complex *c = &e->layout->complex;
+
+    for (int k = 0; k < c->strand_count; k++) {
+        if (e->stretches[c->strands[k].rope] != NULL) {
+            e->lengths[c->strands[k].rope] += taut_area_cable_length(&e->cables[k], e->net);
+        }
+    }
+    for (int r = 0; r < c->rope_count; r++) {
+        const taut_film_drawn *drawn = &e->layout->drawn[r];
+        if (drawn->law == TAUT_FILM_FORCE) {
+            e->forces[r] = drawn->ratio;
+        } else if (taut_film_law_stiffness(drawn, e->soft) > 0) {
+            e->forces[r] = taut_film_law_force(drawn, e->soft, e->lengths[r]);
+            taut_sum_add(sum, taut_film_law_energy(drawn, e->soft, e->lengths[r]));
+        }
+    }
+}
+
+/* dL of a strand, to its nodes. */
+static void add_stretch(taut_film_energy *e, int k)
+{
+    const taut_film_complex *c = &e->layout->complex;
+    taut_area_cable *cable = &e->cables[k];
+    double *stretch = e->stretches[c->strands[k].rope];
+
+    taut_area_cable_pull(cable);
+    for (int i = 0; i < cable->count; i++) {
+        taut_add_scaled(1, cable->pull + 3 * i,
+                        stretch + 3 * c->node[cable->first + (size_t)i * cable->step]);
+    }
+}
+
+/* Lengths, forces and stretches; what they store is added to the sum, and to the slopes what it changes by. */
+static void add_cables(taut_film_energy *e, int with_gradient, taut_sum *sum)
+{
+    const taut_film_complex *c = &e->layout->complex;
+
+    memset(e->lengths, 0, (size_t)c->rope_count * sizeof(double));
+    for (int r = 0; with_gradient && r < c->rope_count; r++) {
+        if (e->stretches[r] != NULL) {
+            memset(e->stretches[r], 0, 3 * (size_t)c->nodes * sizeof(double));
+        }
+    }
+    find_forces(e, sum);
+    for (int k = 0; k < c->strand_count; k++) {
+        const int r = c->strands[k].rope;
+        const taut_film_drawn *drawn = &e->layout->drawn[r];
+        taut_area_cable *cable = &e->cables[k];
+        const int is_given = drawn->law == TAUT_FILM_FORCE;
+        const int stores = is_given || taut_film_law_stiffness(drawn, e->soft) > 0;
+        cable->tension = stores ? e->forces[r] : 0;
+        const double length = with_gradient ? taut_area_cable_gradient(cable, e->net, e->slopes)
+                              : is_given    ? taut_area_cable_length(cable, e->net)
+                                            : 0;
+        if (is_given) {
+            e->lengths[r] += length;
+            taut_sum_add(sum, taut_area_cable_energy(cable, length));
+        } else if (with_gradient) {
+            add_stretch(e, k);
+        }
+        cable->tension = e->forces[r];
+    }
+}
+
 double taut_film_energy_value(taut_film_energy *energy, const double *x, double *gradient,
                               double *largest)
 {
@@ -362,13 +437,7 @@ double taut_film_energy_value(taut_film_energy *energy, const double *x, double 
     for (size_t k = 0; largest != NULL && k < 3 * (size_t)c->points; k++) {
         *largest = fmax(k == 0 ? 0 : *largest, fabs(energy->slopes[k]));
     }
-    for (int k = 0; k < c->strand_count; k++) {
-        taut_area_cable *cable = &energy->cables[k];
-        const double length = gradient != NULL
-                                  ? taut_area_cable_gradient(cable, energy->net, energy->slopes)
-                                  : taut_area_cable_length(cable, energy->net);
-        taut_sum_add(&sum, taut_area_cable_energy(cable, length));
-    }
+    add_cables(energy, gradient != NULL, &sum);
     add_cells(energy, gradient != NULL, &sum);
     if (gradient != NULL) {
         memset(gradient, 0, 3 * (size_t)c->nodes * sizeof(double));

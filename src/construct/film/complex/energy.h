@@ -1,7 +1,7 @@
 /* energy.h -- the energy of a film of many patches, and its first and second derivatives by nodes.
  *
- *     E / s = sum (s_i / s) A_i + sum r_k L_k - sum p_c V_c,    s the tension of the first patch; cells of given pressure
- *     H     is that of E - sum p_c V_c over all cells
+ *     E / s = sum (s_i / s) A_i + sum C_k - sum p_c V_c,    s the tension of the first patch; cells of given pressure; C_k as laws.h
+ *     H     is that of E + sum r_k L_k - sum p_c V_c over given lengths and all cells, without the k dL dL' of springs
  *     B     = (1 - theta) H + theta L             of construct/plateau/area.h and cable.h, summed over the sheets
  *           = H + theta diag(L)                   of theta up to 1e-3: a shift that turns no move within a sheet into one across it
  */
@@ -18,9 +18,13 @@ typedef struct taut_film_energy {
     taut_area_functional **areas; /* [patch_count] */
     double *shares;               /* [patch_count]: s_i / s */
     taut_area_cable *cables;      /* [strand_count] */
-    double *pressures;            /* [cell_count]: of given volumes what H is to take */
-    double *volumes;              /* [cell_count]: of the last value */
-    double *swells;               /* [cell_count][nodes][3]: dV of the last gradient */
+    double *forces;  /* [rope_count]: of given lengths what H is to take, else of the last value */
+    double *lengths; /* [rope_count]: of the last value */
+    double **stretches; /* [rope_count]: [nodes][3], dL of the last gradient; NULL: a given force */
+    double soft;        /* above 0: cables are as they begin (laws.h) */
+    double *pressures;  /* [cell_count]: of given volumes what H is to take */
+    double *volumes;    /* [cell_count]: of the last value */
+    double *swells;     /* [cell_count][nodes][3]: dV of the last gradient */
     double **
         places; /* [patch_count]: construct/film/complex/volume.h; of sides of cells those of the last value */
     unsigned char *in_cells; /* [patch_count]: is it a side? */

@@ -294,13 +294,25 @@ static taut_status lay_edge(taut_film_layout *l, int p, int e, taut_arena *arena
     return TAUT_OK;
 }
 
+static int ends_move(const taut_film_complex *c, int p, int e)
+{
+    for (int end = 0; end < 2; end++) {
+        if (c->holds[taut_film_complex_corner(c, p, taut_film_edge_corner(e, end))].count == 3) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
 /* Does the edge begin straight, for want of something better? */
 static int may_bow(const taut_film_complex *c, int p, int e)
 {
     const taut_film_edge *edge = &c->problem->patches[p].edges[e];
     const int s = taut_film_complex_seam(c->problem, p, e);
     return s >= 0 ? c->problem->seams[s].edge.kind != TAUT_FILM_CABLE && !is_closed(c, p, e)
-                  : edge->kind == TAUT_FILM_SLIDE && !has_model(c, p, e);
+                  : (edge->kind == TAUT_FILM_SLIDE ||
+                     (edge->kind == TAUT_FILM_CABLE && edge->has_plane && ends_move(c, p, e))) &&
+                        !has_model(c, p, e);
 }
 
 /* bow: of held curves how far their points are from where those of their chords would be. Is there one? */
@@ -418,34 +430,12 @@ static taut_status fill_patch(taut_film_layout *l, int p, taut_arena *arena, tau
 static taut_status take_forces(taut_film_layout *l, taut_error *error)
 {
     const taut_film_complex *c = &l->complex;
-    const int unit = l->scaling.outer + l->scaling.inner;
 
     for (int p = 0; p < c->problem->patch_count; p++) {
         const double tension = c->problem->patches[p].tension;
         l->tensions[p] = tension > 0 ? tension : 1;
     }
-    for (int k = 0; k < c->strand_count; k++) {
-        const double force = c->strands[k].edge->force;
-        l->ratios[k] = ldexp(force / l->tensions[0], -unit);
-        if (!(l->ratios[k] >= TAUT_FILM_FORCE_MIN && l->ratios[k] <= TAUT_FILM_FORCE_MAX)) {
-            char where[64];
-            const taut_film_strand *strand = &c->strands[k];
-            if (strand->seam >= 0) {
-                snprintf(where, sizeof where, "/seams/%d/cable/force", strand->seam);
-            } else {
-                snprintf(where, sizeof where, "/patches/%d/edges/%s/cable/force",
-                         strand->side.patch,
-                         strand->side.edge < 2    ? (strand->side.edge ? "u1" : "u0")
-                         : strand->side.edge == 3 ? "v1"
-                                                  : "v0");
-            }
-            return taut_fail(error, TAUT_BAD_INPUT, "value", where, force, taut_none,
-                             "the force of a cable is %.3g of the film's tension times its size, "
-                             "expected %.0e to %.0e",
-                             l->ratios[k], TAUT_FILM_FORCE_MIN, TAUT_FILM_FORCE_MAX);
-        }
-    }
-    return TAUT_OK;
+    return taut_film_laws_find(c, &l->scaling, l->points, l->tensions, l->drawn, error);
 }
 
 static taut_status take_cells(taut_film_layout *l, taut_error *error)
@@ -524,7 +514,7 @@ taut_status taut_film_layout_new(const taut_film_problem *problem, taut_arena *a
     l->known = taut_arena_take(arena, (size_t)c->nodes, 1);
     l->start = taut_arena_take(arena, (size_t)c->nodes, 3 * sizeof(double));
     l->tensions = taut_arena_take(arena, (size_t)problem->patch_count, sizeof(double));
-    l->ratios = taut_arena_take(arena, (size_t)c->strand_count, sizeof(double));
+    l->drawn = taut_arena_take(arena, (size_t)c->rope_count, sizeof *l->drawn);
     l->pressures = taut_arena_take(arena, (size_t)problem->cell_count, sizeof(double));
     l->volumes = taut_arena_take(arena, (size_t)problem->cell_count, sizeof(double));
     l->from = taut_arena_take(arena, (size_t)problem->cell_count, 3 * sizeof(double));

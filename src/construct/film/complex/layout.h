@@ -10,6 +10,7 @@
 #define TAUT_CONSTRUCT_FILM_COMPLEX_LAYOUT_H
 
 #include "construct/common/scaling.h"
+#include "construct/film/complex/laws.h"
 #include "problem/film_complex.h"
 
 typedef struct taut_film_layout {
@@ -17,9 +18,9 @@ typedef struct taut_film_layout {
     double *points;            /* [nodes][3]: held ones and the start, in the user's unit */
     unsigned char *known;      /* [nodes] */
     taut_scaling scaling;
-    double *start;    /* [nodes][3], scaled */
-    double *tensions; /* [patch_count] */
-    double *ratios;   /* [strand_count]: force over the tension of the first patch, scaled */
+    double *start;          /* [nodes][3], scaled */
+    double *tensions;       /* [patch_count] */
+    taut_film_drawn *drawn; /* [rope_count] */
     double *
         pressures; /* [cell_count]: given ones over the first tension, scaled; 0 of given volumes */
     double *volumes;  /* [cell_count]: given ones, scaled; 0 of given pressures */

@@ -47,13 +47,16 @@ static const double
     gains_normal[2] = {1e-8, 1e-4},
     theta_normal =
         1e-3; /* of the method `normal`: its ends of all coordinates, first and where that folds the net, its least theta there */
-static const double unsettled = 100;       /* times the aim: what the last rule may find */
-static const double blown = 10;            /* times the size */
-static const double led_least = 4e-3;      /* the least step of pressures that are led */
+static const double unsettled = 100; /* times the aim: what the last rule may find */
+static const double blown = 10;      /* times the size */
+static const double gain_soft = 1e-5,
+                    theta_hard = 1e-3; /* where soft cables end, and theta where they are hard */
+static const double led_least = 4e-3;  /* the least step of pressures that are led */
 static const double apart_least = 0x1p-15; /* of rims, in their distance */
 static const double neck_most =
     0.9; /* of the shorter side at the start: else it is the net that folds */
-enum { NEARER = 8, LEADS = 128 };
+enum { NEARER = 8, LEADS = 128, TRIES = 3, SOFTS = 4 };
+static const double softs[SOFTS] = {1, 2, 4, 0.5};
 
 typedef struct work {
     const taut_film_layout *layout;
@@ -63,10 +66,14 @@ typedef struct work {
     taut_film_border border;
     size_t nodes;
     double *x, *next, *gradient, *after, *d, *right;
-    double *pressures; /* [cell_count] */
-    double led;        /* share of the given pressures */
-    double *led_from;  /* [nodes][3] */
-    double *from;      /* [nodes][3] */
+    double *
+        multipliers; /* of the border's rows: pressures, and forces with a minus sign; of springs 0 */
+    double *kept;    /* [as many] */
+    double soft;     /* how cables begin (laws.h) */
+    int is_fresh;    /* nonzero: from the start, with soft cables first */
+    double led;      /* share of the given pressures */
+    double *led_from; /* [nodes][3] */
+    double *from;     /* [nodes][3] */
     double value, largest, residual, theta, least_start, aim, mu;
     int iterations, most;
     int is_narrowed; /* nonzero: it was once */
@@ -90,8 +97,9 @@ static double residual_of(work *w, const double *gradient, const double *p)
     for (size_t a = 0; a < w->nodes; a++) {
         double g[3] = {gradient[3 * a], gradient[3 * a + 1], gradient[3 * a + 2]};
         for (int i = 0; i < w->border.count; i++) {
-            taut_add_scaled(-p[i],
-                            w->energy->swells + 3 * ((size_t)w->border.cell[i] * w->nodes + a), g);
+            if (!taut_film_border_is_spring(&w->border, w->energy, i)) {
+                taut_add_scaled(-p[i], taut_film_border_row(&w->border, w->energy, i) + 3 * a, g);
+            }
         }
         for (int k = 0; k < w->energy->size[a]; k++) {
             most = fmax(most, fabs(taut_dot(g, w->energy->free + 9 * a + 3 * (size_t)k)));
@@ -113,20 +121,22 @@ static double merit(const work *w, double energy)
 static taut_status look(work *w)
 {
     for (int i = 0; i < w->layout->complex.problem->cell_count; i++) {
-        w->energy->pressures[i] = w->layout->complex.problem->cells[i].has_volume
-                                      ? w->pressures[i]
-                                      : w->led * w->layout->pressures[i];
+        w->energy->pressures[i] = w->led * w->layout->pressures[i];
+    }
+    for (int i = 0; i < w->border.count; i++) {
+        const int k = w->border.which[i];
+        if (i < w->border.cells) {
+            w->energy->pressures[k] = w->multipliers[i];
+        } else if (!taut_film_border_is_spring(&w->border, w->energy, i)) {
+            w->energy->forces[k] = -w->multipliers[i];
+        }
     }
     w->value = taut_film_energy_value(w->energy, w->x, w->gradient, &w->largest);
-    for (int k = 0; k < w->layout->complex.strand_count; k++) {
-        w->largest = fmax(w->largest, w->layout->ratios[k]);
-    }
-    double p[TAUT_FILM_CELLS_MAX];
-    for (int i = 0; i < w->border.count; i++) {
-        p[i] = w->pressures[w->border.cell[i]];
+    for (int k = 0; k < w->layout->complex.rope_count; k++) {
+        w->largest = fmax(w->largest, w->energy->forces[k]);
     }
     const taut_status status = taut_film_energy_narrow(w->energy, w->narrow);
-    w->residual = status == TAUT_OK ? residual_of(w, w->gradient, p) : NAN;
+    w->residual = status == TAUT_OK ? residual_of(w, w->gradient, w->multipliers) : NAN;
     return status;
 }
 
@@ -163,8 +173,10 @@ static taut_status find_step(work *w, double *promised)
     for (size_t k = 0; k < 3 * w->nodes; k++) {
         double slope = w->gradient[k];
         for (int i = 0; i < w->border.count; i++) {
-            slope += (w->mu * w->border.excess[i] - w->border.p[i]) *
-                     w->energy->swells[3 * (size_t)w->border.cell[i] * w->nodes + k];
+            if (!taut_film_border_is_spring(&w->border, w->energy, i)) {
+                slope += (w->mu * w->border.excess[i] - w->border.p[i]) *
+                         taut_film_border_row(&w->border, w->energy, i)[k];
+            }
         }
         w->d[k] *= cut;
         *promised -= slope * w->d[k];
@@ -189,7 +201,8 @@ static int try_step(work *w, double share, double promised)
     if (better) {
         memcpy(w->x, w->next, 3 * w->nodes * sizeof(double));
         for (int i = 0; i < w->border.count; i++) {
-            w->pressures[w->border.cell[i]] = w->border.p[i];
+            w->multipliers[i] =
+                taut_film_border_is_spring(&w->border, w->energy, i) ? 0 : w->border.p[i];
         }
     }
     return better;
@@ -300,10 +313,43 @@ static taut_status descend(work *w)
                  : promised > rounding * fabs(w->value) ? 0
                  : w->residual > 0.5 * before           ? stalls + 1
                                                         : 0;
-        is_done = !w->narrow && (is_normal(w) ? promised <= w->gain * fabs(w->value)
-                                              : w->residual <= residual_all &&
-                                                    promised <= gain_least * fabs(w->value));
+        is_done = !w->narrow && (w->energy->soft > 0 ? promised <= gain_soft * fabs(w->value)
+                                 : is_normal(w)      ? promised <= w->gain * fabs(w->value)
+                                                     : w->residual <= residual_all &&
+                                                      promised <= gain_least * fabs(w->value));
     }
+    return status;
+}
+
+static int has_soft(const work *w)
+{
+    for (int k = 0; k < w->layout->complex.rope_count; k++) {
+        if (w->layout->drawn[k].target > 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* From the start, where lengths are given or cables are stiff: with soft ones first, in all coordinates, whose forces are those to
+ * begin with. */
+static taut_status begin_soft(work *w)
+{
+    const int is_soft = w->is_fresh && has_soft(w);
+
+    w->is_fresh = 0;
+    if (!is_soft) {
+        return TAUT_OK;
+    }
+    w->energy->soft = w->soft;
+    const taut_status status = descend(w);
+    w->energy->soft = 0;
+    for (int i = w->border.cells; i < w->border.count; i++) {
+        w->multipliers[i] = taut_film_border_is_spring(&w->border, w->energy, i)
+                                ? 0
+                                : -w->energy->forces[w->border.which[i]];
+    }
+    w->theta = fmax(w->theta, theta_hard);
     return status;
 }
 
@@ -313,7 +359,10 @@ static taut_status descend_both(work *w)
     taut_status status = TAUT_OK;
 
     w->narrow = 0;
-    status = look(w);
+    status = begin_soft(w);
+    if (status == TAUT_OK) {
+        status = look(w);
+    }
     if (status == TAUT_OK && w->residual > residual_all && !(is_normal(w) && w->is_narrowed)) {
         status = descend(w);
     }
@@ -409,6 +458,7 @@ static taut_status find_led(work *w, double share, int *found)
 static taut_status begin_again(work *w)
 {
     memcpy(w->x, w->layout->start, 3 * w->nodes * sizeof(double));
+    w->is_fresh = 1;
     taut_film_energy_free(w->energy);
     w->energy = NULL;
     return taut_film_energy_new(w->layout, extra_nodes[0], &w->energy);
@@ -557,20 +607,26 @@ static taut_status find_by(work *w, taut_film_rest *rest)
 }
 
 /* From x on: in all coordinates, unless `normal`; where these fold the net, or do not come to rest, by the method `normal`, which
- * leaves them ever sooner. */
+ * leaves them ever sooner; each with soft cables of several forces. */
 static taut_status find_from(work *w, int normal, taut_film_rest *rest)
 {
-    const size_t bytes = 3 * w->nodes * sizeof(double);
-    const int cells = w->layout->complex.problem->cell_count;
-    const int most = w->most;
-    double pressures[TAUT_FILM_CELLS_MAX];
+    const size_t bytes = 3 * w->nodes * sizeof(double),
+                 rows = (size_t)w->border.count * sizeof(double);
+    const int most = w->most, is_fresh = w->is_fresh;
+    const int tries = is_fresh && has_soft(w) ? SOFTS : 1;
     taut_status status = TAUT_NOT_CONVERGED;
 
     memcpy(w->from, w->x, bytes);
-    memcpy(pressures, w->pressures, (size_t)cells * sizeof(double));
-    for (int k = normal; status == TAUT_NOT_CONVERGED && k < 3; k++) {
+    memcpy(w->kept, w->multipliers, rows);
+    for (int n = 0; status == TAUT_NOT_CONVERGED && n < tries * TRIES; n++) {
+        const int k = n / tries;
+        if (k < normal) {
+            continue;
+        }
+        w->soft = softs[n % tries];
         memcpy(w->x, w->from, bytes);
-        memcpy(w->pressures, pressures, (size_t)cells * sizeof(double));
+        memcpy(w->multipliers, w->kept, rows);
+        w->is_fresh = is_fresh;
         w->method = k == 0 ? TAUT_FILM_FULL : TAUT_FILM_NORMAL;
         w->gain = k == 0 ? 0 : gains_normal[k - 1];
         w->is_narrowed = 0;
@@ -603,6 +659,59 @@ static taut_status find_film(work *w, taut_film_parting *parting, taut_arena *ar
     return led == TAUT_OK ? find_from(w, 1, rest) : led == TAUT_NOT_CONVERGED ? status : led;
 }
 
+/* A cable holds nothing where it is slack. */
+static taut_status check_slack(const work *w)
+{
+    const taut_film_complex *c = &w->layout->complex;
+
+    for (int k = 0; k < c->rope_count; k++) {
+        if (!(w->energy->forces[k] > 0)) {
+            char where[TAUT_FILM_ROPE_WHERE], name[TAUT_FILM_NAME];
+            const int is_elastic = w->layout->drawn[k].law == TAUT_FILM_ELASTIC;
+            taut_film_rope_where(c, k,
+                                 is_elastic                                 ? "unstressed"
+                                 : w->layout->drawn[k].law == TAUT_FILM_SAG ? "sag"
+                                                                            : "length",
+                                 where);
+            taut_film_rope_name(c, k, name);
+            return taut_fail(
+                w->error, TAUT_NO_SOLUTION, "cable-too-weak", where, w->energy->forces[k], 0,
+                "cable %s is slack where the film is at rest: give it less length", name);
+        }
+    }
+    return TAUT_OK;
+}
+
+/* Pressures, forces and lengths in the user's unit. */
+static taut_status take_forces(const work *w, taut_arena *arena, taut_film_rest *rest)
+{
+    const taut_film_layout *l = w->layout;
+    const taut_film_problem *problem = l->complex.problem;
+    const int unit = l->scaling.outer + l->scaling.inner;
+    const size_t ropes = (size_t)l->complex.rope_count;
+
+    rest->pressures =
+        taut_arena_copy(arena, w->energy->pressures, (size_t)problem->cell_count, sizeof(double));
+    rest->forces = taut_arena_take(arena, ropes, sizeof(double));
+    rest->lengths = taut_arena_take(arena, ropes, sizeof(double));
+    if (taut_arena_status(arena) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    for (int k = 0; k < problem->cell_count; k++) {
+        rest->pressures[k] = problem->cells[k].has_volume
+                                 ? ldexp(rest->pressures[k] * l->tensions[0], -unit)
+                                 : problem->cells[k].pressure;
+    }
+    for (size_t k = 0; k < ropes; k++) {
+        const taut_film_edge *law = l->complex.ropes[k].edge;
+        rest->forces[k] = law->law == TAUT_FILM_FORCE
+                              ? law->force
+                              : ldexp(w->energy->forces[k] * l->tensions[0], unit);
+        rest->lengths[k] = ldexp(w->energy->lengths[k], unit);
+    }
+    return check_slack(w);
+}
+
 taut_status taut_film_rest_find(const taut_film_layout *layout, const taut_monitor *monitor,
                                 taut_arena *arena, taut_film_rest *rest, taut_error *error)
 {
@@ -622,15 +731,20 @@ taut_status taut_film_rest_find(const taut_film_layout *layout, const taut_monit
               .led_from = taut_arena_take(arena, nodes, bytes),
               .from = taut_arena_take(arena, nodes, bytes),
               .led = 1,
+              .is_fresh = 1,
+              .soft = 1,
               .aim = fmin(aim_share * tolerance, 1e-7),
               .most = problem->max_iterations > 0 ? problem->max_iterations : ITERATIONS};
 
     taut_film_parting parting;
 
     rest->points = taut_arena_take(arena, nodes, bytes);
-    w.pressures =
-        taut_arena_copy(arena, layout->pressures, (size_t)problem->cell_count, sizeof(double));
     taut_status status = taut_film_border_new(layout, arena, &w.border);
+    w.multipliers = taut_arena_take(arena, (size_t)w.border.count, sizeof(double));
+    w.kept = taut_arena_take(arena, (size_t)w.border.count, sizeof(double));
+    if (status == TAUT_OK) {
+        status = taut_arena_status(arena);
+    }
     if (status == TAUT_OK) {
         status = taut_film_pressure_check(layout, error);
     }
@@ -652,16 +766,9 @@ taut_status taut_film_rest_find(const taut_film_layout *layout, const taut_monit
         rest->iterations = w.iterations;
         rest->method = w.method;
         rest->residual = w.residual;
-        rest->pressures = w.energy != NULL
-                              ? taut_arena_copy(arena, w.energy->pressures,
-                                                (size_t)problem->cell_count, sizeof(double))
-                              : NULL;
-        for (int k = 0; rest->pressures != NULL && k < problem->cell_count; k++) {
-            rest->pressures[k] = problem->cells[k].has_volume
-                                     ? ldexp(w.pressures[k] * layout->tensions[0],
-                                             -(layout->scaling.outer + layout->scaling.inner))
-                                     : problem->cells[k].pressure;
-        }
+        status = take_forces(&w, arena, rest);
+    }
+    if (status == TAUT_OK) {
         status = taut_scaling_undo(&layout->scaling, nodes, layout->points, layout->known, w.x,
                                    rest->points, error);
     }

@@ -8,15 +8,16 @@
 typedef struct taut_film_rest {
     double *points; /* [nodes][3], in the user's unit */
     int unknowns, iterations;
-    double *pressures; /* [cell_count], in the user's unit */
-    double residual;   /* largest free derivative over the largest */
-    double area;       /* of a film of one tension without cables */
-    double rival;      /* of two films, one in each of two rims that bound such a film; else 0 */
-    int negative;      /* eigenvalues of the second variation below 0 */
+    double *pressures;        /* [cell_count], in the user's unit */
+    double *forces, *lengths; /* [rope_count], in the user's unit */
+    double residual;          /* largest free derivative over the largest */
+    double area;              /* of a film of one tension without cables */
+    double rival; /* of two films, one in each of two rims that bound such a film; else 0 */
+    int negative; /* eigenvalues of the second variation below 0 */
     taut_film_method method; /* that it was found by */
 } taut_film_rest;
 
-/* TAUT_NO_SOLUTION: unstable, overflow; TAUT_NOT_CONVERGED: folds, not-converged; TAUT_INTERRUPTED, TAUT_NO_MEMORY. */
+/* TAUT_NO_SOLUTION: unstable, cable-too-weak, overflow; TAUT_NOT_CONVERGED: folds, not-converged; TAUT_INTERRUPTED, TAUT_NO_MEMORY. */
 taut_status taut_film_rest_find(const taut_film_layout *layout, const taut_monitor *monitor,
                                 taut_arena *arena, taut_film_rest *rest, taut_error *error);
 
