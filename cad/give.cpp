@@ -2,6 +2,7 @@
 #include "occt.hpp"
 
 #include <BRepTools.hxx>
+#include <BRepTools_WireExplorer.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
 #include <GeomConvert.hxx>
@@ -21,11 +22,14 @@
 #include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
+#include <TopoDS_Wire.hxx>
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 void occt_check_loaded(const Handle(Interface_InterfaceModel) & model,
@@ -281,11 +285,15 @@ static void give_item(const occt_sink &sink, const occt_about &about, const char
     }
 }
 
-static void give_face(const TopoDS_Face &face, const occt_about &about, const char *name,
-                      const occt_sink &sink)
+/* False, and nothing given, where the face is trimmed and only `whole` ones are wanted. */
+static bool give_face(const TopoDS_Face &face, const occt_about &about, const char *name,
+                      bool whole, const occt_sink &sink)
 {
     taut_cad_item item = {};
     const Handle(Geom_BSplineSurface) s = convert_surface(face, item.notes);
+    if (whole && (item.notes & TAUT_CAD_TRIMMED) != 0) {
+        return false;
+    }
     const std::vector<double> u = numbers(s->UKnotSequence()), v = numbers(s->VKnotSequence());
     std::vector<double> points, weights;
     for (int i = 1; i <= s->NbUPoles(); i++) {
@@ -304,14 +312,16 @@ static void give_face(const TopoDS_Face &face, const occt_about &about, const ch
     item.points = points.data();
     item.weights = s->IsURational() || s->IsVRational() ? weights.data() : nullptr;
     give_item(sink, about, name, item);
+    return true;
 }
 
-static void give_edge(const TopoDS_Edge &edge, const occt_about &about, const char *name,
+static void give_edge(const TopoDS_Edge &edge, const occt_about &about, const char *name, int notes,
                       const occt_sink &sink)
 {
     double first = 0, last = 0;
     Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
     taut_cad_item item = {};
+    item.notes = notes;
     if (curve.IsNull()) {
         return; /* shrunk to a point */
     }
@@ -399,7 +409,32 @@ class namer
     std::map<std::string, int> nameless, given;
 };
 
-void occt_give(const TopoDS_Shape &shape, const occt_names &names, const occt_sink &sink)
+/* The edges of a face, but for seams: those of its outer wire, as they go around, then those of its holes. */
+static std::vector<TopoDS_Edge> edges_of(const TopoDS_Face &face)
+{
+    std::vector<TopoDS_Edge> edges;
+    TopTools_MapOfShape known;
+    const TopoDS_Wire outer = BRepTools::OuterWire(face);
+    for (int pass = 0; pass < 2; pass++) {
+        for (TopExp_Explorer wire(face, TopAbs_WIRE); wire.More(); wire.Next()) {
+            if (wire.Current().IsSame(outer) != (pass == 0)) {
+                continue;
+            }
+            for (BRepTools_WireExplorer at(TopoDS::Wire(wire.Current()), face); at.More();
+                 at.Next()) {
+                const TopoDS_Edge edge = at.Current();
+                if (!BRep_Tool::Degenerated(edge) && !BRep_Tool::IsClosed(edge, face) &&
+                    known.Add(edge)) {
+                    edges.push_back(edge);
+                }
+            }
+        }
+    }
+    return edges;
+}
+
+void occt_give(const TopoDS_Shape &shape, const occt_names &names, bool with_edges,
+               const occt_sink &sink)
 {
     TopTools_IndexedMapOfShape faces, edges;
     if (!shape.IsNull()) {
@@ -412,20 +447,33 @@ void occt_give(const TopoDS_Shape &shape, const occt_names &names, const occt_si
         throw occt_failure(TAUT_BAD_INPUT, "empty", "the file holds no surface and no curve");
     }
     namer namer(names, faces, edges);
+    std::vector<std::pair<int, std::string>> trimmed;
     int given = 0;
     for (int i = 1; i <= faces.Extent(); i++) {
         const TopoDS_Face face = TopoDS::Face(faces(i));
         const std::string said = namer.name(face);
         given += give_or_name("face", i, said.c_str(), sink, [&](const char *name) {
-            give_face(face, names.find(face), name, sink);
+            if (!give_face(face, names.find(face), name, with_edges, sink)) {
+                trimmed.emplace_back(i, said.empty() ? "face" + std::to_string(i) : said);
+            }
         });
     }
     for (int i = 1; i <= edges.Extent(); i++) {
         const TopoDS_Edge edge = TopoDS::Edge(edges(i));
         const std::string said = namer.name(edge);
         given += give_or_name("edge", i, said.c_str(), sink, [&](const char *name) {
-            give_edge(edge, names.find(edge), name, sink);
+            give_edge(edge, names.find(edge), name, 0, sink);
         });
+    }
+    for (const auto &part : trimmed) {
+        const TopoDS_Face face = TopoDS::Face(faces(part.first));
+        int number = 0;
+        for (const TopoDS_Edge &edge : edges_of(face)) {
+            const std::string said = part.second + "." + std::to_string(++number);
+            give_or_name("edge", number, said.c_str(), sink, [&](const char *name) {
+                give_edge(edge, names.find(face), name, TAUT_CAD_EDGE, sink);
+            });
+        }
     }
     if (given == 0) {
         throw occt_failure(TAUT_BAD_INPUT, "broken",

@@ -76,7 +76,7 @@ static void read_file(const taut_cad_job &job, FILE *answer)
     occt_names names;
     const TopoDS_Shape shape = job.kind == TAUT_CAD_STEP ? occt_read_step(job, sink, names)
                                                          : occt_read_iges(job, sink, names);
-    occt_give(shape, names, sink);
+    occt_give(shape, names, job.edges != 0, sink);
 }
 
 static void write_file(const request &asked, FILE *answer)

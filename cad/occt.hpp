@@ -69,7 +69,9 @@ void occt_check_loaded(const Handle(Interface_InterfaceModel) & model,
 Handle(Geom_BSplineSurface)
     occt_disc(const TopoDS_Face &face, const Handle(Geom_Surface) & surface);
 
-/* Every face and every edge that bounds no face, as items, in the order of the shape. */
-void occt_give(const TopoDS_Shape &shape, const occt_names &names, const occt_sink &sink);
+/* Every face and every edge that bounds no face, as items, in the order of the shape; with `edges` faces that are trimmed as
+ * their edges, after all else: "FACE.1", "FACE.2", ..., the outer ones first, around. */
+void occt_give(const TopoDS_Shape &shape, const occt_names &names, bool edges,
+               const occt_sink &sink);
 
 #endif /* TAUT_CAD_OCCT_HPP */

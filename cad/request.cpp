@@ -44,7 +44,7 @@ void request::read_job(FILE *from)
 {
     const taut_cad_hello expected = taut_cad_hello_request();
     taut_cad_hello hello = {};
-    int head[3] = {0, 0, 0}; /* kind, items, notes */
+    int head[4] = {0, 0, 0, 0}; /* kind, items, notes, edges */
 
     get_bytes(from, &hello, sizeof hello);
     check(std::memcmp(&hello, &expected, sizeof hello) == 0);
@@ -52,6 +52,7 @@ void request::read_job(FILE *from)
     check((head[0] == TAUT_CAD_STEP || head[0] == TAUT_CAD_IGES) && head[1] >= 0 &&
           head[1] <= items_max && head[2] >= 0 && head[2] <= notes_max);
     job.kind = static_cast<taut_cad_kind>(head[0]);
+    job.edges = head[3];
     count = head[1];
     get_bytes(from, &job.precision, sizeof job.precision);
     job.path = read_words(from);

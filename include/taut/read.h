@@ -45,10 +45,11 @@ TAUT_API taut_status taut_model_read(const char *path, taut_model **model, taut_
 /* What is read otherwise; zero: not. */
 typedef struct taut_read_options {
     int untrim; /* nonzero: STEP and IGES: trimmed faces are read as the whole surfaces under them, which details.notes says */
+    int edges; /* nonzero: STEP and IGES: of trimmed faces the edges, as the last details.edges curves, "FACE.1", "FACE.2", ... */
 } taut_read_options;
 
 /* taut_model_read with options, which may be NULL. Faces that are trimmed by more than a box of parameters are TAUT_NO_SOLUTION,
- * reason "trimmed", unless they are untrimmed. */
+ * reason "trimmed", unless they are untrimmed, or taken by their edges. */
 TAUT_API taut_status taut_model_read_with(const char *path, const taut_read_options *options,
                                           taut_model **model, taut_error *error);
 

@@ -46,6 +46,13 @@ static taut_record *list_curves(const taut_model *curves, int own)
     return record;
 }
 
+/* How many of a model's curves are edges of trimmed faces: the last. */
+static int edges_of(const taut_model *model)
+{
+    const double count = taut_record_number(taut_record_get(taut_model_details(model), "edges"));
+    return count >= 0 && count <= taut_model_curve_count(model) ? (int)count : 0;
+}
+
 static void print_point(const taut_record *row, const char *member)
 {
     const taut_record *point = taut_record_get(row, member);
@@ -77,12 +84,12 @@ static int run(const cli_options *options)
     taut_error error;
     int code = 0;
 
-    if (cli_read_model(options->files[0], options, &model, &error) != TAUT_OK ||
+    if (cli_read_edges(options->files[0], options, &model, &error) != TAUT_OK ||
         taut_model_boundary(model, &curves, &error) != TAUT_OK) {
         taut_model_free(model);
         return cli_fail_in(options->files[0], &error);
     }
-    taut_record *record = list_curves(curves, taut_model_curve_count(model));
+    taut_record *record = list_curves(curves, taut_model_curve_count(model) - edges_of(model));
     if (record == NULL) {
         code = cli_no_memory();
     } else if (options->json) {
@@ -102,10 +109,10 @@ const cli_command cli_command_boundary = {
     .name = "boundary",
     .usage = "FILE [--json]",
     .summary = "list the curves and edges that a \"boundary\" may name",
-    .text =
-        "One line a curve of the file, and an edge of its surfaces: number, kind, name, length, "
-        "ends. A document\ntakes four of them by number or name: \"boundary\": { \"file\": "
-        "\"FILE\", \"edges\": [1, 2, \"face.u0\", 7] }.\n",
+    .text = "One line a curve of the file, and an edge of its surfaces, of trimmed ones those that "
+            "trim them:\nnumber, kind, name, length, ends. A document\ntakes four of them by "
+            "number or name: \"boundary\": { \"file\": "
+            "\"FILE\", \"edges\": [1, 2, \"face.u0\", 7] }.\n",
     .example = "taut boundary hull.step\n",
     .files_min = 1,
     .files_max = 1,

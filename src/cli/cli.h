@@ -345,6 +345,9 @@ int cli_write_models(int count, const taut_model *const *models, const cli_optio
 /* A model from a file, as its options say; what its reader left out or changed is told on standard error. */
 taut_status cli_read_model(const char *path, const cli_options *options, taut_model **model,
                            taut_error *error);
+/* The same; of trimmed faces the edges, but with --untrim. */
+taut_status cli_read_edges(const char *path, const cli_options *options, taut_model **model,
+                           taut_error *error);
 /* The same, of a file that may hold a problem instead: the other one is NULL. */
 taut_status cli_read_either(const char *path, const cli_options *options, taut_problem **problem,
                             taut_model **model, taut_error *error);

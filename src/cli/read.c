@@ -40,16 +40,30 @@ static void tell_of(const char *path, const cli_options *options, const taut_mod
     }
 }
 
-taut_status cli_read_model(const char *path, const cli_options *options, taut_model **model,
-                           taut_error *error)
+static taut_status read_chosen(const char *path, const cli_options *options,
+                               const taut_read_options *chosen, taut_model **model,
+                               taut_error *error)
 {
-    const taut_read_options chosen = {.untrim = options->untrim};
-    const taut_status status = taut_model_read_with(path, &chosen, model, error);
+    const taut_status status = taut_model_read_with(path, chosen, model, error);
 
     if (status == TAUT_OK) {
         tell_of(path, options, *model);
     }
     return status;
+}
+
+taut_status cli_read_model(const char *path, const cli_options *options, taut_model **model,
+                           taut_error *error)
+{
+    const taut_read_options chosen = {.untrim = options->untrim};
+    return read_chosen(path, options, &chosen, model, error);
+}
+
+taut_status cli_read_edges(const char *path, const cli_options *options, taut_model **model,
+                           taut_error *error)
+{
+    const taut_read_options chosen = {.untrim = options->untrim, .edges = !options->untrim};
+    return read_chosen(path, options, &chosen, model, error);
 }
 
 taut_status cli_read_either(const char *path, const cli_options *options, taut_problem **problem,

@@ -532,7 +532,8 @@
     X(taut_plateau_problem, gap, "double")
 
 #define TAUT_ABI_MEMBERS_taut_read_options(X) \
-    X(taut_read_options, untrim, "int")
+    X(taut_read_options, untrim, "int") \
+    X(taut_read_options, edges, "int")
 
 #define TAUT_ABI_MEMBERS_taut_surface_measure(X) \
     X(taut_surface_measure, area, "double") \

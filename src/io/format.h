@@ -24,6 +24,9 @@ typedef struct taut_format_ops {
                               const char *path, taut_error *error);
     /* Reads a model from a file in this format; NULL where taut does not. */
     taut_status (*read)(const char *path, taut_model **model, taut_error *error);
+    /* The same, with the edges of trimmed faces as curves in place of their surfaces: the last curves, details.edges of them. NULL
+     * where there are none. */
+    taut_status (*read_edges)(const char *path, taut_model **model, taut_error *error);
 } taut_format_ops;
 
 #define TAUT_FORMAT_DECLARE(identifier, ending, text)                                              \

@@ -93,6 +93,11 @@ taut_status taut_cad_read_step(const char *path, taut_model **model, taut_error 
                      "STEP is not read in the browser: let the program `taut convert` read it");
 }
 
+taut_status taut_cad_read_step_edges(const char *path, taut_model **model, taut_error *error)
+{
+    return taut_cad_read_step(path, model, error);
+}
+
 /* Films of many patches: what nobody drags by hand. */
 static const char no_patches[] =
     "films of many patches, with cells or cables along several edges, are not made in the "

@@ -267,4 +267,61 @@ for i, (row, curve) in enumerate(zip(listed["curves"], model["curves"])):
     assert abs(row["length"] / length - 1) < 1e-9, (row["length"], length)
 PY
 refused 5 'read' boundary nowhere.step
+
+# A plane cut to a pentagon: its edges are those of the pentagon, not those of a surface under it; a film spans them.
+python3 - > pentagon.step <<'PY'
+corners = [(0, 0), (40, 0), (55, 30), (20, 50), (-10, 25)]
+lines = []
+def put(text):
+    lines.append(f"#{len(lines) + 1}={text};")
+    return f"#{len(lines)}"
+def point(x, y, z=0):
+    return put(f"CARTESIAN_POINT('',({x:.17g},{y:.17g},{z:.17g}))")
+mm = put("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.))")
+angle = put("(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.))")
+solid = put("(NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT())")
+near = put(f"UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-07),{mm},'distance_accuracy_value','')")
+space = put(f"(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT(({near}))"
+            f"GLOBAL_UNIT_ASSIGNED_CONTEXT(({mm},{angle},{solid}))REPRESENTATION_CONTEXT('',''))")
+at = put("AXIS2_PLACEMENT_3D('',%s,%s,%s)" % (point(0, 0), put("DIRECTION('',(0.,0.,1.))"), put("DIRECTION('',(1.,0.,0.))")))
+vertices = [put(f"VERTEX_POINT('',{point(*c)})") for c in corners]
+uses = []
+for i, c in enumerate(corners):
+    d = corners[(i + 1) % 5]
+    length = ((d[0] - c[0]) ** 2 + (d[1] - c[1]) ** 2) ** 0.5
+    way = put(f"DIRECTION('',({(d[0] - c[0]) / length:.17g},{(d[1] - c[1]) / length:.17g},0.))")
+    line = put("LINE('',%s,%s)" % (point(*c), put("VECTOR('',%s,1.)" % way)))
+    edge = put(f"EDGE_CURVE('',{vertices[i]},{vertices[(i + 1) % 5]},{line},.T.)")
+    uses.append(put(f"ORIENTED_EDGE('',*,*,{edge},.T.)"))
+loop = put("EDGE_LOOP('',(%s))" % ",".join(uses))
+face = put("ADVANCED_FACE('sheet',(%s),%s,.T.)" % (put(f"FACE_OUTER_BOUND('',{loop},.T.)"), put(f"PLANE('',{at})")))
+model = put("SHELL_BASED_SURFACE_MODEL('',(%s))" % put(f"OPEN_SHELL('',({face}))"))
+shape = put(f"MANIFOLD_SURFACE_SHAPE_REPRESENTATION('',({at},{model}),{space})")
+about = put("APPLICATION_CONTEXT('managed model based 3d engineering')")
+product = put("PRODUCT('p','p','',(%s))" % put(f"PRODUCT_CONTEXT('',{about},'mechanical')"))
+part = put("PRODUCT_DEFINITION('design','',%s,%s)" % (put(f"PRODUCT_DEFINITION_FORMATION('','',{product})"),
+                                                     put(f"PRODUCT_DEFINITION_CONTEXT('part definition',{about},'design')")))
+put("SHAPE_DEFINITION_REPRESENTATION(%s,%s)" % (put(f"PRODUCT_DEFINITION_SHAPE('','',{part})"), shape))
+print("ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('','',(''),(''),'','','');\n"
+      "FILE_SCHEMA(('AP242_MANAGED_MODEL_BASED_3D_ENGINEERING_MIM_LF { 1 0 10303 442 1 1 4 }'));\nENDSEC;\nDATA;")
+print("\n".join(lines))
+print("ENDSEC;\nEND-ISO-10303-21;")
+PY
+if "$PROBE"; then
+    refused 4 'trimmed pentagon\.step found 1' convert pentagon.step -o pentagon.json
+    run 0 boundary pentagon.step
+    [ "$(grep -c '^ *[1-5]  edge   sheet\.[1-5]  ' out.txt)" = 5 ] && [ "$(wc -l < out.txt)" = 5 ] || complain "edges of a pentagon: $(cat out.txt)"
+    contains out.txt '^ *[1-5]  edge   sheet\.[1-5]  .* 40 mm  from 0 0 0  to 40 0 0$'
+    run 0 boundary pentagon.step --untrim
+    contains out.txt '  edge   sheet\.u0  '
+    printf '{ "taut": 1, "construct": "film", "boundary": { "file": "pentagon.step", "edges": ["sheet.3", 1, 2, 5, "sheet.4"] } }\n' > problem.json
+    run 0 make problem.json --quiet -o made.json
+    run 0 measure made.json --json
+    # the shoelace formula: 2175
+    tr -d ' \n' < out.txt | grep -o '"area":[0-9.]*' | awk -F: '{ s += $2 } END { exit !(s > 2174.9999999 && s < 2175.0000001) }' || complain "the pentagon: $(cat out.txt)"
+    printf '{ "taut": 1, "construct": "dirichlet", "boundary": { "file": "pentagon.step", "edges": ["sheet.6", 1, 2, 3] } }\n' > problem.json
+    refused 3 'name /boundary/edges/0' make problem.json
+else
+    missing OpenCASCADE 'tools/deps.sh test, and build anew'
+fi
 finish

@@ -64,12 +64,17 @@ printf '{ "taut": 1, "construct": "pipe", "radius": 1, "caps": true, "bend_radiu
 run 0 make long.json --quiet -o long-model.json -o long.stl
 python_with struct || missing Python 'tools/deps.sh test'
 "$PYTHON" - > said.txt 2>&1 <<'PY' || complain "a long pipe: $(cat said.txt)"
-import json, struct
+import json, math, struct
 data = open("long.stl", "rb").read()
-volume = 0
+volume, off = 0, 0
 for k in range(struct.unpack("<I", data[80:84])[0]):
     a, b, c = (struct.unpack("<3f", data[84 + 50 * k + o:][:12]) for o in (12, 24, 36))
     volume += (a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0])) / 6
+    # the normal is that of the corners as they are, slivers of 0.05 x 500 too
+    p, q = ([x - y for x, y in zip(end, a)] for end in (b, c))
+    n = [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]]
+    off = max(off, math.dist(struct.unpack("<3f", data[84 + 50 * k:][:12]), [x / math.hypot(*n) for x in n]))
+assert off < 1e-7, off
 exact = json.load(open("long-model.json"))["certificate"]["figures"]["volume"]
 print(volume, exact)
 assert 0 < exact - volume < 0.005 * exact

@@ -23,6 +23,22 @@ faces() {
     run 0 convert "$1" --untrim -o whole.json
     contains err.txt "$1: warning: surface [0-9]+ .*: the face is trimmed; this is the whole surface under it"
     [ "$(grep -c '"u": {' whole.json)" = "$2" ] || complain "$1: $(grep -c '"u": {' whole.json) faces, expected $2"
+    run 0 boundary "$1" --json
+    python3 - out.txt <<'PY' || complain "$1: edges of trimmed faces do not go around"
+import collections, json, re, sys
+ends, sizes, names = collections.defaultdict(list), [], set()
+for row in json.load(open(sys.argv[1]))["curves"]:
+    part = re.fullmatch(r"(.*)\.(\d+)", row["name"])
+    if row["kind"] == "edge" and part:
+        ends[part[1]] += [row["from"], row["to"]]
+        names.add(part[1])
+    sizes += [max(map(abs, row["from"])), max(map(abs, row["to"]))]
+near = 1e-4 * max(sizes)
+for name, points in ends.items():
+    odd = [p for p in points if sum(max(abs(a - b) for a, b in zip(p, q)) < near for q in points) % 2]
+    assert not odd, (name, odd)
+assert names
+PY
     ! grep -q 'is left out' whole.json || complain "$1: $(grep 'is left out' whole.json)"
 }
 # areas FILE TRIMMED: of the faces that are not trimmed, to 1e-6 of themselves

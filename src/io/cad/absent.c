@@ -27,3 +27,8 @@ taut_status taut_cad_read_step(const char *path, taut_model **model, taut_error 
 {
     return read_nothing(path, model, error);
 }
+
+taut_status taut_cad_read_step_edges(const char *path, taut_model **model, taut_error *error)
+{
+    return read_nothing(path, model, error);
+}

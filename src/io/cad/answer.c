@@ -256,6 +256,7 @@ static taut_status get_item_into(taut_cad_source *source, item_read *item, taut_
         add_looks(item, result);
     }
     result->trimmed += (item->head.notes & TAUT_CAD_TRIMMED) != 0;
+    result->edges += !is_surface && (item->head.notes & TAUT_CAD_EDGE) != 0;
     return TAUT_OK;
 }
 

@@ -34,6 +34,7 @@ typedef struct taut_cad_result {
     taut_record *products,
         *colours;  /* of each surface: a text, "" where nothing is said; may be NULL likewise */
     int trimmed;   /* surfaces of which the file has only a part */
+    int edges;     /* curves that are edges of such ones: the last */
     FILE *text;    /* where the text of a file goes; NULL when reading */
     int has_ended; /* the end was seen... */
     taut_status status; /* ...with this, and *error is filled */

@@ -172,6 +172,10 @@ static taut_status finish_model(taut_cad_kind kind, taut_cad_result *result, tau
     }
     taut_record_add_text(details, "read_from", kind == TAUT_CAD_STEP ? "STEP" : "IGES");
     taut_record_add_number(details, "trimmed", result->trimmed);
+    if (result->edges > 0) {
+        taut_record_add_number(details, "edges", result->edges);
+        is_said = 1;
+    }
     taut_record_add_record(details, "notes", result->notes);
     if (has_products(result->products)) {
         taut_record_add_record(details, "products", result->products);
@@ -207,10 +211,10 @@ static taut_status read_items(const taut_cad_job *job, taut_cad_result *result, 
     return status == TAUT_OK ? finish_model(job->kind, result, error) : status;
 }
 
-static taut_status read_cad(taut_cad_kind kind, const char *path, taut_model **model,
+static taut_status read_cad(taut_cad_kind kind, const char *path, int edges, taut_model **model,
                             taut_error *error)
 {
-    const taut_cad_job job = {.kind = kind, .path = path};
+    const taut_cad_job job = {.kind = kind, .path = path, .edges = edges};
     taut_cad_result result = {.text = NULL};
     taut_status status = check_file(path, error);
 
@@ -235,12 +239,23 @@ static taut_status read_cad(taut_cad_kind kind, const char *path, taut_model **m
 
 taut_status taut_cad_read_step(const char *path, taut_model **model, taut_error *error)
 {
-    return read_cad(TAUT_CAD_STEP, path, model, error);
+    return read_cad(TAUT_CAD_STEP, path, 0, model, error);
+}
+
+taut_status taut_cad_read_step_edges(const char *path, taut_model **model, taut_error *error)
+{
+    return read_cad(TAUT_CAD_STEP, path, 1, model, error);
 }
 
 static taut_status read_iges(const char *path, taut_model **model, taut_error *error)
 {
-    return read_cad(TAUT_CAD_IGES, path, model, error);
+    return read_cad(TAUT_CAD_IGES, path, 0, model, error);
 }
 
-const taut_format_ops taut_format_iges = {.write_path = write_iges, .read = read_iges};
+static taut_status read_iges_edges(const char *path, taut_model **model, taut_error *error)
+{
+    return read_cad(TAUT_CAD_IGES, path, 1, model, error);
+}
+
+const taut_format_ops taut_format_iges = {
+    .write_path = write_iges, .read = read_iges, .read_edges = read_iges_edges};

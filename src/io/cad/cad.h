@@ -5,7 +5,8 @@
 #include "taut/model.h"
 #include "taut/status.h"
 
-/* As taut_format_ops.read; by taut-cad. */
+/* As taut_format_ops.read and read_edges; by taut-cad. */
 taut_status taut_cad_read_step(const char *path, taut_model **model, taut_error *error);
+taut_status taut_cad_read_step_edges(const char *path, taut_model **model, taut_error *error);
 
 #endif /* TAUT_IO_CAD_CAD_H */

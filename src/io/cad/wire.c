@@ -128,7 +128,7 @@ static int put_words(FILE *file, const char *words)
 
 static int put_job(FILE *file, const taut_cad_job *job, int count)
 {
-    const int numbers[3] = {(int)job->kind, count, job->note_count};
+    const int numbers[4] = {(int)job->kind, count, job->note_count, job->edges != 0};
     int whole = put_bytes(file, numbers, sizeof numbers, 1) &&
                 put_bytes(file, &job->precision, sizeof job->precision, 1) &&
                 put_words(file, job->path) && put_words(file, job->unit) &&

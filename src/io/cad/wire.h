@@ -22,8 +22,8 @@ extern "C" {
 #endif
 
 /* What is to be said of an item that was read: the face is only part of this surface; the surface
- * is of a kind that has no NURBS of its own. */
-enum { TAUT_CAD_TRIMMED = 1, TAUT_CAD_APPROXIMATE = 2 };
+ * is of a kind that has no NURBS of its own; the curve is an edge of a trimmed face. */
+enum { TAUT_CAD_TRIMMED = 1, TAUT_CAD_APPROXIMATE = 2, TAUT_CAD_EDGE = 4 };
 
 /* A surface, or a curve: then count[1] is 0 and so is all that belongs to it. */
 typedef struct taut_cad_item {
@@ -49,6 +49,7 @@ typedef enum taut_cad_kind { TAUT_CAD_STEP, TAUT_CAD_IGES } taut_cad_kind;
 typedef struct taut_cad_job {
     taut_cad_kind kind;
     const char *path; /* reading */
+    int edges; /* reading: nonzero: of faces that are trimmed, their edges in place of their surfaces, after all other curves */
     /* writing */
     const char *unit;         /* mm, m, cm, in, ft */
     const char *name;         /* of the file */
@@ -60,7 +61,7 @@ typedef struct taut_cad_job {
 
 /* What stands first, both ways. A version changes with what is said, the layout with compilers. */
 enum {
-    TAUT_CAD_VERSION = 3,
+    TAUT_CAD_VERSION = 4,
     TAUT_CAD_MARK = 8,
     TAUT_CAD_UNIT = 4,
     TAUT_CAD_TEXT_MAX = 1 << 15,

@@ -22,12 +22,15 @@ static void write_header(taut_sink *sink, const taut_model *model)
     taut_sink_bytes(sink, header, HEADER);
 }
 
-/* Twice the area vector, made unit; 0 where there is no area. */
+/* Twice the area vector, made unit; 0 where there is no area. Of the corners as they are written: rounding turns slivers, and
+ * readers hold the two against each other. */
 static void normal_of(const double *a, const double *b, const double *c, double *normal)
 {
     double p[3], q[3], length = 0;
-    taut_difference(b, a, p);
-    taut_difference(c, a, q);
+    for (int k = 0; k < 3; k++) {
+        p[k] = (double)(float)b[k] - (double)(float)a[k];
+        q[k] = (double)(float)c[k] - (double)(float)a[k];
+    }
     taut_cross(p, q, normal);
     length = taut_length(normal);
     for (int k = 0; k < 3; k++) {

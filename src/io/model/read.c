@@ -171,7 +171,8 @@ taut_status taut_model_format_read(const taut_format_ops *ops, const char *path,
                                    taut_error *error)
 {
     taut_model *made = NULL;
-    taut_status status = ops->read(path, &made, error);
+    const int edges = options != NULL && options->edges && ops->read_edges != NULL;
+    taut_status status = (edges ? ops->read_edges : ops->read)(path, &made, error);
 
     if (status != TAUT_OK) {
         return status;

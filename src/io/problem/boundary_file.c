@@ -235,8 +235,9 @@ static taut_status open_source(const taut_json *at, taut_problem *problem, bound
     if (status != TAUT_OK) {
         return status;
     }
-    const taut_read_options whole = {.untrim = !source->picks}; /* else no faces are asked for */
-    status = taut_model_read_with(path, &whole, model, &found);
+    /* without picks no faces are asked for */
+    const taut_read_options chosen = {.untrim = !source->picks, .edges = source->picks};
+    status = taut_model_read_with(path, &chosen, model, &found);
     return status == TAUT_OK ? convert_unit(&source->file, problem, model, error)
                              : blame_file(at, &found, status, error);
 }
