@@ -95,6 +95,7 @@ typedef struct taut_pattern_cloth {
         thread; /* the angle from the piece's chord to the warp, in (-pi, pi]; 0: the warp runs along */
     int has_gap; /* nonzero, or pieces are 5 mm apart on the roll */
     double gap;  /* not negative */
+    int has_nap; /* nonzero: pieces all lie one way on the roll; or some are turned by half a turn */
 } taut_pattern_cloth;
 
 /* How much smaller the cloth is cut than it is mounted: flat = (1 - c) mounted; each in [-0.1, 0.3]. */

@@ -401,7 +401,8 @@
     X(taut_pattern_cloth, material, "taut_pattern_material") \
     X(taut_pattern_cloth, thread, "double") \
     X(taut_pattern_cloth, has_gap, "int") \
-    X(taut_pattern_cloth, gap, "double")
+    X(taut_pattern_cloth, gap, "double") \
+    X(taut_pattern_cloth, has_nap, "int")
 
 #define TAUT_ABI_MEMBERS_taut_pattern_compensation(X) \
     X(taut_pattern_compensation, warp, "double") \

@@ -31,6 +31,21 @@ def area(points):
     return sum(p[0] * q[1] - p[1] * q[0] for p, q in zip(points, points[1:] + points[:1])) / 2
 
 
+def cross(a, b, c):
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+
+
+def meet(one, other):
+    """Do two closed polygons cross, or is the first place of one inside the other?"""
+    for a, b in zip(one, one[1:] + one[:1]):
+        for c, d in zip(other, other[1:] + other[:1]):
+            if cross(a, b, c) * cross(a, b, d) < 0 and cross(c, d, a) * cross(c, d, b) < 0:
+                return True
+    inside = lambda p, line: sum((a[1] > p[1]) != (b[1] > p[1]) and a[0] + (p[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]) > p[0]
+                                 for a, b in zip(line, line[1:] + line[:1])) % 2
+    return inside(one[0], other) or inside(other[0], one)
+
+
 model = json.load(open(sys.argv[1]))
 details = model["details"]
 drawing = ezdxf.readfile(sys.argv[2])
@@ -58,8 +73,10 @@ for piece, (closed, points) in zip(details["pieces"], lines["CUT"]):
     high = [max(p[d] for p in points) for d in range(2)]
     require(low[0] >= -1e-9 and low[1] >= -1e-9 and high[0] <= roll["length"] + 1e-9 and high[1] <= roll["width"] + 1e-9, f"{piece['name']} leaves the roll")
     require(all(abs(high[d] - low[d] - piece["extent"][d]) <= 2e-5 * roll["length"] for d in range(2)), f"extent of {piece['name']}")
-    require(all(any(low[d] >= box[1][d] or high[d] <= box[0][d] for d in range(2)) for box in boxes), "two pieces on one place")
-    boxes.append((low, high))
+    for box in boxes:
+        is_apart = any(low[d] >= box[1][d] or high[d] <= box[0][d] for d in range(2))
+        require(is_apart or not meet(points, box[2]), f"{piece['name']} and another one on one place")
+    boxes.append((low, high, points))
 for seam in details["seams"]:
     for one, other in (seam["pieces"], seam["pieces"][::-1]):
         require(texts[f"{seam['name']}: {other}"] >= 1, f"{one} does not say who is beyond {seam['name']}")

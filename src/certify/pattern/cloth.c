@@ -232,7 +232,10 @@ static taut_status read_piece(taut_cloth *cloth, const taut_record *item, const 
     const taut_record *developed = taut_record_get(item, "developed");
     piece->is_developed = developed != NULL && taut_record_kind_of(developed) == TAUT_RECORD_BOOL &&
                           taut_record_bool(developed);
-    const taut_record *at = taut_record_get(object_named(roll, piece->name), "at");
+    const taut_record *on = object_named(roll, piece->name), *at = taut_record_get(on, "at");
+    const taut_record *turned = taut_record_get(on, "turned");
+    piece->is_turned = turned != NULL && taut_record_kind_of(turned) == TAUT_RECORD_BOOL &&
+                       taut_record_bool(turned);
     piece->is_placed = taut_record_count(at) == 2;
     for (size_t d = 0; piece->is_placed && d < 2; d++) {
         piece->at[d] = taut_record_number(taut_record_at(at, d));

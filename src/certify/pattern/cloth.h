@@ -38,10 +38,10 @@ typedef struct taut_cloth_piece {
     const taut_curve *cut;
     double allowance[TAUT_CLOTH_EDGES]; /* told to be left along each, in the model's unit */
     int border
-        [TAUT_CLOTH_EDGES]; /* the edge of the window that each is told to be on; -1: a seam */
-    int is_developed;       /* told to be without strain */
-    double at[2];           /* on the roll, in the model's unit */
-    int is_placed;
+        [TAUT_CLOTH_EDGES];   /* the edge of the window that each is told to be on; -1: a seam */
+    int is_developed;         /* told to be without strain */
+    double at[2];             /* on the roll, in the model's unit */
+    int is_placed, is_turned; /* is_turned: by half a turn about its origin */
 } taut_cloth_piece;
 
 typedef struct taut_cloth {

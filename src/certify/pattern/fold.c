@@ -9,42 +9,13 @@
 #include "certify/pattern/fold.h"
 
 #include "certify/common/bernstein.h"
+#include "certify/pattern/arc.h"
 #include "certify/pattern/worst.h"
 
 #include <string.h>
 
 enum { P = 5, Q = 2 * P - 1 /* degree of det J */, DEPTH = 12, PAIR_DEPTH = 24 };
 static const double fold_limit = 1e-3;
-
-/* ---- Bezier pieces ---- */
-
-/* The Bezier points of one span of a quintic B-spline by its blossoms, of the control points alive on it, two numbers each at
- * `stride`. */
-static void span_coefficients(const taut_basis *basis, int span, const double *alive, size_t stride,
-                              double out[P + 1][2])
-{
-    taut_basis_spec spec;
-    taut_basis_spec_of(basis, &spec);
-    const int first = taut_basis_first(basis, span);
-    const double a = taut_basis_breaks(basis)[span], b = taut_basis_breaks(basis)[span + 1];
-    for (int i = 0; i <= P; i++) {
-        double work[P + 1][2] = {{0}};
-        for (int k = 0; k <= P; k++) {
-            memcpy(work[k], alive + (size_t)k * stride, sizeof work[k]);
-        }
-        for (int level = 1; level <= P; level++) {
-            const double x = level > P - i ? b : a; /* i of the arguments are b */
-            for (int k = 0; k <= P - level; k++) {
-                const double lo = spec.knots[first + k + level], hi = spec.knots[first + k + P + 1];
-                const double t = (x - lo) / (hi - lo);
-                for (int d = 0; d < 2; d++) {
-                    work[k][d] = (1 - t) * work[k][d] + t * work[k + 1][d];
-                }
-            }
-        }
-        memcpy(out[i], work[0], sizeof work[0]);
-    }
-}
 
 /* ---- no-fold ---- */
 
@@ -59,13 +30,13 @@ static void cell_of(const taut_surface *flat, int a, int b, cell out)
     const size_t begin = (size_t)taut_basis_first(v, b);
     double rows[P + 1][P + 1][2];
     for (int i = 0; i <= P; i++) { /* along v, of the rows that are alive */
-        span_coefficients(
+        taut_cloth_arc_of(
             v, b, taut_surface_points(flat) + 3 * ((size_t)(first + i) * (size_t)nv + begin), 3,
             rows[i]);
     }
     for (int k = 0; k <= P; k++) {
         double part[P + 1][2];
-        span_coefficients(u, a, rows[0][k], sizeof rows[0] / sizeof(double), part);
+        taut_cloth_arc_of(u, a, rows[0][k], sizeof rows[0] / sizeof(double), part);
         for (int i = 0; i <= P; i++) {
             memcpy(out[i][k], part[i], sizeof part[i]);
         }
@@ -154,14 +125,7 @@ static double fold_of(const taut_cloth_piece *piece)
 
 /* ---- no-overlap ---- */
 
-typedef struct arc {
-    double p[P + 1][2];
-} arc;
-
-static void halve(const arc *whole, arc *low, arc *high)
-{
-    taut_certify_halve(P, 2, whole->p[0], low->p[0], high->p[0]);
-}
+typedef taut_cloth_arc arc;
 
 static int boxes_apart(const arc *a, const arc *b)
 {
@@ -214,8 +178,8 @@ static int is_apart(const arc *a, const arc *b, int depth)
     if (depth == 0) {
         return 0;
     }
-    halve(a, &la, &ha);
-    halve(b, &lb, &hb);
+    taut_cloth_arc_halve(a, &la, &ha);
+    taut_cloth_arc_halve(b, &lb, &hb);
     return is_apart(&la, &lb, depth - 1) && is_apart(&la, &hb, depth - 1) &&
            is_apart(&ha, &lb, depth - 1) && is_apart(&ha, &hb, depth - 1);
 }
@@ -230,8 +194,8 @@ static int meets_once(const arc *a, const arc *b, int depth)
     if (depth == 0) {
         return 0;
     }
-    halve(a, &la, &ha);
-    halve(b, &lb, &hb);
+    taut_cloth_arc_halve(a, &la, &ha);
+    taut_cloth_arc_halve(b, &lb, &hb);
     return meets_once(&la, &ha, depth - 1) && meets_once(&ha, &lb, depth - 1) &&
            meets_once(&lb, &hb, depth - 1) && is_apart(&la, &lb, depth - 1) &&
            is_apart(&la, &hb, depth - 1) && is_apart(&ha, &hb, depth - 1);
@@ -269,7 +233,7 @@ static taut_status overlap_of(const taut_cloth *cloth, const taut_cloth_piece *p
         return TAUT_NO_MEMORY;
     }
     for (int i = 0; i < around; i++) {
-        span_coefficients(cut, i,
+        taut_cloth_arc_of(cut, i,
                           taut_curve_points(piece->cut) + 3 * (size_t)taut_basis_first(cut, i), 3,
                           arcs[i].p);
     }
@@ -285,7 +249,7 @@ static taut_status overlap_of(const taut_cloth *cloth, const taut_cloth_piece *p
             double p[P + 1][2];
             const int span = is_back ? spans[across] - 1 - i : i;
             const size_t stride = across ? 3 : 3 * nv;
-            span_coefficients(bases[across], span,
+            taut_cloth_arc_of(bases[across], span,
                               from[e] + stride * (size_t)taut_basis_first(bases[across], span),
                               stride, p);
             for (int k = 0; k <= P; k++) {

@@ -9,7 +9,7 @@
  *   isometric    largest strain of pieces that are told to have none (check)
  *   strain       largest principal strain, where one is asked for (check)
  *   exhausts     areas of the pieces against that of the surface (check)
- *   roll         boxes of pieces that lie over each other or leave the roll (exact)
+ *   roll         pieces that are not proved apart on the roll, or leave it (certify/pattern/roll.h)
  */
 #include "taut/pattern.h"
 
@@ -18,6 +18,7 @@
 #include "certify/pattern/allowance.h"
 #include "certify/pattern/energy.h"
 #include "certify/pattern/fold.h"
+#include "certify/pattern/roll.h"
 #include "certify/pattern/seams.h"
 #include "certify/pattern/unavoidable.h"
 #include "certify/pattern/worst.h"
@@ -168,69 +169,6 @@ static taut_status add_exhausts(const taut_cloth *cloth, double *area,
                           fmin(fmax(area_limit, area_share * doubt), area_error_most), certificate);
 }
 
-/* ---- the roll ---- */
-
-typedef struct box {
-    double low[2], high[2];
-} box;
-
-/* The box around the control points of the line to cut along, on the roll: it holds the line. */
-static box box_of(const taut_cloth_piece *piece)
-{
-    box b = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
-    const taut_basis *basis = taut_curve_t(piece->cut);
-    const double *breaks = taut_basis_breaks(basis);
-    enum { PLACES = 16 };
-    for (int i = 0; i < taut_basis_span_count(basis); i++) {
-        for (int k = 0; k <= PLACES; k++) {
-            double y[3];
-            taut_curve_eval(piece->cut, breaks[i] + (breaks[i + 1] - breaks[i]) * k / PLACES, 0, y);
-            for (int d = 0; d < 2; d++) {
-                b.low[d] = fmin(b.low[d], y[d] + piece->at[d]);
-                b.high[d] = fmax(b.high[d], y[d] + piece->at[d]);
-            }
-        }
-    }
-    return b;
-}
-
-static taut_status add_roll(const taut_cloth *cloth, taut_arena *arena,
-                            taut_certificate *certificate)
-{
-    const taut_record *roll = taut_record_get(taut_model_details(cloth->model), "roll");
-    const double size[2] = {taut_record_number(taut_record_get(roll, "length")),
-                            taut_record_number(taut_record_get(roll, "width"))};
-    const double room = ldexp(1e-12 * cloth->size, cloth->unit);
-    box *boxes = taut_arena_take(arena, (size_t)cloth->piece_count + 1, sizeof *boxes);
-    taut_worst w = {0, ""};
-
-    if (boxes == NULL) {
-        return TAUT_NO_MEMORY;
-    }
-    for (int k = 0; k < cloth->piece_count; k++) {
-        const taut_cloth_piece *piece = &cloth->pieces[k];
-        int is_wrong = !piece->is_placed;
-        boxes[k] = box_of(piece);
-        for (int d = 0; d < 2; d++) {
-            is_wrong |= !(boxes[k].low[d] >= -room) || !(boxes[k].high[d] <= size[d] + room);
-        }
-        for (int i = 0; i < k; i++) {
-            is_wrong |= boxes[i].low[0] < boxes[k].high[0] - room &&
-                        boxes[k].low[0] < boxes[i].high[0] - room &&
-                        boxes[i].low[1] < boxes[k].high[1] - room &&
-                        boxes[k].low[1] < boxes[i].high[1] - room;
-        }
-        w.residual += is_wrong;
-        if (is_wrong && w.where[0] == '\0') {
-            snprintf(w.where, sizeof w.where, "%.40s", piece->name);
-        }
-    }
-    if (cloth->problem != NULL && cloth->problem->cloth.width > 0) {
-        w.residual += size[1] != cloth->problem->cloth.width;
-    }
-    return taut_worst_add(&w, "roll", TAUT_CHECK, 0, certificate);
-}
-
 /* ---- figures ---- */
 
 static taut_status add_figures(const taut_cloth *cloth, const taut_cloth_state *list,
@@ -312,7 +250,7 @@ static taut_status prove(const taut_cloth *cloth, taut_arena *arena, taut_certif
         status = add_exhausts(cloth, &area, certificate);
     }
     if (status == TAUT_OK) {
-        status = add_roll(cloth, arena, certificate);
+        status = taut_cloth_add_roll(cloth, arena, certificate);
     }
     return status == TAUT_OK ? add_figures(cloth, list, limits, area, certificate) : status;
 }

@@ -283,10 +283,14 @@ static void describe_roll(const taut_pattern_layout *layout, const taut_pattern_
     taut_record_add_number(at, "waste", roll->waste);
     taut_record *list = taut_record_add_list(at, "pieces");
     for (int k = 0; k < layout->piece_count; k++) {
-        const double place[2] = {ldexp(roll->at[k][0], scale), ldexp(roll->at[k][1], scale)};
+        const taut_nest_place *on = &roll->places[k];
+        const double place[2] = {ldexp(on->at[0], scale), ldexp(on->at[1], scale)};
         taut_record *one = taut_record_add_object(list, NULL);
         taut_record_add_text(one, "name", layout->pieces[k].name);
         taut_record_add_numbers(one, "at", 2, place);
+        if (on->is_turned) {
+            taut_record_add_bool(one, "turned", 1);
+        }
     }
 }
 

@@ -536,13 +536,9 @@ static taut_status place_on_roll(const request *r, const made_pieces *made, taut
 {
     const taut_pattern_layout *layout = &made->layout;
     const int scale = layout->carrier->scale;
-    double area = 0;
-    for (int k = 0; k < layout->piece_count; k++) {
-        area += made->outlines[k].area;
-    }
     return taut_pattern_roll_new(layout->piece_count, made->outlines,
                                  ldexp(r->problem->cloth.width, -scale), ldexp(gap_of(r), -scale),
-                                 area, arena, roll) == TAUT_OK
+                                 r->problem->cloth.has_nap, arena, roll) == TAUT_OK
                ? TAUT_OK
                : taut_fail_memory(error);
 }

@@ -1,5 +1,6 @@
 #include "io/flat/cloth.h"
 
+#include "core/constants.h"
 #include "core/elementary/elementary.h"
 #include "core/fail.h"
 #include "core/unit.h"
@@ -278,6 +279,26 @@ static void add_names(drawing *to, const taut_record *piece, const char *name, c
     }
 }
 
+/* Lines and texts from these on, turned by half a turn about a place. */
+static void turn(drawing *to, size_t line, size_t text, const double about[2])
+{
+    for (; line < to->flat->line_count; line++) {
+        taut_flat_line *one = &to->flat->lines[line];
+        double(*points)[2] = taut_arena_copy(to->arena, one->points, one->count, sizeof *points);
+        for (size_t k = 0; points != NULL && k < 2 * one->count; k++) {
+            points[k / 2][k % 2] = 2 * about[k % 2] - one->points[k / 2][k % 2];
+        }
+        one->points = (const double(*)[2])points;
+    }
+    for (; text < to->flat->text_count; text++) {
+        taut_flat_text *one = &to->flat->texts[text];
+        for (int d = 0; d < 2; d++) {
+            one->at[d] = 2 * about[d] - one->at[d];
+        }
+        one->angle += one->angle > 0 ? -TAUT_PI : TAUT_PI;
+    }
+}
+
 static int add_piece(drawing *to, const taut_record *piece, const taut_record *roll)
 {
     const char *name = taut_record_text(member(piece, "name"));
@@ -289,9 +310,13 @@ static int add_piece(drawing *to, const taut_record *piece, const taut_record *r
                               taut_record_number(taut_record_at(pair, 1))};
         if (strcmp(taut_record_text(member(place, "name")), name) == 0 && cut != NULL &&
             isfinite(at[0]) && isfinite(at[1])) {
+            const size_t line = to->flat->line_count, text = to->flat->text_count;
             add_curve(to, CUT, cut, at, 1);
             add_sewing(to, piece, name, at);
             add_names(to, piece, name, at);
+            if (member(place, "turned") != NULL) {
+                turn(to, line, text, at);
+            }
             return 1;
         }
     }

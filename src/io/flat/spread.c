@@ -24,9 +24,9 @@ static void corner_of(const taut_surface *surface, double corner[3])
     corner[2] = low[2];
 }
 
-/* How far a piece is moved; 0 where the roll does not have it. */
+/* How far a piece is moved, once x and y are times *sign (-1: it is turned by half a turn); 0 where the roll does not have it. */
 static int shift_of(const taut_model *model, const double corner[3], const char *piece,
-                    size_t length, double shift[3])
+                    size_t length, double shift[3], double *sign)
 {
     const taut_record *roll = taut_record_get(taut_model_details(model), "roll");
     const taut_record *places = taut_record_get(roll, "pieces");
@@ -38,17 +38,18 @@ static int shift_of(const taut_model *model, const double corner[3], const char 
             shift[0] = corner[0] + taut_record_number(taut_record_at(at, 0));
             shift[1] = corner[1] - width + taut_record_number(taut_record_at(at, 1));
             shift[2] = corner[2];
+            *sign = taut_record_get(place, "turned") != NULL ? -1 : 1;
             return isfinite(shift[0] + shift[1]);
         }
     }
     return 0;
 }
 
-static double *moved(const double *points, int count, const double shift[3])
+static double *moved(const double *points, int count, const double shift[3], double sign)
 {
     double *own = taut_alloc((size_t)count, 3 * sizeof(double));
     for (int k = 0; own != NULL && k < 3 * count; k++) {
-        own[k] = points[k] + shift[k % 3];
+        own[k] = (k % 3 < 2 ? sign : 1) * points[k] + shift[k % 3];
     }
     return own;
 }
@@ -59,14 +60,14 @@ static taut_status add_surface(const taut_model *model, int i, const double corn
     const taut_surface *from = taut_model_surface(model, i);
     const int count =
         taut_basis_count(taut_surface_u(from)) * taut_basis_count(taut_surface_v(from));
-    double shift[3] = {0, 0, 0};
+    double shift[3] = {0, 0, 0}, sign = 1;
     taut_surface *made = NULL;
 
     if (i > 0) {
         const char *name = taut_surface_name(from);
-        shift_of(model, corner, name, strlen(name), shift);
+        shift_of(model, corner, name, strlen(name), shift, &sign);
     }
-    double *points = moved(taut_surface_points(from), count, shift);
+    double *points = moved(taut_surface_points(from), count, shift, sign);
     taut_status status =
         points != NULL
             ? taut_surface_new(taut_surface_name(from), taut_surface_u(from), taut_surface_v(from),
@@ -86,14 +87,15 @@ static taut_status add_curve(const taut_model *model, int i, const double corner
 {
     const taut_curve *from = taut_model_curve(model, i);
     const char *name = taut_curve_name(from), *dot = strchr(name, '.');
-    double shift[3] = {0, 0, 0};
+    double shift[3] = {0, 0, 0}, sign = 1;
     taut_curve *made = NULL;
 
-    if (dot != NULL && shift_of(model, corner, name, (size_t)(dot - name), shift) &&
+    if (dot != NULL && shift_of(model, corner, name, (size_t)(dot - name), shift, &sign) &&
         strcmp(dot, ".cut") != 0) {
         return TAUT_OK;
     }
-    double *points = moved(taut_curve_points(from), taut_basis_count(taut_curve_t(from)), shift);
+    double *points =
+        moved(taut_curve_points(from), taut_basis_count(taut_curve_t(from)), shift, sign);
     taut_status status = points != NULL ? taut_curve_new(name, taut_curve_t(from), points,
                                                          taut_curve_weights(from), &made, NULL)
                                         : TAUT_NO_MEMORY;

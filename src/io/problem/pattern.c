@@ -31,7 +31,7 @@ static const char *const curve_members[] = {"curve", NULL};
 static const char *const butt_members[] = {"butt", "at", NULL};
 static const char *const at_members[] = {"edge", "part", "length", "parameter", NULL};
 static const char *const parameters[] = {"u", "v", NULL};
-static const char *const cloth_members[] = {"width", "material", "thread", "gap", NULL};
+static const char *const cloth_members[] = {"width", "material", "thread", "nap", "gap", NULL};
 static const char *const material_members[] = {"E", "nu", "G", NULL};
 static const char *const compensation_members[] = {"warp", "weft", "seam", NULL};
 
@@ -391,6 +391,7 @@ static taut_status read_cloth(const taut_json *at, void *into, taut_error *error
     taut_reader_optional(&in, "width", read_positive, &cloth->width);
     taut_reader_optional(&in, "material", read_material, &cloth->material);
     taut_reader_optional(&in, "thread", read_thread, &cloth->thread);
+    taut_reader_flag(&in, "nap", &cloth->has_nap);
     taut_reader_optional(&in, "gap", read_gap, cloth);
     return in.status;
 }
