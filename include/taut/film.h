@@ -190,13 +190,13 @@ typedef struct taut_film_problem {
     taut_film_method method;
     int accepts_stationary; /* nonzero: films at rest that are no minimum too */
     int refine;             /* 0 to 6: found anew so often, each time with all spans halved */
-    /* Films of many patches: then of what stands above tolerance, max_iterations, method, without_least, accepts_stationary and
-     * equilibrium alone count. Of a patch name, u, v, corners, edges, tension count; an edge in a seam is left all zero. */
+    /* Films of many patches: then of what stands above tolerance, max_iterations, method, without_least, accepts_stationary,
+     * equilibrium and refine alone count. Of a patch name, u, v, corners, edges, tension, start count; an edge in a seam is left all zero. */
     int patch_count;
     const taut_film_problem *patches;
     int seam_count;
     const taut_film_seam *seams;
-    /* Of films of one patch too, with cables of force, and without start, refine, updates and threads. */
+    /* Of films of one patch too, without updates and threads. */
     int cell_count;
     const taut_film_cell *cells;
     /* Of films of one patch too, as cells. */

@@ -239,4 +239,59 @@ points 3 'conflict /corners' '[2,1,0]' null ', "corners": {}'
 points 3 'edge-conflict /points' '[2,1,0]' null ', "edges": { "u1": { "fixed": { "line": [[2,0,0],[2,2,1]] } } }'
 sed 's/"u": { "type": "bezier", "degree": 2 },//' points.json > wide.json
 refused 3 'size /points' make wide.json --quiet
+# nets of many patches: where a tent begins, what rows of points hold, finer spaces
+"$TAUT" example film-tent > tent.json
+run 0 make tent.json -o tent-film.json
+python3 - <<'END'
+import copy, json
+tent, film = json.load(open("tent.json")), json.load(open("tent-film.json"))
+def write(name, **members):
+    json.dump({**tent, **members}, open(name, "w"))
+surfaces = film["surfaces"]
+write("tent-start.json", start={"taut": 1, "surfaces": surfaces})
+moved = copy.deepcopy(surfaces)
+moved[1]["points"][0][0] = [0, 0, 1.001]
+write("tent-moved.json", start={"taut": 1, "surfaces": moved})
+write("tent-three.json", start={"taut": 1, "surfaces": surfaces[:3]})
+few = copy.deepcopy(tent)
+for patch in few["patches"]:
+    patch["u"]["count"] = patch["v"]["count"] = 7
+json.dump({**few, "refine": 2}, open("tent-refine.json", "w"))
+json.dump({**few, "refine": 6}, open("tent-large.json", "w"))
+# two edges of each patch and its corners by rows of points, where they begin; then one of them held there
+rows = copy.deepcopy(tent)
+for patch, surface in zip(rows["patches"], surfaces):
+    net = surface["points"]
+    last = len(net) - 1
+    patch["points"] = [[net[i][j] if i == last or j == last or i + j == 0 else None for j in range(last + 1)] for i in range(last + 1)]
+    patch["points"][0][last] = patch["points"][last][0] = None
+    del patch["corners"]
+json.dump(rows, open("tent-rows.json", "w"))
+del rows["patches"][1]["edges"]["u1"]
+json.dump(rows, open("tent-free.json", "w"))
+rows["patches"][1]["points"][3][3] = [0, 0, 0]
+json.dump(rows, open("tent-point.json", "w"))
+END
+run 0 make tent-start.json -o tent-again.json
+run 0 make tent-refine.json -o tent-fine.json
+run 0 make tent-rows.json -o tent-row.json
+python3 - <<'END'
+import json
+films = {name: json.load(open("tent-%s.json" % name)) for name in ("film", "again", "fine", "row")}
+energy = {name: film["certificate"]["figures"]["energy"] for name, film in films.items()}
+assert all(film["certificate"]["holds"] for film in films.values())
+assert films["again"]["details"]["iterations"] <= 3 < films["film"]["details"]["iterations"]
+assert abs(energy["again"] - energy["film"]) < 1e-11 * energy["film"]
+assert abs(energy["row"] - energy["film"]) < 1e-8 * energy["film"]
+# 33.037128872: two discretisations of a program of its own agree in these digits
+rounds = films["fine"]["details"]["refinement"]
+assert [one["points"] for one in rounds["rounds"]] == [[196], [400], [1024]]
+assert abs(rounds["estimated_least_energy"] - 33.037128872) < 2e-9 < energy["fine"] - 33.037128872
+END
+[ $? = 0 ] || complain "nets of many patches"
+refused 3 'start /start' make tent-moved.json --quiet
+refused 3 'start /start' make tent-three.json --quiet
+refused 3 'size /refine' make tent-large.json --quiet
+refused 4 'free-edge /patches/1/edges/u1' make tent-free.json --quiet
+refused 4 'point-support /patches/1/points/3/3' make tent-point.json --quiet
 finish

@@ -1,24 +1,17 @@
 /* refine.c -- the same film in finer spaces.
  *
  *     halve all spans of the film and of the reference, and let that be the start
- *     the energies E_0, E_1, ..: a geometric series, whose ratio is that of the last two falls, at most 1/4, seems to end at
- *         E = E_n - (E_n-1 - E_n) q / (1 - q)
  */
 #include "construct/film/refine.h"
 
 #include "construct/film/ring.h"
+#include "construct/film/rounds.h"
 #include "core/fail.h"
 #include "taut/operations.h"
 
 #include <math.h>
 
 enum { ROUNDS = TAUT_FILM_REFINE_MAX + 1 };
-static const double rate_first = 1.0 / 16, rate_slowest = 0.25, rate_fastest = 1e-3;
-
-typedef struct stage {
-    int nu, nv;
-    double energy;
-} stage;
 
 static taut_status halve_spans(const taut_surface *surface, taut_surface **halved,
                                taut_error *error)
@@ -79,42 +72,17 @@ static taut_status solve_halved(const taut_film_problem *problem, const taut_sur
     return status;
 }
 
-/* Where the energies of so many rounds seem to end. */
-static double limit_of(const stage *rounds, int count)
+static void take_size(const taut_surface *surface, taut_film_stage *stage)
 {
-    double rate = rate_first;
-
-    if (count < 2) {
-        return taut_none;
-    }
-    const double last = rounds[count - 2].energy - rounds[count - 1].energy;
-    if (count > 2 && rounds[count - 3].energy != rounds[count - 2].energy) {
-        rate = fabs(last / (rounds[count - 3].energy - rounds[count - 2].energy));
-        rate = fmin(rate_slowest, fmax(rate_fastest, rate));
-    }
-    return rounds[count - 1].energy - fabs(last) * rate / (1 - rate);
-}
-
-static void describe(const stage *rounds, int count, taut_record *details)
-{
-    taut_record *refinement = taut_record_add_object(details, "refinement");
-    taut_record *list = taut_record_add_list(refinement, "rounds");
-    const double limit = limit_of(rounds, count);
-
-    for (int k = 0; k < count; k++) {
-        taut_record *one = taut_record_add_object(list, NULL);
-        const double points[2] = {rounds[k].nu, rounds[k].nv};
-        taut_record_add_numbers(one, "points", 2, points);
-        taut_record_add_number(one, "energy", rounds[k].energy);
-    }
-    taut_record_add_number(refinement, "estimated_least_energy", limit);
-    taut_record_add_number(refinement, "estimated_gap", rounds[0].energy / limit - 1);
+    stage->sizes = 2;
+    stage->points[0] = taut_basis_count(taut_surface_u(surface));
+    stage->points[1] = taut_basis_count(taut_surface_v(surface));
 }
 
 /* One round more: *surface and *reference become finer. */
 static taut_status add_round(const taut_film_problem *problem, const taut_monitor *monitor,
-                             taut_surface **surface, taut_surface **reference, stage *found,
-                             taut_error *error)
+                             taut_surface **surface, taut_surface **reference,
+                             taut_film_stage *found, taut_error *error)
 {
     taut_surface *halved = NULL, *made = NULL, *other = NULL;
     taut_status status = halve_spans(*surface, &halved, error);
@@ -131,8 +99,7 @@ static taut_status add_round(const taut_film_problem *problem, const taut_monito
         *surface = made;
         *reference = other;
         other = NULL;
-        found->nu = taut_basis_count(taut_surface_u(made));
-        found->nv = taut_basis_count(taut_surface_v(made));
+        take_size(made, found);
     }
     taut_surface_free(other);
     taut_surface_free(halved);
@@ -143,12 +110,11 @@ taut_status taut_film_refine(const taut_film_problem *problem, const taut_surfac
                              double energy, const taut_monitor *monitor, taut_record *details,
                              taut_error *error)
 {
-    stage rounds[ROUNDS] = {{.nu = taut_basis_count(taut_surface_u(surface)),
-                             .nv = taut_basis_count(taut_surface_v(surface)),
-                             .energy = energy}};
+    taut_film_stage rounds[ROUNDS] = {{.energy = energy}};
     taut_surface *now = NULL, *reference = NULL;
     taut_status status = taut_surface_copy(surface, &now);
 
+    take_size(surface, &rounds[0]);
     if (status == TAUT_OK && problem->reference != NULL) {
         status = taut_surface_copy(problem->reference, &reference);
     }
@@ -160,7 +126,7 @@ taut_status taut_film_refine(const taut_film_problem *problem, const taut_surfac
         status = add_round(problem, monitor, &now, &reference, &rounds[k], error);
     }
     if (status == TAUT_OK) {
-        describe(rounds, problem->refine + 1, details);
+        taut_film_refinement(rounds, problem->refine + 1, details);
     }
     taut_surface_free(now);
     taut_surface_free(reference);

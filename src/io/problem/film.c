@@ -626,7 +626,7 @@ static void read_nets(taut_reader *document, taut_arena *arena, taut_film_proble
     } else if (document->status == TAUT_OK) {
         free_corners(document, data);
     }
-    taut_film_document_start(document, arena, data);
+    taut_film_document_start(document, arena, 1, data);
 }
 
 /* Names of patches stand before those of their edges, "NAME.u0", "-NAME.u0". */
@@ -662,7 +662,6 @@ static void read_alone(taut_reader *document, taut_problem *problem, taut_film_p
     read_one(document, problem, data);
     read_seams(document, data);
     read_nets(document, problem->arena, data);
-    taut_reader_optional_integer(document, "refine", 0, TAUT_FILM_REFINE_MAX, &data->refine);
     read_film_tension(document, data);
     read_threads(document, problem, data);
 }
@@ -757,6 +756,7 @@ static void film_read(taut_reader *document, taut_problem *problem, void *into)
     } else {
         read_alone(document, problem, data);
     }
+    taut_reader_optional_integer(document, "refine", 0, TAUT_FILM_REFINE_MAX, &data->refine);
     if (taut_reader_has(document, "cables")) {
         taut_film_document_along(document, problem, &parts, read_law, data);
     }

@@ -86,7 +86,7 @@ static taut_status take_row(const taut_json *at, const net *n, int e, int is_nam
         n->known[place_of(n, e, 0)] && n->known[place_of(n, e, (e < 2 ? n->nv : n->nu) - 1)];
     char message[128];
 
-    if (edge->kind != TAUT_FILM_FIXED) {
+    if (edge->kind != TAUT_FILM_FIXED || is_named == TAUT_FILM_EDGE_JOINED) {
         return TAUT_OK; /* a start */
     }
     if (edge->curve != NULL) {
@@ -222,34 +222,38 @@ static const taut_surface *find_surface(const taut_model *model, const char *nam
     return NULL;
 }
 
-void taut_film_document_start(taut_reader *document, taut_arena *arena, taut_film_problem *data)
+static taut_status take_start(const taut_json *at, const taut_model *model, taut_arena *arena,
+                              taut_film_problem *part, taut_error *error)
+{
+    const char *name = part->name != NULL ? part->name : "film";
+    const taut_surface *surface = find_surface(model, name);
+
+    if (surface == NULL || taut_surface_weights(surface) != NULL ||
+        !taut_basis_equal(taut_surface_u(surface), part->u) ||
+        !taut_basis_equal(taut_surface_v(surface), part->v)) {
+        return taut_json_fail(at, error, "start", taut_none, taut_none,
+                              surface == NULL ? "found no surface \"%s\", expected one of that name"
+                                              : "found a surface \"%s\" on other bases, expected "
+                                                "those of the film",
+                              name);
+    }
+    const size_t count = (size_t)taut_basis_count(part->u) * (size_t)taut_basis_count(part->v);
+    part->start = taut_arena_copy(arena, taut_surface_points(surface), count, 3 * sizeof(double));
+    return part->start != NULL ? TAUT_OK : taut_fail_memory(error);
+}
+
+void taut_film_document_start(taut_reader *document, taut_arena *arena, int count,
+                              taut_film_problem *parts)
 {
     const taut_json at = taut_json_member(document->object, "start");
-    const char *name = data->name != NULL ? data->name : "film";
     taut_model *model = NULL;
 
     if (document->status != TAUT_OK || at.value == NULL) {
         return;
     }
     document->status = taut_model_document_read(&at, &model, document->error);
-    if (document->status != TAUT_OK) {
-        return;
-    }
-    const taut_surface *surface = find_surface(model, name);
-    if (surface == NULL || taut_surface_weights(surface) != NULL ||
-        !taut_basis_equal(taut_surface_u(surface), data->u) ||
-        !taut_basis_equal(taut_surface_v(surface), data->v)) {
-        document->status =
-            taut_json_fail(&at, document->error, "start", taut_none, taut_none,
-                           surface == NULL ? "found no surface \"%s\", expected one of that name"
-                                           : "found a surface \"%s\" on other bases, expected "
-                                             "those of the film",
-                           name);
-    } else {
-        const size_t count = (size_t)taut_basis_count(data->u) * (size_t)taut_basis_count(data->v);
-        data->start =
-            taut_arena_copy(arena, taut_surface_points(surface), count, 3 * sizeof(double));
-        document->status = data->start != NULL ? TAUT_OK : taut_fail_memory(document->error);
+    for (int k = 0; document->status == TAUT_OK && k < count; k++) {
+        document->status = take_start(&at, model, arena, &parts[k], document->error);
     }
     taut_model_free(model);
 }

@@ -10,22 +10,23 @@
 #include "io/problem/film_patches.h"
 
 #include "core/fail.h"
+#include "io/problem/film_net.h"
 #include "io/problem/member.h"
 #include "io/problem/net_document.h"
 
 #include <stdio.h>
 #include <string.h>
 
-static const char *const patch_members[] = {"name", "u", "v", "corners", "edges", "tension", NULL};
+static const char *const patch_members[] = {"name",  "u",      "v",       "corners",
+                                            "edges", "points", "tension", NULL};
 static const char *const seam_members[] = {"edges", "cable", "plane", NULL};
 static const char *const cell_members[] = {"name", "sides", "pressure", "volume", "from", NULL};
 static const char *const edge_names[4] = {"u0", "u1", "v0", "v1"};
 static const char *const corner_names[4] = {"u0v0", "u1v0", "u0v1", "u1v1"};
 enum { CONFLICTS = 9 }; /* of these, by patches or in their place; the rest is not there yet */
 static const char *const of_patches[] = {
-    "curves",    "boundary", "u",      "v",     "corners",       "edges",
-    "points",    "tension",  "name",   "start", "force_density", "prestress",
-    "reference", "updates",  "refine", NULL};
+    "curves", "boundary",      "u",         "v",         "corners", "edges", "points", "tension",
+    "name",   "force_density", "prestress", "reference", "updates", NULL};
 
 /* What is being read. */
 typedef struct reading {
@@ -150,6 +151,29 @@ static taut_status read_seam(const taut_json *at, void *into, taut_error *error)
     return in.status;
 }
 
+/* The net of a patch, once its seams are known. */
+static void read_points(const reading *r, const taut_json *at, int p)
+{
+    const taut_json edges = taut_json_member(at, "edges");
+    taut_reader in = taut_reader_of(at, patch_members, r->document->error);
+    unsigned char named[4];
+
+    for (int e = 0; e < 4; e++) {
+        named[e] = taut_json_member(&edges, edge_names[e]).value != NULL;
+    }
+    for (int s = 0; s < r->data->seam_count; s++) {
+        for (int k = 0; k < r->seams[s].count; k++) {
+            if (r->seams[s].sides[k].patch == p) {
+                named[r->seams[s].sides[k].edge] = TAUT_FILM_EDGE_JOINED;
+            }
+        }
+    }
+    if (taut_reader_has(&in, "points")) {
+        taut_film_document_points(&in, r->problem->arena, named, &r->patches[p]);
+    }
+    r->document->status = in.status;
+}
+
 void taut_film_document_patches(taut_reader *document, taut_problem *problem,
                                 const taut_film_patch_readers *readers, taut_film_problem *data,
                                 taut_film_parts *parts)
@@ -186,6 +210,11 @@ void taut_film_document_patches(taut_reader *document, taut_problem *problem,
                                           read_seam, &r, document->error);
     }
     data->seams = r.seams;
+    for (int p = 0; document->status == TAUT_OK && p < r.count; p++) {
+        const taut_json at = taut_json_item(&patches, (size_t)p);
+        read_points(&r, &at, p);
+    }
+    taut_film_document_start(document, problem->arena, r.count, r.patches);
     *parts = (taut_film_parts){r.patches, r.seams};
 }
 

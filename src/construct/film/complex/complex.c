@@ -8,7 +8,7 @@
 #include "construct/film/complex/complex.h"
 
 #include "construct/common/build.h"
-#include "construct/film/complex/solve.h"
+#include "construct/film/complex/refine.h"
 #include "construct/film/images.h"
 #include "core/fail.h"
 #include "core/vec3.h"
@@ -161,22 +161,21 @@ static taut_status check_cell(const taut_film_problem *problem, int c, taut_erro
     return TAUT_OK;
 }
 
-/* What a film of one patch may have, but not with cells. */
+/* What a film of one patch may have, but not with cells or cables along several edges. */
 static taut_status check_lone(const taut_film_problem *problem, taut_error *error)
 {
     const struct {
         const char *where;
         int is_there;
-    } rows[] = {{"/start", problem->start != NULL},
-                {"/refine", problem->refine > 0},
-                {"/updates", problem->updates > 0},
+    } rows[] = {{"/updates", problem->updates > 0},
                 {"/prestress", problem->prestress[0] != 0},
                 {"/force_density", problem->force_density[0] != 0}};
 
     for (size_t k = 0; problem->u != NULL && k < sizeof rows / sizeof *rows; k++) {
         if (rows[k].is_there) {
             return taut_fail(error, TAUT_BAD_INPUT, "not-yet", rows[k].where, taut_none, taut_none,
-                             "films with cells cannot have \"%s\" in this version: leave it out",
+                             "films with cells or cables along several edges cannot have \"%s\" in "
+                             "this version: leave it out",
                              rows[k].where + 1);
         }
     }
@@ -196,6 +195,11 @@ static taut_status check_problem(const taut_film_problem *problem, taut_error *e
         return taut_fail(error, TAUT_BAD_INPUT, "size", "/cells", problem->cell_count,
                          TAUT_FILM_CELLS_MAX, "%d cells, expected 0 to %d", problem->cell_count,
                          TAUT_FILM_CELLS_MAX);
+    }
+    if (problem->refine < 0 || problem->refine > TAUT_FILM_REFINE_MAX) {
+        return taut_fail(error, TAUT_BAD_INPUT, "value", "/refine", problem->refine,
+                         TAUT_FILM_REFINE_MAX, "found %d, expected 0 to %d", problem->refine,
+                         TAUT_FILM_REFINE_MAX);
     }
     if (problem->patch_count > TAUT_FILM_PATCHES_MAX || problem->patches == NULL) {
         return taut_fail(error, TAUT_BAD_INPUT, "size", "/patches", problem->patch_count,
@@ -416,9 +420,18 @@ static taut_status build(void *context, taut_arena *arena, taut_model *model, ta
     for (int k = 0; status == TAUT_OK && k < layout.complex.strand_count; k++) {
         status = add_strand(&layout.complex, k, rest.points, arena, model, error);
     }
-    return status == TAUT_OK
-               ? taut_construct_set_details(model, details_of(&layout, &rest, arena), error)
-               : status;
+    if (status != TAUT_OK) {
+        return status;
+    }
+    taut_record *details = details_of(&layout, &rest, arena);
+    if (details != NULL && r->problem->refine > 0) {
+        status = taut_film_complex_refine(&layout, &rest, r->monitor, details, error);
+    }
+    if (status != TAUT_OK) {
+        taut_record_free(details);
+        return status;
+    }
+    return taut_construct_set_details(model, details, error);
 }
 
 taut_status taut_film_complex_make(const taut_film_problem *problem,

@@ -11,7 +11,8 @@
 #include <string.h>
 
 enum { SWEEPS = 1000 };
-static const double swept = 1e-4; /* of the longest edge */
+static const double swept = 1e-4;    /* of the longest edge */
+static const double gap_held = 1e-9; /* of the size: a held point and the start's */
 
 /* ---- corners ---- */
 
@@ -425,6 +426,58 @@ static taut_status fill_patch(taut_film_layout *l, int p, taut_arena *arena, tau
     return TAUT_OK;
 }
 
+/* ---- a start that is given ---- */
+
+/* Points of a patch, NaN where none is given: of nodes that are held where they are, of others from there on, by the first patch
+ * that has them. */
+static taut_status take_start(taut_film_layout *l, int p, double gap, unsigned char *seen,
+                              taut_error *error)
+{
+    const taut_film_complex *c = &l->complex;
+    const double *start = c->problem->patches[p].start;
+    const int first = c->first[p], count = start != NULL ? c->first[p + 1] - first : 0;
+
+    for (int k = 0; k < count; k++) {
+        const int node = c->node[first + k];
+        const double *given = start + 3 * k;
+        double x[3] = {given[0], given[1], given[2]};
+        if (!isfinite(taut_norm(given))) {
+            continue;
+        }
+        if (c->kind[node] == TAUT_FILM_NODE_HELD) {
+            memcpy(x, l->points + 3 * node, sizeof x);
+        } else {
+            taut_film_hold_onto(&c->holds[node], x);
+        }
+        const double away = taut_distance(x, given);
+        if (!(away <= gap)) {
+            const int nv = taut_basis_count(c->problem->patches[p].v);
+            return taut_fail(error, TAUT_BAD_INPUT, "start", "/start", away, gap,
+                             "point (%d, %d) of the start of patch %.80s is %.3g away from what "
+                             "holds the film there, expected at most %.3g",
+                             k / nv, k % nv, c->problem->patches[p].name, away, gap);
+        }
+        if (!seen[node]) {
+            memcpy(l->points + 3 * node, x, sizeof x);
+            seen[node] = 1;
+        }
+    }
+    return TAUT_OK;
+}
+
+static taut_status take_starts(taut_film_layout *l, taut_arena *arena, taut_error *error)
+{
+    const taut_film_problem *problem = l->complex.problem;
+    const double gap = gap_held * taut_film_complex_size(problem);
+    unsigned char *seen = taut_arena_take(arena, (size_t)l->complex.nodes, 1);
+    taut_status status = seen != NULL ? TAUT_OK : taut_fail_memory(error);
+
+    for (int p = 0; status == TAUT_OK && p < problem->patch_count; p++) {
+        status = take_start(l, p, gap, seen, error);
+    }
+    return status;
+}
+
 /* ---- forces ---- */
 
 static taut_status take_forces(taut_film_layout *l, taut_error *error)
@@ -537,6 +590,9 @@ taut_status taut_film_layout_new(const taut_film_problem *problem, taut_arena *a
             (size_t)taut_basis_local(patch->u) * (size_t)taut_basis_local(patch->v);
         l->pairs = local * (local + 1) / 2 > l->pairs ? local * (local + 1) / 2 : l->pairs;
         status = fill_patch(l, p, arena, error);
+    }
+    if (status == TAUT_OK) {
+        status = take_starts(l, arena, error);
     }
     if (status == TAUT_OK) {
         status = check_area(l, error);

@@ -5,6 +5,7 @@
  *     edges     held curves fitted by their moments; straight lines for the rest, bowed as curves opposite to them are, or, closed,
  *               what is opposite, moved onto planes
  *     inside    the net of Coons of the four edges
+ *     all       as the starts of patches say, where they are given
  */
 #ifndef TAUT_CONSTRUCT_FILM_COMPLEX_LAYOUT_H
 #define TAUT_CONSTRUCT_FILM_COMPLEX_LAYOUT_H
@@ -33,7 +34,7 @@ typedef struct taut_film_layout {
 /* class[2 p + d], of the edges of patch p along v (d = 0) or u: of one number are those that lie opposite to each other or in a seam. */
 void taut_film_strips(const taut_film_problem *problem, int *class);
 
-/* In the arena. Reasons as taut_film_complex_new, curve-fit, no-area, overflow, value. */
+/* In the arena. Reasons as taut_film_complex_new, curve-fit, start, no-area, overflow, value. */
 taut_status taut_film_layout_new(const taut_film_problem *problem, taut_arena *arena,
                                  taut_film_layout *layout, taut_error *error);
 

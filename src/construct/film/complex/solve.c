@@ -762,6 +762,7 @@ taut_status taut_film_rest_find(const taut_film_layout *layout, const taut_monit
     }
     if (status == TAUT_OK) {
         rest->area = ldexp(w.value, 2 * (layout->scaling.outer + layout->scaling.inner));
+        rest->energy = rest->area * layout->tensions[0];
         rest->unknowns = taut_sparse_rows(w.energy->sparse);
         rest->iterations = w.iterations;
         rest->method = w.method;

@@ -12,6 +12,7 @@ typedef struct taut_film_rest {
     double *forces, *lengths; /* [rope_count], in the user's unit */
     double residual;          /* largest free derivative over the largest */
     double area;              /* of a film of one tension without cables */
+    double energy;            /* in the user's unit */
     double rival; /* of two films, one in each of two rims that bound such a film; else 0 */
     int negative; /* eigenvalues of the second variation below 0 */
     taut_film_method method; /* that it was found by */
