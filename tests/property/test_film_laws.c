@@ -572,8 +572,11 @@ static void try_ring(int trial, tally *t)
               "ring %d of kind %d: none at %g of what there is: %s", trial, kind, h / reach,
               error.message);
     } else if (status != TAUT_OK) {
-        printf("ring %d of kind %d, %g of what there is: %s: %s\n", trial, kind, h / reach,
-               error.reason, error.message);
+        printf(
+            "ring %d of kind %d, %g of what there is: degree %d, %d and %d points, height %.17g, "
+            "radius %.17g, force %.17g: %s: %s\n",
+            trial, kind, h / reach, degree, taut_basis_count(r.problem.u),
+            taut_basis_count(r.problem.v), h, q, force, error.reason, error.message);
     }
     ring_free(&r);
 }

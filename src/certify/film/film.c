@@ -60,6 +60,7 @@ typedef struct request {
     const taut_surface *surface;
     const taut_film_problem *problem;
     int nu, nv;
+    int all; /* is it to rest in all coordinates? Not by the method `normal`, asked for or told in the details */
     double tolerance;
     double
         half; /* half the size of the film: of the largest coordinate of a point from the first */
@@ -93,6 +94,9 @@ static taut_status read_request(const taut_model *model, const taut_film_problem
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "a film problem needs two bases");
     }
+    const char *method = taut_record_text(taut_record_get(taut_model_details(model), "method"));
+    r->all =
+        problem->method == TAUT_FILM_FULL && !(method != NULL && strcmp(method, "normal") == 0);
     r->nu = taut_basis_count(taut_surface_u(r->surface));
     r->nv = taut_basis_count(taut_surface_v(r->surface));
     if (!taut_basis_equal(problem->u, taut_surface_u(r->surface)) ||
@@ -381,9 +385,7 @@ static taut_status find_rest(const request *r, int rule, taut_arena *arena, find
     scale_gradient(&sheet, largest, gradient);
     const double along = taut_film_moves_largest(&moves, gradient, &at_move);
     const double free =
-        r->problem->method == TAUT_FILM_NORMAL
-            ? 0
-            : largest_free(&sheet, gradient, &at_free) * (r->tolerance / largest_limit);
+        r->all ? largest_free(&sheet, gradient, &at_free) * (r->tolerance / largest_limit) : 0;
     found->residual = taut_certify_max(along, free);
     found->at = along >= free ? at_move : at_free;
     found->area = ldexp(found->area, 2 * sheet.unit);

@@ -489,8 +489,7 @@ static taut_record *details_of(const taut_film_space *space, const taut_film_sol
 
     taut_record_add_number(details, "unknowns", 3 * (double)space->mask.unknowns);
     taut_record_add_number(details, "iterations", solution->iterations);
-    taut_record_add_text(details, "method",
-                         problem->method == TAUT_FILM_NORMAL ? "normal" : "full");
+    taut_record_add_text(details, "method", solution->by_moves ? "normal" : "full");
     taut_record_add_text(details, "solver", solution->method);
     taut_record_add_number(details, "residual", solution->residual);
     describe_cables(space, solution, details);

@@ -36,7 +36,7 @@ typedef struct work {
     double *directions;                                    /* [nu][nv][3][3] */
     double *moments;                                       /* [nu][nv][3] */
     double *rows;                                          /* [3][nv][3] */
-    double any, area;                                      /* of the last look */
+    double any, all, area;                                 /* of the last look */
     const taut_basis *bases[2];
     double *greville[2];
 } work;
@@ -286,6 +286,7 @@ static double look(work *w)
         }
     }
     w->any = all > 0 ? any / all : 0;
+    w->all = all;
     return all > 0 ? along / all : 0;
 }
 
@@ -298,6 +299,21 @@ static double make_step(work *w, taut_area_hessian *factors)
         w->net[i] -= w->step[i];
     }
     return look(w);
+}
+
+/* The largest derivative in the net of the film without its cables. */
+static double film_alone(work *w)
+{
+    const int cables = w->functional->cable_count;
+    double largest = 0;
+
+    w->functional->cable_count = 0;
+    taut_area_functional_gradient(w->functional, w->net, w->gradient);
+    w->functional->cable_count = cables;
+    for (size_t i = 0; i < w->count; i++) {
+        largest = fmax(largest, taut_largest_coordinate(w->gradient + 3 * i));
+    }
+    return largest;
 }
 
 static void undo_step(work *w)
@@ -361,7 +377,7 @@ static taut_status polish(work *w, taut_film_memory *memory, double least,
         found = polish_again(w, memory->factors, least, next);
     }
     result->residual = found;
-    result->any = w->any;
+    result->any = memory->scale > 0 ? w->any * w->all / memory->scale : w->any;
     result->area = w->area;
     return status == TAUT_NO_MEMORY ? status : TAUT_OK;
 }
@@ -494,6 +510,7 @@ taut_status taut_film_polish(taut_area_functional *functional, const taut_film_s
     w.directions = memory->directions;
     if (status == TAUT_OK && is_new) {
         find_directions(&w);
+        memory->scale = film_alone(&w);
     }
     if (status == TAUT_OK) {
         status = polish(&w, memory, least, found, is_definite);

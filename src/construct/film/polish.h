@@ -16,6 +16,7 @@
 typedef struct taut_film_memory {
     taut_area_hessian *factors; /* or NULL */
     double *directions;         /* [nu][nv][3][3], or NULL */
+    double scale;               /* the largest derivative of the film alone, without cables */
 } taut_film_memory;
 
 void taut_film_memory_clear(taut_film_memory *memory);

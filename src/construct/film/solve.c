@@ -265,6 +265,7 @@ taut_status taut_film_fill_solution(taut_film_work *w, taut_arena *arena,
     solution->iterations = w->iterations;
     solution->residual = w->region.residual;
     solution->method = w->method;
+    solution->by_moves = space->problem->method == TAUT_FILM_NORMAL;
     solution->negative = w->negative;
     solution->energy = find_energy(w, solution);
     w->functional->cable_count = 0;
@@ -283,11 +284,64 @@ taut_status taut_film_fill_solution(taut_film_work *w, taut_arena *arena,
     return status;
 }
 
+/* May it be that all coordinates fold the net, or come to no rest, of a film that there is? */
+static int may_be_askew(const taut_film_work *w, const taut_error *found)
+{
+    const taut_film_problem *problem = w->space->problem;
+
+    return problem->method == TAUT_FILM_FULL && !taut_film_has_density(problem) &&
+           !problem->accepts_stationary && w->region.iterations < w->region.max_iterations &&
+           (found->status == TAUT_NOT_CONVERGED ||
+            (w->space->around != NULL && (strcmp(found->reason, "collapses") == 0 ||
+                                          strcmp(found->reason, "slides-away") == 0)));
+}
+
+static taut_status begin_anew(taut_film_work *w, taut_error *error)
+{
+    taut_film_start_laws(w, 1);
+    return taut_film_rest(w, 1, error);
+}
+
+/* The film by all coordinates, and where these lead to none by the method `normal`: *plain and *normal are room for that. */
+static taut_status find_film(taut_film_work *w, taut_film_space *plain, taut_film_problem *normal,
+                             taut_arena *arena, taut_error *error)
+{
+    taut_error first = {.status = TAUT_OK}, second = {.status = TAUT_OK};
+
+    first.status = find_net(w, arena, &first);
+    if (first.status == TAUT_OK) {
+        return TAUT_OK;
+    }
+    if (may_be_askew(w, &first)) {
+        const taut_film_space *whole = w->space;
+        *normal = *whole->problem;
+        normal->method = TAUT_FILM_NORMAL;
+        *plain = *whole;
+        plain->problem = normal;
+        w->space = plain;
+        memcpy(w->net, whole->start, 3 * whole->count * sizeof(double));
+        taut_film_memory_clear(&w->memory);
+        second.status = first.status == TAUT_NOT_CONVERGED ? find_net(w, arena, &second)
+                                                           : begin_anew(w, &second);
+        if (second.status == TAUT_OK || second.status == TAUT_NO_MEMORY ||
+            second.status == TAUT_INTERRUPTED) {
+            return second.status == TAUT_OK ? TAUT_OK : taut_film_pass_on(&second, error);
+        }
+        w->space = whole;
+        if (first.status == TAUT_NOT_CONVERGED && second.status == TAUT_NO_SOLUTION) {
+            return taut_film_pass_on(&second, error); /* why there is none */
+        }
+    }
+    return taut_film_pass_on(&first, error);
+}
+
 taut_status taut_film_solve(const taut_film_space *space, const taut_monitor *monitor,
                             taut_arena *arena, taut_film_solution *solution, taut_error *error)
 {
     const taut_film_problem *problem = space->problem;
     taut_film_work w = {.space = space, .monitor = monitor, .method = "none"};
+    taut_film_space plain;
+    taut_film_problem normal;
     taut_status status = TAUT_OK;
 
     *solution = (taut_film_solution){.points = NULL};
@@ -310,7 +364,7 @@ taut_status taut_film_solve(const taut_film_space *space, const taut_monitor *mo
     }
     status = taut_dirichlet_form_new(problem->u, problem->v, NULL, &w.form, error);
     if (status == TAUT_OK) {
-        status = find_net(&w, arena, error);
+        status = find_film(&w, &plain, &normal, arena, error);
     }
     if (status == TAUT_OK && problem->updates > 0) {
         status = update(&w, arena, solution, error);

@@ -17,6 +17,7 @@ typedef struct taut_film_solution {
     int iterations;
     int negative;       /* eigenvalues of the second variation below 0; -1: not looked at */
     double residual;    /* largest derivative along a move that the energy sees over the largest */
+    int by_moves;       /* found by the method `normal`, asked for or not */
     const char *method; /* of the steps: "factors" or "conjugate-gradients" */
 } taut_film_solution;
 
