@@ -27,9 +27,12 @@ def made_of(construct: str, members: Mapping[str, Any], known: Any, tolerance: f
         said["points"] = _masked(said.get("points"), known)
     if construct == "dirichlet" and _is_direct(said):
         net = np.ascontiguousarray(said["points"], dtype=np.float64)
-        mask = np.logical_and.reduce(np.isfinite(net), axis=-1).view(np.uint8)
-        return dirichlet_direct(net, said["u"], said["v"], mask, None, said.get("aspect", 0.0), bool(said.get("regular", False)),
-                                said.get("name"), tolerance, threads, progress, strict)
+        mask = np.logical_and.reduce(net == net, axis=-1).view(np.uint8)  # not where NaN; what is infinite is C's to refuse
+        try:
+            return dirichlet_direct(net, said["u"], said["v"], mask, None, said.get("aspect", 0.0), bool(said.get("regular", False)),
+                                    said.get("name"), tolerance, threads, progress, strict)
+        except InputError:
+            pass  # which number is wrong, the document says
     model: Model = make({"construct": construct, **said}, tolerance, threads, progress, strict, exact)
     return model
 
@@ -50,5 +53,5 @@ def _is_direct(said: Mapping[str, Any]) -> bool:
     net = said.get("points")
     return (set(said) <= {"points", "u", "v", "aspect", "regular", "name"} and isinstance(net, np.ndarray) and net.dtype == np.float64
             and net.ndim == 3 and net.shape[2] == 3 and isinstance(said.get("u"), Basis) and isinstance(said.get("v"), Basis)
-            and net.shape[:2] == (said["u"].count, said["v"].count) and not np.count_nonzero(np.isinf(net))
+            and net.shape[:2] == (said["u"].count, said["v"].count)
             and (said.get("aspect", 1) == "auto" or isinstance(said.get("aspect", 1), (int, float))))

@@ -14,7 +14,7 @@ from typing import Any, Callable, Mapping, Sequence, Union
 import numpy as np
 
 from . import _library as c
-from ._handle import Handle, encoded, expect, library, made, real, thread_count
+from ._handle import Handle, address_of, encoded, expect, library, made, real, thread_count
 from .bases import Basis
 from .errors import CheckFailed, InputError, raise_for
 from .geometry import Curve, Surface
@@ -87,6 +87,9 @@ _signal: Any = importlib.import_module("_signal" if "_signal" in sys.builtin_mod
 _SIGINT = int(signal.SIGINT)
 
 
+_BRIEF = 400  # points of a net that is made in some milliseconds: Ctrl-C waits so long
+
+
 class Watch:
     """Progress and Ctrl-C for a call of C. While it is entered SIGINT is noted (in the main thread) and stops the call; the
     handler that was there is called afterwards."""
@@ -129,13 +132,14 @@ class Watch:
             raise self._raised
 
 
-def _made(problem: Any, options: c.MakeOptions, proof: c.CertifyOptions, make: Any, certify: Any) -> Model:
+def _made(problem: Any, options: c.MakeOptions | None, proof: c.CertifyOptions | None, make: Any, certify: Any) -> Model:
     error, pointer = c.ErrorStruct(), c_void_p()
-    status = make(problem, byref(options), byref(pointer), byref(error))
+    at, to = byref(pointer), byref(error)
+    status = make(problem, None if options is None else byref(options), at, to)
     if status != c.OK:
         raise_for(status, error)
     handle = Handle(pointer.value or 0, library.taut_model_free)
-    status = certify(pointer, problem, byref(proof), byref(pointer), byref(error))
+    status = certify(pointer, problem, None if proof is None else byref(proof), at, to)
     if status != c.OK:
         raise_for(status, error)
     library.taut_model_set_certificate(handle.pointer, pointer)
@@ -234,10 +238,11 @@ def certify(model: Model, problem: Document | None = None, tolerance: float | No
 def dirichlet_direct(points: Any, u: Basis, v: Basis, known: Any, weights: Any, aspect: Any, regular: bool, name: str | None,
                      tolerance: float | None, threads: int | None, progress: Progress | None, strict: bool) -> Model:
     """The surface of least Dirichlet energy, from arrays without a document between: tens of microseconds less."""
-    problem = c.DirichletProblem(name=encoded(name), u=u._pointer, v=v._pointer, points=points.ctypes.data,
-                                 known=known.ctypes.data, weights=None if weights is None else weights.ctypes.data,
-                                 aspect=0.0 if aspect == "auto" else float(aspect), aspect_auto=int(aspect == "auto"),
-                                 regular=int(regular))
+    problem = c.DirichletProblem(encoded(name), u._pointer, v._pointer, address_of(points), address_of(known),
+                                 None if weights is None else address_of(weights),
+                                 0.0 if aspect == "auto" else float(aspect), int(aspect == "auto"), int(regular))
+    if progress is None and tolerance is None and threads is None and known.size <= _BRIEF:
+        return _strict(_made(byref(problem), None, None, library.taut_dirichlet_make, library.taut_dirichlet_certify), strict)
     options, proof = _options(tolerance, threads, False)
     with Watch(progress) as watch:
         options.monitor = proof.monitor = watch.monitor

@@ -387,5 +387,8 @@ taut_status taut_pane_add_curves(taut_pane *pane, const taut_write_options *opti
             taut_parts_net_points(n.nu, n.nv, n.points, &pane->camera, scene);
         }
     }
+    if (status == TAUT_OK && pane->curve_count > 0) { /* with the curves of a net its nodes */
+        status = taut_parts_nodes(pane->model, &pane->camera, scene);
+    }
     return status == TAUT_OK ? scene->status : status;
 }

@@ -7,6 +7,7 @@
 #include "draw/scene.h"
 #include "draw/sheet.h"
 #include "taut/curve.h"
+#include "taut/model.h"
 
 /* The shaded cells of a sheet. limit: the range of the colours when the sheet has values. *page,
  * in the arena: the sheet's points on the page, for taut_parts_outline. */
@@ -43,6 +44,10 @@ int taut_parts_net_is_whole(int nu, int nv);
 /* A curve through count points. */
 taut_status taut_parts_curve(size_t count, const double *points, const taut_camera *camera,
                              taut_ink ink, taut_arena *arena, taut_scene *scene);
+
+/* The first TAUT_PARTS_NODES nodes of a net of curves (details.nodes): a point each, and its name where there is room. */
+enum { TAUT_PARTS_NODES = 4000 };
+taut_status taut_parts_nodes(const taut_model *model, const taut_camera *camera, taut_scene *scene);
 
 /* Points along a curve: double[*count][3], in the arena; not finite where it overflows. */
 taut_status taut_parts_sample_curve(const taut_curve *curve, int most, taut_arena *arena,

@@ -134,6 +134,15 @@ cmp -s words.json whole.json || complain "--untrim changes a model that has no t
 # the page tells how far laths are used, and colours those that are used too far in red (0xb3001b)
 run 0 trace words.json --net asymptotic --cells 3 --strip standing --width 0.2 --thickness 0.02 --material steel-s235 --quiet -o used.html
 contains used.html '"ink": 11730971'
+# figures of a net name its nodes where there is room, each beside its point
+run 0 trace words.json --net asymptotic --cells 3 --quiet -o nodes.svg -o nodes.json
+"$PYTHON" - nodes.svg nodes.json <<'EOF' || complain "figures do not name the nodes"
+import json, re, sys
+figure, model = open(sys.argv[1]).read(), json.load(open(sys.argv[2]))
+known = {node["node"] for node in model["details"]["nodes"]}
+named = [name for name in re.findall(r">([^<>]*)</text>", figure) if re.fullmatch(r"A[0-9]+B[0-9]+", name)]
+assert len(named) == len(set(named)) >= len(known) / 2 and set(named) <= known, (named, known)
+EOF
 # laths go to CAD and to meshes as strips, or as solids of their thickness
 run 0 trace words.json --net asymptotic --cells 3 --strip standing --width 0.02 --thickness 0.002 --quiet -o laths.json -o strips.step -o strips.glb
 run 0 trace words.json --net asymptotic --cells 3 --strip standing --width 0.02 --thickness 0.002 --solid --quiet -o solids.step -o solids.obj
