@@ -146,6 +146,12 @@ typedef struct taut_pattern_marks {
     taut_pattern_notch notch;
 } taut_pattern_marks;
 
+/* Edges to which nothing is sewn, held at the length of the surface less the compensation; nonzero: held. Of the window, u0 to v1, and of
+ * every piece, right, end, left and start. */
+typedef struct taut_pattern_held {
+    int borders[4], edges[4];
+} taut_pattern_held;
+
 /* Zero means default everywhere. One of `model` and `of`. */
 typedef struct taut_pattern_problem {
     const taut_model *model; /* the surface is in it */
@@ -164,6 +170,7 @@ typedef struct taut_pattern_problem {
     taut_pattern_marks marks;
     double
         strain; /* claim: the largest |principal strain| is no more; 0: that of the rule, or none */
+    taut_pattern_held held;
 } taut_pattern_problem;
 
 /* Reasons: word, meaning, remedy. */
@@ -178,6 +185,8 @@ typedef struct taut_pattern_problem {
       "give a place of the window, or of an edge")                                                 \
     X("curve", "a curve that the model does not have, that leaves the surface or has a corner",    \
       "give one of its curves, from border to border of the window")                               \
+    X("held", "an edge to hold that is not known",                                                 \
+      "give edges of the window, u0, u1, v0, v1, or of every piece, right, end, left, start")      \
     X("material", "a material that is not known, or whose moduli are those of no cloth",           \
       "give a name that the message tells, or E and G above 0 with nu^2 below E_warp/E_weft")      \
     X("compensation", "a compensation outside [-0.1, 0.3]",                                        \

@@ -62,6 +62,7 @@ REMEDIES = {
     'frenet-undefined': 'take the rotation-minimizing one',
     'gap': 'raise the degree, or the gap; or move the ends that the message names together, or allow a larger gap',
     'gauss-points': 'even out the weights or the bases, or take more control points',
+    'held': 'give edges of the window, u0, u1, v0, v1, or of every piece, right, end, left, start',
     'helper': 'install taut anew, or correct what $TAUT_CAD names',
     'ill-conditioned': 'take weights that differ less; or lower the degree, change the width, or allow it with "allow_ill_conditioned"; or lower the degree, or even out knots and weights; or lower the degree, or even out the knots; or lower the degree, give data from one edge, or allow it with "allow_ill_conditioned"',
     'image-twice': 'give each image once, of a film that it does not map to itself',

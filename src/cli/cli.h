@@ -57,6 +57,8 @@ typedef struct cli_options {
     int seam_line_count;
     const char *warp, *weft, *strain, *allowance, *border, *marks;
     const char *seam_length;
+    const char **holds; /* pattern --hold */
+    int hold_count;
     int count;
     int cells;
     int both;

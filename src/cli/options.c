@@ -148,6 +148,7 @@ void cli_parse_free(cli_options *options)
 {
     free(options->outputs);
     free(options->geodesics);
+    free(options->holds);
     free(options->seam_lines);
     free(options->at);
     free(options->families);

@@ -187,6 +187,11 @@ static int write_document(const cli_options *options, cli_words *t)
     cli_put_named(options->surface, "surface", t);
     int code = put_rules(options, t);
     cli_put_named(options->seam_length, "seam_length", t);
+    for (int k = 0; k < options->hold_count; k++) {
+        cli_put(t, k == 0 ? ", \"held\": [" : ", ");
+        cli_put_word(t, options->holds[k]);
+    }
+    cli_put(t, options->hold_count > 0 ? "]" : "");
     code = code == 0 ? put_object("cloth", 2, cloth, t) : code;
     code = code == 0 ? put_object("compensation", 2, compensation, t) : code;
     code = code == 0 ? put_object("allowance", 2, allowance, t) : code;
@@ -245,6 +250,9 @@ static const cli_option options_of_pattern[] = {
      "marks across seams, so far apart on the surface"},
     {"--strain", CLI_TEXT, offsetof(cli_options, strain), 0, 0, 0, "E",
      "no more than this: claimed, and without --count as many strips as it takes"},
+    {"--hold", CLI_LIST, offsetof(cli_options, holds), offsetof(cli_options, hold_count), 0, 0,
+     "EDGE",
+     "an edge at the length of the surface: u0 to v1, or right, end, left, start of pieces"},
     {"--seam-length", CLI_TEXT, offsetof(cli_options, seam_length), 0, 0, 0, "L",
      "shared (default): the mean of both sides; true: that of the surface"},
     CLI_SURFACE,

@@ -410,6 +410,10 @@
     X(taut_pattern_compensation, has_seam, "int") \
     X(taut_pattern_compensation, seam, "double")
 
+#define TAUT_ABI_MEMBERS_taut_pattern_held(X) \
+    X(taut_pattern_held, borders, "int[4]") \
+    X(taut_pattern_held, edges, "int[4]")
+
 #define TAUT_ABI_MEMBERS_taut_pattern_hem(X) \
     X(taut_pattern_hem, edge, "taut_edge") \
     X(taut_pattern_hem, pocket, "double")
@@ -442,7 +446,8 @@
     X(taut_pattern_problem, hem_count, "int") \
     X(taut_pattern_problem, hems, "const taut_pattern_hem *") \
     X(taut_pattern_problem, marks, "taut_pattern_marks") \
-    X(taut_pattern_problem, strain, "double")
+    X(taut_pattern_problem, strain, "double") \
+    X(taut_pattern_problem, held, "taut_pattern_held")
 
 #define TAUT_ABI_MEMBERS_taut_pattern_rule(X) \
     X(taut_pattern_rule, kind, "taut_pattern_rule_kind") \
@@ -761,6 +766,7 @@
     X(taut_pattern_at) \
     X(taut_pattern_cloth) \
     X(taut_pattern_compensation) \
+    X(taut_pattern_held) \
     X(taut_pattern_hem) \
     X(taut_pattern_marks) \
     X(taut_pattern_material) \

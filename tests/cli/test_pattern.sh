@@ -25,6 +25,9 @@ for threads in 1 3; do
 done
 cmp threads-1.json threads-3.json || complain "threads change the pattern"
 
+run 0 pattern surface.json --across v0,v1 --count 3 --hold v0 --hold left --quiet -o held.json
+run 0 certify held.json
+refused 2 'held' pattern surface.json --across v0,v1 --count 3 --hold w1 -o none.json
 refused 2 'value --across v0' pattern surface.json --across v0 --count 3 -o none.json
 refused 2 'edge' pattern surface.json --across v0,u1 --count 3 -o none.json
 refused 2 'compensation' pattern surface.json --across v0,v1 --count 3 --warp 0.5 -o none.json

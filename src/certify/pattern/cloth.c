@@ -176,7 +176,9 @@ static void take_side(taut_cloth *cloth, taut_cloth_piece *piece, int e, const t
     const taut_record *part = taut_record_get(edge, "part");
     const int side = side_named(cloth, taut_record_text(border != NULL ? border : seam));
     piece->sides[e] = side;
+    const taut_record *share = taut_record_get(edge, "compensation");
     piece->is_sewn[e] = seam != NULL;
+    piece->held[e] = seam == NULL && share != NULL ? 1 - taut_record_number(share) : (double)NAN;
     piece->part[e][0] = part != NULL ? taut_record_number(taut_record_at(part, 0)) : 0;
     piece->part[e][1] = part != NULL ? taut_record_number(taut_record_at(part, 1)) : 1;
     const int needs_one = seam != NULL || e == TAUT_CLOTH_RIGHT || e == TAUT_CLOTH_LEFT;

@@ -32,6 +32,8 @@ typedef struct taut_cloth_piece {
     int index;                   /* of the flat surface in the model */
     int sides[TAUT_CLOTH_EDGES]; /* what edges are parts of; -1: a straight part of a border */
     int is_sewn[TAUT_CLOTH_EDGES];
+    double held
+        [TAUT_CLOTH_EDGES]; /* of those that are held and not sewn: flat over true length, as it is told; NaN */
     double part[TAUT_CLOTH_EDGES][2];          /* shares of the side, as s or t grows */
     const taut_surface *flat;                  /* scaled; the arena's */
     const taut_curve *edges[TAUT_CLOTH_EDGES]; /* as s or t grows, in the model's unit */

@@ -554,7 +554,7 @@ static taut_status judge_stiffness(work *w)
 
 static int is_held(const work *w, int edge)
 {
-    return w->piece->is_sewn[edge];
+    return w->piece->is_sewn[edge] || !isnan(w->piece->held[edge]);
 }
 
 static taut_status make_room(work *w)

@@ -440,10 +440,65 @@ static void measure(const taut_cloth *cloth, const sewn *one, taut_worst *w)
                     1);
 }
 
+/* Is it asked that this edge is held? */
+static int is_asked(const taut_pattern_held *held, const taut_cloth_piece *piece, int e)
+{
+    return !piece->is_sewn[e] &&
+           (held->edges[e] || (piece->border[e] >= 0 && held->borders[piece->border[e]]));
+}
+
+/* A held edge to which nothing is sewn: lengths from its beginning to places along it, flat against the surface's less the compensation. */
+static void measure_held(const taut_cloth *cloth, const taut_cloth_piece *piece, int e,
+                         taut_worst *w)
+{
+    const int is_across = e == TAUT_CLOTH_START || e == TAUT_CLOTH_END;
+    const double fixed = e == TAUT_CLOTH_END || e == TAUT_CLOTH_LEFT;
+    double nodes[FEW], weights[FEW];
+    double share = cloth->warp == 0 && cloth->weft == 0 ? 1 : piece->held[e];
+    double sums[2] = {0, 0}, apart = 0;
+    if (cloth->problem != NULL && cloth->problem->compensation.has_seam) {
+        share = 1 - cloth->problem->compensation.seam;
+    }
+    taut_gauss_rule(FEW, nodes, weights);
+    for (int i = 0; i < STEPS; i++) {
+        const double a = (double)i / STEPS, b = (double)(i + 1) / STEPS;
+        for (int q = 0; q < FEW; q++) {
+            const double x = a + (b - a) * (1 + nodes[q]) / 2;
+            double g[3] = {NAN, NAN, NAN};
+            taut_cloth_metric(cloth, piece, is_across ? fixed : x, is_across ? x : fixed, g);
+            sums[0] += weights[q] * (b - a) / 2 * share * sqrt(g[is_across ? 2 : 0]);
+        }
+        sums[1] += length_between(cloth, piece->edges[e], a, b, nodes, weights);
+        apart = taut_certify_max(apart, fabs(sums[0] - sums[1]));
+    }
+    taut_worst_take(w, apart / sums[0], piece->name, e);
+}
+
+/* Of all pieces; whether there is any. */
+static int measure_all_held(const taut_cloth *cloth, taut_worst *w)
+{
+    int any = 0;
+    for (int k = 0; k < cloth->piece_count * TAUT_CLOTH_EDGES; k++) {
+        const taut_cloth_piece *piece = &cloth->pieces[k / TAUT_CLOTH_EDGES];
+        const int e = k % TAUT_CLOTH_EDGES, is_held = !isnan(piece->held[e]);
+        if (is_held) {
+            measure_held(cloth, piece, e, w);
+        }
+        if (cloth->problem != NULL && is_held != is_asked(&cloth->problem->held, piece, e) &&
+            taut_cloth_length(cloth, piece->edges[e]) > 0) {
+            taut_worst_take(w, INFINITY, piece->name, e);
+            any = 1;
+        }
+        any |= is_held;
+    }
+    return any;
+}
+
 static taut_status add_seams(const taut_cloth *cloth, taut_certificate *certificate)
 {
     taut_worst w = {0, ""}, lengths = {0, ""};
     int any = 0;
+    const int any_held = measure_all_held(cloth, &lengths);
 
     for (int i = 0; i < cloth->piece_count * TAUT_CLOTH_EDGES; i++) {
         const sewn a = {i / TAUT_CLOTH_EDGES, i % TAUT_CLOTH_EDGES};
@@ -466,11 +521,9 @@ static taut_status add_seams(const taut_cloth *cloth, taut_certificate *certific
             }
         }
     }
-    if (!any) {
-        return TAUT_OK;
-    }
-    const taut_status status = taut_worst_add(&w, "seams", TAUT_CHECK, seam_limit, certificate);
-    return status == TAUT_OK && cloth->is_true
+    const taut_status status =
+        any ? taut_worst_add(&w, "seams", TAUT_CHECK, seam_limit, certificate) : TAUT_OK;
+    return status == TAUT_OK && ((any && cloth->is_true) || any_held)
                ? taut_worst_add(&lengths, "lengths", TAUT_CHECK, seam_limit, certificate)
                : status;
 }

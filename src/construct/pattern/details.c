@@ -76,6 +76,9 @@ static void add_edges(const taut_pattern_told *told, int index, taut_record *at)
         }
         taut_record_add_number(edge, "length", ldexp(taut_pattern_bound_length(piece, e), scale));
         taut_record_add_number(edge, "flat_length", ldexp(flat_length(outline->edges[e]), scale));
+        if (taut_pattern_is_held(told->cut, piece, e)) {
+            taut_record_add_number(edge, "compensation", 1 - bound->share);
+        }
         if (margin->width[e] > 0) {
             taut_record_add_number(edge, "allowance", ldexp(margin->width[e], scale));
         }

@@ -164,6 +164,13 @@ double taut_pattern_own_stretch(const taut_pattern_layout *layout, const taut_pa
     return speed[0] / (range * side->length);
 }
 
+int taut_pattern_is_held(const taut_pattern_cut *cut, const taut_pattern_piece *piece, int edge)
+{
+    const taut_pattern_bound *bound = &piece->bounds[edge];
+    return !taut_pattern_is_sewn(piece, edge) && !bound->is_point &&
+           (cut->held.edges[edge] || (bound->border >= 0 && cut->held.borders[bound->border]));
+}
+
 /* What the second pass holds. */
 static void set_seams(taut_pattern_layout *layout, const taut_pattern_cut *cut)
 {
@@ -174,6 +181,13 @@ static void set_seams(taut_pattern_layout *layout, const taut_pattern_cut *cut)
         }
         if (side->is_seam && side->is_jointed) {
             set_mean(layout, side);
+        }
+    }
+    for (int k = 0; k < layout->piece_count * TAUT_FLAT_EDGES; k++) {
+        taut_pattern_piece *piece = &layout->pieces[k / TAUT_FLAT_EDGES];
+        const int e = k % TAUT_FLAT_EDGES;
+        if (taut_pattern_is_held(cut, piece, e)) {
+            piece->bounds[e].share = 1 - seam_compensation(layout, cut, k / TAUT_FLAT_EDGES, e);
         }
     }
 }
@@ -209,6 +223,12 @@ int taut_pattern_held_speed(const taut_pattern_layout *layout, const taut_patter
 {
     const taut_pattern_bound *bound = &layout->pieces[piece].bounds[edge];
     const double range = bound->to - bound->from;
+    if (taut_pattern_is_held(cut, &layout->pieces[piece], edge)) {
+        taut_pattern_bound_speed(&layout->pieces[piece], edge, x, speed);
+        speed[0] *= bound->share;
+        speed[1] *= bound->share;
+        return 1;
+    }
     if (!taut_pattern_is_sewn(&layout->pieces[piece], edge)) {
         return 0;
     }

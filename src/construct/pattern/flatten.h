@@ -2,7 +2,7 @@
  *
  *     1. each piece alone, no edge held; developable ones by quadrature
  *     2. each piece again, its seams held: at the mean of the speeds that both sides have alone, or at the length of
- *        the surface less the compensation
+ *        the surface less the compensation, as other edges are that are to be held
  */
 #ifndef TAUT_CONSTRUCT_PATTERN_FLATTEN_H
 #define TAUT_CONSTRUCT_PATTERN_FLATTEN_H
@@ -17,7 +17,11 @@ typedef struct taut_pattern_cut {
     int has_law; /* nonzero, or the squares of all strains are made least */
     taut_pattern_compensation compensation;
     double thread;
+    taut_pattern_held held;
 } taut_pattern_cut;
+
+/* Is an edge held to which nothing is sewn? */
+int taut_pattern_is_held(const taut_pattern_cut *cut, const taut_pattern_piece *piece, int edge);
 
 /* |y_x| that an edge is held at, and its derivative by x, s or t along it, in the carrier's unit; 0 where it is free. */
 int taut_pattern_held_speed(const taut_pattern_layout *layout, const taut_pattern_cut *cut,

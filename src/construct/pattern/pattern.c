@@ -248,7 +248,8 @@ static void take_cut(request *r)
     r->cut = (taut_pattern_cut){.seam_length = r->problem->seam_length,
                                 .has_law = m->g > 0,
                                 .compensation = compensation_of(r->problem),
-                                .thread = r->problem->cloth.thread};
+                                .thread = r->problem->cloth.thread,
+                                .held = r->problem->held};
     if (r->cut.has_law) {
         const double d = 1 - m->nu * m->nu * m->e[1] / m->e[0], unit = m->e[0];
         r->cut.law = (taut_flat_law){.d11 = m->e[0] / d / unit,

@@ -134,3 +134,16 @@ void taut_pattern_piece_bends(const taut_pattern_piece *piece, double s, double 
     }
     *gauss = forms.w > 0 ? taut_form_pair_gauss(&forms) : 0;
 }
+
+void taut_pattern_bound_speed(const taut_pattern_piece *piece, int edge, double x, double speed[2])
+{
+    const int is_across = edge == TAUT_FLAT_START || edge == TAUT_FLAT_END;
+    const double fixed = edge == TAUT_FLAT_END || edge == TAUT_FLAT_LEFT;
+    double w[6][2], at[TAUT_CARRIER_VECTORS][3], first[3], bent[3];
+    taut_pattern_piece_window(piece, is_across ? fixed : x, is_across ? x : fixed, w);
+    space_at(piece->carrier, w[0], 2, at);
+    along((const double(*)[3])at, w[1 + is_across], first);
+    second((const double(*)[3])at, w[1 + is_across], w[is_across ? 5 : 3], bent);
+    speed[0] = taut_norm(first);
+    speed[1] = taut_dot(first, bent) / speed[0];
+}

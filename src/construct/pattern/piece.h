@@ -18,7 +18,8 @@ typedef struct taut_pattern_bound {
     int border;                    /* of the window, 0 to 3: u0, u1, v0, v1; -1 */
     int is_point;                  /* it has no length: the piece has three sides */
     double from, to;               /* shares of the side's length */
-    double ends[2][2];             /* the places where it begins and ends */
+    double share;      /* where it is held and not sewn: flat over the surface's length */
+    double ends[2][2]; /* the places where it begins and ends */
 } taut_pattern_bound;
 
 typedef struct taut_pattern_piece {
@@ -40,6 +41,8 @@ void taut_pattern_piece_metric(const void *piece, double s, double t, double g[3
 /* k_g ds/ds of the line t = const, k_g dt/dt of the line s = const, and the Gauss curvature. */
 void taut_pattern_piece_bends(const taut_pattern_piece *piece, double s, double t, double bend[2],
                               double *gauss);
+/* |X_x| along an edge, s or t, and its derivative. */
+void taut_pattern_bound_speed(const taut_pattern_piece *piece, int edge, double x, double speed[2]);
 /* Is something sewn to the edge? */
 int taut_pattern_is_sewn(const taut_pattern_piece *piece, int edge);
 /* The length of an edge on the surface, in the carrier's unit. */

@@ -14,8 +14,9 @@
 #include <string.h>
 
 static const char *const members[] = {
-    "pattern",   "of",        "surface", "seams", "seam_length", "cloth",  "compensation",
-    "prestress", "allowance", "hems",    "marks", "strain",      "untrim", NULL};
+    "pattern", "of",           "surface",   "seams",     "seam_length",
+    "cloth",   "compensation", "prestress", "allowance", "held",
+    "hems",    "marks",        "strain",    "untrim",    NULL};
 static const char *const patterns[] = {"cloth", NULL};
 static const char *const lengths[] = {"shared", "true", NULL};
 static const char *const edges[] = {"u0", "u1", "v0", "v1", NULL};
@@ -532,6 +533,21 @@ static void read_marks(taut_reader *document, taut_pattern_problem *data)
     document->status = in.status;
 }
 
+static taut_status read_held(const taut_json *at, void *into, taut_error *error)
+{
+    static const char *const words[] = {"u0",  "u1",   "v0",    "v1", "right",
+                                        "end", "left", "start", NULL};
+    taut_pattern_held *held = into;
+    taut_reader in = {.object = at, .error = error};
+    int word = 0;
+    in.status = taut_json_word(at, words, &word, error);
+    take_reason(&in, 1, "held");
+    if (in.status == TAUT_OK) {
+        *(word < 4 ? &held->borders[word] : &held->edges[word - 4]) = 1;
+    }
+    return in.status;
+}
+
 /* ---- the whole ---- */
 
 static void pattern_read(taut_reader *document, taut_problem *problem, void *into)
@@ -554,6 +570,11 @@ static void pattern_read(taut_reader *document, taut_problem *problem, void *int
     taut_reader_optional(document, "compensation", read_compensation, &data->compensation);
     read_prestress(document, data);
     taut_reader_optional(document, "allowance", read_allowance, &data->allowance);
+    if (document->status == TAUT_OK && taut_reader_has(document, "held")) {
+        const taut_json held = taut_json_member(document->object, "held");
+        document->status =
+            taut_json_each(&held, 0, 8, "edges", read_held, &data->held, document->error);
+    }
     read_hems(document, problem->arena, data);
     read_marks(document, data);
     taut_reader_optional(document, "strain", read_strain, &data->strain);

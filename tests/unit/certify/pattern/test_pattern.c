@@ -184,6 +184,26 @@ static void test_true_length(void)
     cloth_free(&made);
 }
 
+/* A border that is held; and one that is not to be. */
+static void test_held(void)
+{
+    static const change longer = {"P1.start", {0, 0, 0}, 1 + 1e-8, 0, 0};
+    static const change fine = {"P1.start", {0, 0, 0}, 1 + 1e-10, 0, 0};
+    made_cloth made = cloth_make(SADDLE, "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": "
+                                         "2 }], \"held\": [\"v0\"]");
+    made_cloth other = cloth_make(SADDLE, "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": "
+                                          "2 }], \"held\": [\"v1\"]");
+    CHECK(made.status == TAUT_OK && other.status == TAUT_OK, "%s", made.error.message);
+    CHECK(judge(&made, &fine, NULL, "lengths") == TAUT_TRUE, "as long");
+    CHECK(judge(&made, &longer, NULL, "lengths") == TAUT_FALSE, "longer");
+    taut_problem *own = made.problem;
+    made.problem = other.problem;
+    CHECK(judge(&made, &fine, NULL, "lengths") == TAUT_FALSE, "another edge was to be held");
+    made.problem = own;
+    cloth_free(&made);
+    cloth_free(&other);
+}
+
 /* A developed piece that is strained, by details of another: the claim is about what is there. */
 static void test_isometric(void)
 {
@@ -228,6 +248,7 @@ int main(void)
     test_moved();
     test_told();
     test_true_length();
+    test_held();
     test_isometric();
     return check_failures != 0;
 }

@@ -121,6 +121,25 @@ static void test_curved(void)
     cloth_free(&made);
 }
 
+/* Gores whose borders are held as seams of true length are: all three are alike, to the digits of another program. */
+static void test_held(void)
+{
+    made_cloth made =
+        example("pattern-sphere", "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 3 }], "
+                                  "\"seam_length\": \"true\", \"held\": [\"u0\", \"left\"]");
+    check_holds(&made, "held");
+    for (int k = 1; k <= 3; k++) {
+        char name[8];
+        snprintf(name, sizeof name, "P%d", k);
+        const double energy = cloth_number(&made, "pieces", name, "energy");
+        CHECK(k == 3 || fabs(energy / 1.67695339e-4 - 1) < 1e-6, "%s: %.9g", name, energy);
+    }
+    CHECK_NEAR(cloth_number(&made, "pieces", "P1", "width_middle"), 0.522095538, 2e-8, "width");
+    CHECK_NEAR(cloth_number(&made, "pieces", "P1", "flat_area"), 0.8922630244, 7e-8, "area");
+    CHECK_NEAR(cloth_number(&made, "pieces", "P1", "edges/left/compensation"), 0, 0, "none");
+    cloth_free(&made);
+}
+
 /* What curvature alone makes of gores and of a strip of the catenoid, whose least strain is known in closed form; and as few strips
  * as are strained no more than asked. */
 static void test_unavoidable(void)
@@ -596,6 +615,7 @@ int main(void)
     test_cylinder();
     test_cone();
     test_curved();
+    test_held();
     test_unavoidable();
     test_saddle();
     test_orientation();
