@@ -5,7 +5,8 @@
  *               around it one way (exact, corners to rounding). With the document, seams told as lines that it does not ask for
  *   on-surface  largest distance of S(t) from X(w(t)) over the size, PLACES in each span (check)
  *   geodesic    int |k_g| ds by the seam's own second derivative (check)
- *   edges       largest distance of the line that is sewn from the flat piece's own edge, over the size (check)
+ *   edges       largest distance of the line that is sewn from the flat piece's own edge, and of the line that is cut from it where no
+ *               cloth is left anywhere, over the size (check)
  *   seams       lengths of the two flat edges from their beginning to equal places of the surface, their largest difference over
  *               the length (check)
  *   lengths     of seams whose length is to be that of the surface: what they are longer by, over it (check)
@@ -528,6 +529,16 @@ static taut_status add_seams(const taut_cloth *cloth, taut_certificate *certific
                : status;
 }
 
+/* Is no cloth left along any edge? Then the piece is cut along the lines that are sewn. */
+static int is_bare(const taut_cloth_piece *piece)
+{
+    int all = 1;
+    for (int e = 0; e < TAUT_CLOTH_EDGES; e++) {
+        all &= piece->allowance[e] == 0;
+    }
+    return all;
+}
+
 static taut_status add_edges(const taut_cloth *cloth, taut_certificate *certificate)
 {
     taut_worst w = {0, ""};
@@ -538,10 +549,15 @@ static taut_status add_edges(const taut_cloth *cloth, taut_certificate *certific
                 const double x = (double)i / (STEPS / 4);
                 const int along = e == TAUT_CLOTH_RIGHT || e == TAUT_CLOTH_LEFT;
                 const double fixed = e == TAUT_CLOTH_END || e == TAUT_CLOTH_LEFT;
-                double y[1][3], on[3];
+                double y[1][3], on[3], cut[1][3];
                 taut_cloth_line(cloth, piece->edges[e], x, 0, y);
                 taut_surface_eval(piece->flat, along ? x : fixed, along ? fixed : x, 0, on);
                 taut_worst_take(&w, taut_distance(y[0], on) / cloth->size, piece->name, x);
+                if (is_bare(piece)) { /* right and end as they run, left and start backwards */
+                    taut_cloth_line(cloth, piece->cut, taut_cloth_hand(e) ? e + 1 - x : e + x, 0,
+                                    cut);
+                    taut_worst_take(&w, taut_distance(cut[0], on) / cloth->size, piece->name, x);
+                }
             }
         }
     }

@@ -23,8 +23,8 @@ static box box_of(const taut_record *piece)
     for (size_t k = 0; k < count; k++) {
         for (size_t d = 0; d < 2; d++) {
             const double x = taut_record_number(taut_record_at(taut_record_at(outline, k), d));
-            b.low[d] = fmin(b.low[d], x);
-            b.high[d] = fmax(b.high[d], x);
+            b.low[d] = taut_certify_min(b.low[d], x); /* what is no number lies on no sheet */
+            b.high[d] = taut_certify_max(b.high[d], x);
         }
     }
     b.sheet = count >= 3 ? b.sheet : 0;
