@@ -2,18 +2,19 @@
 
 #include "certify/common/field.h"
 #include "certify/common/verdict.h"
+#include "certify/film/circulation.h"
 #include "core/vec3.h"
-#include "numeric/quadrature.h"
+#include "taut/limits.h"
 
 #include <math.h>
 #include <string.h>
 
 enum {
-    P = 4, /* degree of psi, and of B in t */
-    M = 5, /* of g, and of B in s */
-    NODES = 12,
-    LOOK = 17, /* places each way where lengths are looked at before they are proved */
-    DEPTH = 6, /* halvings, both ways each */
+    P = 4,         /* degree of psi, and of B in t */
+    M = 5,         /* of g, and of B in s */
+    PIECES = 4000, /* of all held edges: beyond it the witness is too sharp for them */
+    LOOK = 17,     /* places each way where lengths are looked at before they are proved */
+    DEPTH = 6,     /* halvings, both ways each */
     ROUND = 4
 };
 static const double frame_defect =
@@ -314,107 +315,71 @@ static taut_status find_longest(const flows *w, double *most)
 
 /* ---- the flux ---- */
 
-static double cross2(const double a[2], const double b[2])
-{
-    return a[0] * b[1] - a[1] * b[0];
-}
-
-/* (s, t) of a place, in closed form: (p - t f) x (e + t g) = 0, r = corner + s e + t f + s t g. */
-static void find_parameters(const flows *w, const double at[2], double st[2])
-{
-    double p[2], e[2], f[2], g[2];
-
-    for (int c = 0; c < 2; c++) {
-        p[c] = at[c] - w->corners[0][c];
-        e[c] = w->corners[1][c] - w->corners[0][c];
-        f[c] = w->corners[3][c] - w->corners[0][c];
-        g[c] = w->corners[2][c] - w->corners[1][c] - f[c];
-    }
-    const double a = -cross2(f, g), b = cross2(p, g) + cross2(e, f), c = cross2(p, e);
-    const double t = -2 * c / (b + sqrt(fmax(0, b * b - 4 * a * c)));
-    const double along[2] = {e[0] + t * g[0], e[1] + t * g[1]};
-    st[0] = ((p[0] - t * f[0]) * along[0] + (p[1] - t * f[1]) * along[1]) /
-            (along[0] * along[0] + along[1] * along[1]);
-    st[1] = t;
-}
-
-/* A sum, and that of the sizes of what is added. */
-typedef struct total {
-    double sum, sizes;
-} total;
-
-static void add(total *t, double x)
-{
-    t->sum += x;
-    t->sizes += fabs(x);
-}
-
-/* int B dt - psi dz along edge e as its points run, by so many nodes a span. */
-static void integrate(const flows *w, int e, int count, double sign, total *flux)
+/* Along held edge e, as its points run; span by span, by Bernstein coefficients. */
+static taut_status add_edge(const flows *w, int e, double sign, int *pieces, taut_film_total *flux)
 {
     const taut_surface *surface = w->sheet->surface;
-    const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
-    const taut_basis *basis = e < 2 ? v : u;
-    const double *breaks = taut_basis_breaks(basis);
-    const double ends[4] = {taut_basis_lo(u), taut_basis_hi(u), taut_basis_lo(v), taut_basis_hi(v)};
-    double nodes[2 * NODES], weights[2 * NODES];
+    const taut_basis *basis = e < 2 ? taut_surface_v(surface) : taut_surface_u(surface);
+    const taut_film_flow flow = {(const double(*)[2])w->corners, &w->b, &w->psi};
+    taut_status status = TAUT_OK;
 
-    taut_gauss_rule(count, nodes, weights);
-    for (int k = 0; k < taut_basis_span_count(basis); k++) {
-        const double half = 0.5 * (breaks[k + 1] - breaks[k]);
-        for (int n = 0; n < count; n++) {
-            const double at = breaks[k] + half * (1 + nodes[n]);
-            double values[TAUT_SURFACE_VECTORS(1)][3], x[3], d[3], st[2], rs[2], rt[2];
-            (void)taut_surface_eval(surface, e < 2 ? ends[e] : at, e < 2 ? at : ends[e], 1,
-                                    values[0]);
-            find_point(w, values[0], x);
-            for (int c = 0; c < 3; c++) {
-                d[c] = ldexp(taut_dot(w->frame[c], values[e < 2 ? TAUT_XV : TAUT_XU]),
-                             -w->sheet->unit);
-            }
-            find_parameters(w, x, st);
-            for (int c = 0; c < 2; c++) {
-                rs[c] = taut_field_value(&w->rs[c], st[0], st[1]);
-                rt[c] = taut_field_value(&w->rt[c], st[0], st[1]);
-            }
-            const double dt = cross2(rs, d) / cross2(rs, rt), weight = sign * half * weights[n];
-            add(flux, weight * taut_field_value(&w->b, st[0], st[1]) * dt);
-            add(flux, -weight * taut_field_value(&w->psi, st[0], st[1]) * d[2]);
+    for (int k = 0; status == TAUT_OK && k < taut_basis_span_count(basis); k++) {
+        double points[3 * (TAUT_DEGREE_MAX + 1)];
+        taut_field x[4];
+        if (!taut_field_of_edge(w->arena, surface, e, k, w->origin, w->sheet->unit, x) ||
+            x[0].p > TAUT_DEGREE_MAX || x[3].p > 0) {
+            flux->off = INFINITY;
+            return TAUT_OK;
         }
+        for (int i = 0; taut_arena_status(w->arena) == TAUT_OK && i <= x[0].p; i++) {
+            const double from[3] = {x[0].a[i], x[1].a[i], x[2].a[i]};
+            for (int c = 0; c < 3; c++) {
+                points[3 * i + c] = taut_dot(w->frame[c], from);
+            }
+        }
+        status = taut_arena_status(w->arena) == TAUT_OK
+                     ? taut_film_circulate(&flow, x[0].p, points, sign, pieces, flux)
+                     : TAUT_NO_MEMORY;
     }
+    return status;
 }
 
 /* What the ends of cables add. */
-static void add_ends(const flows *w, total *flux)
+static void add_ends(const flows *w, taut_film_total *flux)
 {
+    const taut_film_flow flow = {(const double(*)[2])w->corners, &w->b, &w->psi};
+
     for (int k = 0; k < ROUND; k++) {
         const int e = rounds[k].edge;
         for (int end = 0; end < 2 && taut_film_sheet_is_cable(w->sheet, e); end++) {
             const double sign = end == 0 ? 1 : -1;
-            double x[3], st[2];
+            double x[3], st[2], g = 0;
             find_point(w, corner_of(w, end == 0 ? rounds[k].from : rounds[k].to), x);
-            find_parameters(w, x, st);
-            add(flux, sign * taut_field_value(&w->g[e], st[0], st[1]));
-            add(flux, sign * w->height[e] * x[2]);
+            const double doubt = taut_film_locate(&flow, x, st);
+            flux->off += taut_film_flow_value(&w->g[e], st, doubt, &g) +
+                         rounding * fabs(w->height[e] * x[2]);
+            flux->sum += sign * g;
+            flux->sum += sign * w->height[e] * x[2];
         }
     }
 }
 
-static void find_flux(const flows *w, double *flux, double *off)
+static taut_status find_flux(const flows *w, double *flux, double *off)
 {
-    total rough = {0, 0}, fine = {0, 0};
+    taut_film_total total = {0, 0};
+    taut_status status = TAUT_OK;
+    int pieces = PIECES;
 
-    for (int k = 0; k < ROUND; k++) {
+    for (int k = 0; status == TAUT_OK && k < ROUND; k++) {
         const int e = rounds[k].edge;
         if (!taut_film_sheet_is_cable(w->sheet, e)) {
-            integrate(w, e, NODES, rounds[k].sign, &rough);
-            integrate(w, e, 2 * NODES, rounds[k].sign, &fine);
+            status = add_edge(w, e, rounds[k].sign, &pieces, &total);
         }
     }
-    *off = fabs(fine.sum - rough.sum);
-    add_ends(w, &fine);
-    *flux = fine.sum;
-    *off += rounding * fine.sizes;
+    add_ends(w, &total);
+    *flux = total.sum;
+    *off = total.off + rounding * fabs(total.sum);
+    return status;
 }
 
 static taut_status judge(const flows *w, taut_film_calibration *calibration)
@@ -429,16 +394,20 @@ static taut_status judge(const flows *w, taut_film_calibration *calibration)
         calibration->why = "outside: what is held reaches beyond the witness";
         return TAUT_OK;
     }
-    const taut_status status = find_longest(w, &most);
+    taut_status status = find_longest(w, &most);
+    if (status == TAUT_OK) {
+        status = find_flux(w, &calibration->flux, &calibration->off);
+    }
     if (status != TAUT_OK) {
         return status;
     }
-    find_flux(w, &calibration->flux, &calibration->off);
     calibration->flux /= sqrt(most);
     calibration->off /= sqrt(most);
-    calibration->why = most > 0 && isfinite(calibration->flux) && isfinite(calibration->off)
-                           ? NULL
-                           : "range: " TAUT_CERTIFY_OUT_OF_RANGE;
+    calibration->why =
+        !(most > 0) || !isfinite(calibration->flux) ? "range: " TAUT_CERTIFY_OUT_OF_RANGE
+        : !isfinite(calibration->off)
+            ? "sharp: the witness bends too sharply along a held edge for a bound of its flux"
+            : NULL;
     return TAUT_OK;
 }
 

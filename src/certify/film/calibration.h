@@ -17,8 +17,8 @@
  *     B_s^2 + |psi_s r_t - psi_t r_s|^2 <= m^2 J^2,
  *     |g_s r_t - (B + g_t) r_s|^2 + J^2 (c - psi)^2 <= m^2 R^2 J^2
  *
- * on cells that are halved where need be. The integral is by Gauss rules of twelve and of twenty-four nodes a span, which
- * are to agree: what they differ by is taken off.
+ * on cells that are halved where need be. The integral is by Gauss rules on pieces of the edges, whose errors are bounded
+ * (certify/film/circulation.h) and taken off.
  */
 #ifndef TAUT_CERTIFY_FILM_CALIBRATION_H
 #define TAUT_CERTIFY_FILM_CALIBRATION_H

@@ -628,6 +628,12 @@ static taut_status add_least(const request *r, const finding *found, const taut_
                           ? "coarse: there is a bound, further below; take more points"
                           : "";
         claim.holds = claim.holds == TAUT_FALSE ? TAUT_UNDECIDED : claim.holds;
+        if (claim.residual <
+            -largest_limit) { /* less than a bound of all that are held alike: it is not held so */
+            claim.holds = TAUT_UNDECIDED;
+            claim.where = "below: the film has less energy than the bound, so that it is not held "
+                          "as the bound has it";
+        }
         taut_record_add_number(figures, "lower_bound", least.bound);
         taut_record_add_number(figures, "gap", energy - least.bound);
     }

@@ -4,6 +4,9 @@
 #include "check.h"
 #include "sails.h"
 
+#include "taut/construct.h"
+#include "taut/read.h"
+
 #include <string.h>
 
 static const double tetrahedron[4][3] = {{1, 1, 1}, {1, -1, -1}, {-1, -1, 1}, {-1, 1, -1}};
@@ -296,6 +299,68 @@ static void test_none(void)
     }
 }
 
+/* ---- a witness by which two Gauss rules agree, and both are wrong ---- */
+
+/* Schwarz's film over a quadrilateral with a corner all but straight, beside a held edge: s and t have a root there. The potential
+ * may have any function of t added, whose integral around is 0; it is chosen so that rules of 12 and of 24 nodes a span both
+ * give 1.5, where the least area is 1.2793. */
+static void test_sharp(void)
+{
+    static const char text[] =
+        "{\"taut\":1,\"construct\":\"film\",\"u\":{\"type\":\"bspline\",\"degree\":5,\"count\":10},"
+        "\"v\":{\"type\":\"bspline\",\"degree\":5,\"count\":10},\"corners\":{\"u0v0\":[0,0,0],"
+        "\"u1v0\":[1,1,0],\"u1v1\":[0,1,1],\"u0v1\":[1,0,1]}}";
+    static const double frame[3][3] = {{0, 1, 0}, {0, 0, 1}, {1, 0, 0}};
+    static const double corners[4][2] = {{-3, -1e-7}, {0.5, -1.01e-7}, {4, -1e-7}, {0.5, 6}};
+    static const double potential[6][5] = {
+        {2074494805.7068162, 2074783594.699101, -6152954512.275725, 2050028799.4407885,
+         -20804.03711528764},
+        {2074494809.9068162, 2074783599.949101, -6152954505.975725, 2050028806.7907887,
+         -20795.637115147638},
+        {2074494813.0568163, 2074783604.149101, -6152954500.725725, 2050028813.0907888,
+         -20788.287115024963},
+        {2074494815.1568162, 2074783607.299101, -6152954496.525725, 2050028818.3407888,
+         -20781.987114919615},
+        {2074494816.2068164, 2074783609.3991013, -6152954493.375725, 2050028822.540789,
+         -20776.73711483159},
+        {2074494816.2068164, 2074783610.4491012, -6152954491.275725, 2050028825.690789,
+         -20772.53711476089}};
+    const double zeros[5] = {0};
+    taut_problem *problem = NULL;
+    taut_certificate *certificate = NULL;
+    taut_model *model = NULL;
+    taut_record *details = taut_record_new(), *least = taut_record_add_object(details, "least");
+
+    CHECK(taut_problem_read_text(text, strlen(text), "quad", &problem, NULL) == TAUT_OK, "problem");
+    CHECK(taut_make(problem, NULL, &model, NULL) == TAUT_OK, "film");
+    taut_record_add_numbers(least, "origin", 3, zeros);
+    taut_record *rows[3] = {taut_record_add_list(least, "frame"),
+                            taut_record_add_list(least, "quadrilateral"),
+                            taut_record_add_list(least, "psi")};
+    for (int k = 0; k < 3; k++) {
+        taut_record_add_numbers(rows[0], NULL, 3, frame[k]);
+    }
+    for (int k = 0; k < 4; k++) {
+        taut_record_add_numbers(rows[1], NULL, 2, corners[k]);
+    }
+    for (int k = 0; k < 5; k++) {
+        taut_record_add_numbers(rows[2], NULL, 5, zeros);
+    }
+    taut_record *fields = taut_record_add_list(least, "potential");
+    for (int k = 0; k < 6; k++) {
+        taut_record_add_numbers(fields, NULL, 5, potential[k]);
+    }
+    (void)taut_record_add_list(least, "cables");
+    taut_model_set_details(model, details);
+    CHECK(taut_certify(model, problem, NULL, &certificate, NULL) == TAUT_OK, "certificate");
+    const taut_claim *claim = claim_of(certificate, "least");
+    CHECK(claim->holds == TAUT_UNDECIDED && strncmp(claim->where, "sharp: ", 7) == 0, "%s",
+          claim->where);
+    taut_certificate_free(certificate);
+    taut_model_free(model);
+    taut_problem_free(problem);
+}
+
 int main(void)
 {
     random_seed(20261124);
@@ -307,5 +372,6 @@ int main(void)
     test_height();
     test_refused();
     test_none();
+    test_sharp();
     return check_failures != 0;
 }
