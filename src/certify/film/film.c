@@ -31,6 +31,7 @@
 #include "certify/common/verdict.h"
 #include "certify/film/complex/complex.h"
 #include "certify/film/edge.h"
+#include "certify/film/folds.h"
 #include "certify/film/images.h"
 #include "certify/film/least.h"
 #include "certify/film/lines.h"
@@ -498,6 +499,8 @@ static taut_status add_stationary(const request *r, const finding *found,
                                   taut_certificate *certificate)
 {
     char where[64];
+    int folds = 0;
+    double u = 0, v = 0;
     taut_claim claim = {.claim = "stationary",
                         .kind = TAUT_CHECK,
                         .residual = found->residual,
@@ -511,9 +514,17 @@ static taut_status add_stationary(const request *r, const finding *found,
         claim.holds = TAUT_UNDECIDED;
         return taut_certificate_add(certificate, &claim);
     }
+    const taut_status status = taut_film_find_fold(r->surface, &folds, &u, &v);
+    if (status != TAUT_OK) {
+        return status;
+    }
     claim.holds = taut_certify_below(claim.residual, claim.limit);
     if (claim.holds == TAUT_UNDECIDED) {
         snprintf(where, sizeof where, TAUT_CERTIFY_OUT_OF_RANGE);
+    } else if (folds) {
+        claim.holds = TAUT_FALSE;
+        claim.residual = taut_certify_max(claim.residual, 1);
+        snprintf(where, sizeof where, "it folds over at u = %.4g, v = %.4g", u, v);
     } else if (has_slack(r, found)) {
         claim.holds = TAUT_FALSE;
         snprintf(where, sizeof where, "a cable is slack");

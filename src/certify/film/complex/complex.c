@@ -16,6 +16,7 @@
  *   equilibrium where it is asked for: the largest defect
  */
 #include "certify/film/complex/complex.h"
+#include "certify/film/folds.h"
 
 #include "certify/common/verdict.h"
 #include "certify/film/complex/defects.h"
@@ -354,8 +355,8 @@ static void judge(request *r, const taut_sheets *s)
             largest = taut_certify_max(taut_largest_coordinate(g) * (r->tolerance / largest_limit),
                                        largest);
         }
-        if (!(largest / s->largest <= r->residual)) {
-            r->residual = largest / s->largest;
+        if (!(largest / s->scales[a] <= r->residual)) {
+            r->residual = largest / s->scales[a];
             r->at = a;
         }
     }
@@ -463,7 +464,7 @@ static taut_status settle(request *r)
 static taut_status add_stationary(const request *r, taut_certificate *certificate,
                                   taut_error *error)
 {
-    char where[64];
+    char where[96];
     taut_claim claim = {.claim = "stationary",
                         .kind = TAUT_CHECK,
                         .residual = r->residual,
@@ -480,8 +481,20 @@ static taut_status add_stationary(const request *r, taut_certificate *certificat
     const int nv = taut_basis_count(r->problem->patches[p].v), local = k - r->complex.first[p];
     snprintf(where, sizeof where, "/surfaces/%d/points/%d/%d", p, local / nv, local % nv);
     claim.holds = taut_certify_below(claim.residual, claim.limit);
+    int folds = 0;
+    double u = 0, v = 0;
+    for (p = 0; p < r->problem->patch_count && !folds; p++) {
+        if (taut_film_find_fold(r->surfaces[p], &folds, &u, &v) != TAUT_OK) {
+            return taut_fail_memory(error);
+        }
+    }
     if (claim.holds == TAUT_UNDECIDED) {
         snprintf(where, sizeof where, TAUT_CERTIFY_OUT_OF_RANGE);
+    } else if (folds) {
+        claim.holds = TAUT_FALSE;
+        claim.residual = taut_certify_max(claim.residual, 1);
+        snprintf(where, sizeof where, "/surfaces/%d: it folds over at u = %.4g, v = %.4g", p - 1, u,
+                 v);
     } else if (r->slack >= 0) {
         claim.holds = TAUT_FALSE;
         snprintf(where, sizeof where, "a cable is slack");

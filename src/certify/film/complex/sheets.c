@@ -114,12 +114,16 @@ static void add_patch(taut_sheets *s, int p, double *local)
         }
     }
     s->areas[p] = ldexp(taut_sum_total(&area), 2 * s->unit);
+    double largest = 0;
+    for (int k = 0; k < count; k++) {
+        largest = taut_certify_max(taut_largest_coordinate(local + 6 * k), largest);
+    }
     for (int k = 0; k < count; k++) {
         const int node = c->node[c->first[p] + k];
         const double *g = local + 6 * k, *n = g + 3;
+        s->scales[node] = taut_certify_max(largest, s->scales[node]);
         taut_add_scaled(1, g, s->gradient + 3 * node);
         taut_add_scaled(taut_dot(n, s->moments + 3 * node) < 0 ? -1 : 1, n, s->moments + 3 * node);
-        s->largest = taut_certify_max(taut_largest_coordinate(g), s->largest);
     }
     for (int k = 0; k < c->problem->cell_count; k++) {
         const int turn = taut_film_cell_turn(&c->problem->cells[k], p);
@@ -201,9 +205,23 @@ static taut_status add_ropes(taut_sheets *s)
                 s->gradient[i] += s->ratios[r] * s->stretches[r][i];
             }
         }
-        s->largest = taut_certify_max(s->ratios[r], s->largest);
     }
     return TAUT_OK;
+}
+
+/* Along a cable its force counts where it is more than what the sheets do; it hides nothing of sheets beyond. */
+static void scale_cables(taut_sheets *s)
+{
+    const taut_film_complex *c = s->complex;
+
+    for (int k = 0; k < c->strand_count; k++) {
+        const taut_film_side *side = &c->strands[k].side;
+        const int count = taut_film_complex_along(&c->problem->patches[side->patch], side->edge);
+        for (int i = 0; i < count; i++) {
+            double *scale = &s->scales[taut_film_complex_node(c, side, i)];
+            *scale = taut_certify_max(s->ratios[c->strands[k].rope], *scale);
+        }
+    }
 }
 
 /* ---- moves ---- */
@@ -425,7 +443,6 @@ static taut_status find_multipliers(taut_sheets *s)
         } else {
             s->ratios[held.which[i]] = p[i];
             s->forces[held.which[i]] = s->tension * ldexp(p[i], s->unit);
-            s->largest = taut_certify_max(p[i], s->largest);
         }
     }
     for (int q = 0; q < c->problem->patch_count; q++) {
@@ -473,6 +490,7 @@ taut_status taut_sheets_new(const taut_film_complex *complex, const taut_surface
     s->axes = taut_arena_take(arena, patches, 2 * sizeof *s->axes);
     s->gradient = taut_arena_take(arena, nodes, 3 * sizeof(double));
     s->moments = taut_arena_take(arena, nodes, 3 * sizeof(double));
+    s->scales = taut_arena_take(arena, nodes, sizeof(double));
     const size_t cells = (size_t)complex->problem->cell_count;
     s->swells = taut_arena_take(arena, cells * nodes, 3 * sizeof(double));
     s->volumes = taut_arena_take(arena, cells, sizeof(double));
@@ -500,7 +518,11 @@ taut_status taut_sheets_new(const taut_film_complex *complex, const taut_surface
     if (status == TAUT_OK) {
         status = find_moves(s);
     }
-    return status == TAUT_OK ? find_multipliers(s) : status;
+    if (status == TAUT_OK) {
+        status = find_multipliers(s);
+    }
+    scale_cables(s);
+    return status;
 }
 
 /* ---- the second variation ---- */

@@ -45,8 +45,9 @@ typedef struct taut_sheets {
     double *pull;            /* [patch_count]: sum of +-p, the same */
     double *moments;         /* [nodes][3] */
     double *areas, *lengths; /* [patch_count], [rope_count], unscaled */
-    double
-        largest; /* coordinate of a derivative of the sheets alone; force of a cable where that is more */
+    double *
+        scales; /* [nodes]: the largest coordinate of a derivative of the sheets that meet in a node, each
+                                          * alone, or the force of a cable along it */
     int moves;
     int *first;  /* [nodes + 1]: the moves of a node */
     double *way; /* [moves][3], unit */

@@ -411,8 +411,25 @@ static void add_cables(taut_film_energy *e, int with_gradient, taut_sum *sum)
     }
 }
 
+/* By what each sheet does on its own. */
+static void find_scales(const taut_film_energy *energy, double *scales)
+{
+    const taut_film_complex *c = &energy->layout->complex;
+
+    memset(scales, 0, (size_t)c->nodes * sizeof *scales);
+    for (int p = 0; p < c->problem->patch_count; p++) {
+        double largest = 0;
+        for (int k = 3 * c->first[p]; k < 3 * c->first[p + 1]; k++) {
+            largest = fmax(largest, fabs(energy->slopes[k]));
+        }
+        for (int k = c->first[p]; k < c->first[p + 1]; k++) {
+            scales[c->node[k]] = fmax(largest, scales[c->node[k]]);
+        }
+    }
+}
+
 double taut_film_energy_value(taut_film_energy *energy, const double *x, double *gradient,
-                              double *largest)
+                              double *scales)
 {
     const taut_film_complex *c = &energy->layout->complex;
     taut_sum sum = {0, 0};
@@ -434,8 +451,8 @@ double taut_film_energy_value(taut_film_energy *energy, const double *x, double 
             energy->slopes[k] *= energy->shares[p];
         }
     }
-    for (size_t k = 0; largest != NULL && k < 3 * (size_t)c->points; k++) {
-        *largest = fmax(k == 0 ? 0 : *largest, fabs(energy->slopes[k]));
+    if (scales != NULL) {
+        find_scales(energy, scales);
     }
     add_cables(energy, gradient != NULL, &sum);
     add_cells(energy, gradient != NULL, &sum);

@@ -51,10 +51,10 @@ taut_status taut_film_energy_new(const taut_film_layout *layout, int extra,
                                  taut_film_energy **energy);
 void taut_film_energy_free(taut_film_energy *energy); /* NULL is fine */
 
-/* x double[nodes][3], scaled; gradient of the same shape, at held nodes too, or NULL. *largest: the largest coordinate of a derivative of the sheets
- * alone, before those of one node are summed. */
+/* x double[nodes][3], scaled; gradient of the same shape, at held nodes too, or NULL. scales double[nodes], or
+ * NULL: the largest coordinate of a derivative of the sheets that meet in a node, each alone, and before cables add to it. */
 double taut_film_energy_value(taut_film_energy *energy, const double *x, double *gradient,
-                              double *largest);
+                              double *scales);
 /* H and L at the x of the last gradient. */
 void taut_film_energy_second(taut_film_energy *energy);
 /* From now on all that is free counts, or, narrow, the moves that are seen at the x of the last value alone. TAUT_NO_MEMORY. */

@@ -74,7 +74,8 @@ typedef struct work {
     double led;      /* share of the given pressures */
     double *led_from; /* [nodes][3] */
     double *from;     /* [nodes][3] */
-    double value, largest, residual, theta, least_start, aim, mu;
+    double *scales;   /* [nodes]: what derivatives are held against */
+    double value, residual, theta, least_start, aim, mu;
     int iterations, most;
     int is_narrowed; /* nonzero: it was once */
     int narrow;      /* the moves that are seen alone */
@@ -88,7 +89,7 @@ static int must_stop(const work *w)
            w->monitor->progress(w->monitor->context, taut_none, "film") != TAUT_GO_ON;
 }
 
-/* The largest derivative of E - sum p V along what is free, over the largest; of given volumes what they are off by if that is more. */
+/* The largest derivative of E - sum p V along what is free, over the scale of its node; of given volumes what they are off by if that is more. */
 static double residual_of(work *w, const double *gradient, const double *p)
 {
     const double off = taut_film_border_look(&w->border, w->energy);
@@ -102,10 +103,11 @@ static double residual_of(work *w, const double *gradient, const double *p)
             }
         }
         for (int k = 0; k < w->energy->size[a]; k++) {
-            most = fmax(most, fabs(taut_dot(g, w->energy->free + 9 * a + 3 * (size_t)k)));
+            const double along = fabs(taut_dot(g, w->energy->free + 9 * a + 3 * (size_t)k));
+            most = along > 0 ? fmax(most, along / w->scales[a]) : most;
         }
     }
-    return fmax(most / w->largest, off);
+    return fmax(most, off);
 }
 
 /* phi of the last value, with the p of the last step. */
@@ -116,6 +118,21 @@ static double merit(const work *w, double energy)
         energy += (0.5 * w->mu * excess - w->border.p[i]) * excess;
     }
     return energy;
+}
+
+/* Along a cable its force counts where it is more: it hides nothing of sheets beyond. */
+static void scale_cables(work *w)
+{
+    const taut_film_complex *c = &w->layout->complex;
+
+    for (int k = 0; k < c->strand_count; k++) {
+        const taut_film_side *side = &c->strands[k].side;
+        const int count = taut_film_complex_along(&c->problem->patches[side->patch], side->edge);
+        for (int i = 0; i < count; i++) {
+            double *scale = &w->scales[taut_film_complex_node(c, side, i)];
+            *scale = fmax(*scale, w->energy->forces[c->strands[k].rope]);
+        }
+    }
 }
 
 static taut_status look(work *w)
@@ -131,10 +148,8 @@ static taut_status look(work *w)
             w->energy->forces[k] = -w->multipliers[i];
         }
     }
-    w->value = taut_film_energy_value(w->energy, w->x, w->gradient, &w->largest);
-    for (int k = 0; k < w->layout->complex.rope_count; k++) {
-        w->largest = fmax(w->largest, w->energy->forces[k]);
-    }
+    w->value = taut_film_energy_value(w->energy, w->x, w->gradient, w->scales);
+    scale_cables(w);
     const taut_status status = taut_film_energy_narrow(w->energy, w->narrow);
     w->residual = status == TAUT_OK ? residual_of(w, w->gradient, w->multipliers) : NAN;
     return status;
@@ -187,14 +202,12 @@ static taut_status find_step(work *w, double *promised)
 /* Is x + share d better? Then it is x. */
 static int try_step(work *w, double share, double promised)
 {
-    double largest = 0;
-
     for (size_t k = 0; k < 3 * w->nodes; k++) {
         w->next[k] = w->x[k] + share * w->d[k];
     }
     const double before = merit(w, w->value), residual = w->residual;
     const int by_energy = promised > rounding * fabs(w->value);
-    const double energy = taut_film_energy_value(w->energy, w->next, w->after, &largest);
+    const double energy = taut_film_energy_value(w->energy, w->next, w->after, NULL);
     const double after = residual_of(w, w->after, w->border.p); /* of V - V_0 too */
     const int better = by_energy ? merit(w, energy) <= before - share * share_promised * promised
                                  : after < residual;
@@ -724,6 +737,7 @@ taut_status taut_film_rest_find(const taut_film_layout *layout, const taut_monit
               .nodes = nodes,
               .x = taut_arena_copy(arena, layout->start, nodes, bytes),
               .next = taut_arena_take(arena, nodes, bytes),
+              .scales = taut_arena_take(arena, nodes, sizeof(double)),
               .gradient = taut_arena_take(arena, nodes, bytes),
               .after = taut_arena_take(arena, nodes, bytes),
               .d = taut_arena_take(arena, nodes, bytes),
