@@ -1,8 +1,12 @@
 /* test_film.c -- certificates of films that are not what they say: each claim notices what it is
  * about. */
+#include "attack.h"
 #include "certificates.h"
 #include "check.h"
 #include "sails.h"
+
+#include "taut/construct.h"
+#include "taut/read.h"
 
 #include <string.h>
 
@@ -360,8 +364,76 @@ static void test_bound(void)
     sail_free(&s);
 }
 
+/* ---- hidden by what is elsewhere ---- */
+
+static taut_verdict rests(const taut_problem *problem, const taut_model *model)
+{
+    taut_certificate *certificate = NULL;
+    CHECK(taut_certify(model, problem, NULL, &certificate, NULL) == TAUT_OK, "certificate");
+    const taut_verdict holds = claim_of(certificate, "stationary")->holds;
+    taut_certificate_free(certificate);
+    return holds;
+}
+
+/* Two patches and a ridge cable 1e5 times as strong as the film: an inner point that is moved by 1e-5 is seen. */
+static void test_strong_cable(void)
+{
+    static const char text[] =
+        "{\"taut\":1,\"construct\":\"film\",\"patches\":[{\"name\":\"front\",\"u\":{\"type\":"
+        "\"bspline\","
+        "\"degree\":3,\"count\":6},\"v\":{\"type\":\"bspline\",\"degree\":3,\"count\":6},"
+        "\"corners\":{"
+        "\"u0v0\":[-3,-2,0],\"u1v0\":[3,-2,0],\"u0v1\":[-2.2,0,1.5],\"u1v1\":[2.2,0,1.5]}},"
+        "{\"name\":\"back\",\"u\":{\"type\":\"bspline\",\"degree\":3,\"count\":6},\"v\":{\"type\":"
+        "\"bspline\",\"degree\":3,\"count\":6},\"corners\":{\"u0v0\":[-3,2,0],\"u1v0\":[3,2,0],"
+        "\"u0v1\":[-2.2,0,1.5],\"u1v1\":[2.2,0,1.5]}}],\"seams\":[{\"edges\":[\"front.v1\",\"back."
+        "v1\"],"
+        "\"cable\":{\"force\":1e5}}]}";
+    const double by[3] = {0, 0, 1e-5};
+    taut_problem *problem = NULL;
+    taut_model *model = NULL;
+
+    CHECK(taut_problem_read_text(text, strlen(text), "ridge", &problem, NULL) == TAUT_OK, "read");
+    CHECK(taut_make(problem, NULL, &model, NULL) == TAUT_OK, "made");
+    CHECK(rests(problem, model) == TAUT_TRUE, "as it was made");
+    taut_model *other = model_moved(model, 0, 2 * 6 + 2, by);
+    CHECK(rests(problem, other) == TAUT_FALSE, "an inner point moved");
+    taut_model_free(other);
+    taut_model_free(model);
+    taut_problem_free(problem);
+}
+
+/* A flat film whose inner points are laid out backwards in its plane: moves along normals do not see it. */
+static void test_fold(void)
+{
+    static const char text[] = "{\"taut\":1,\"construct\":\"film\",\"method\":\"normal\",\"u\":{"
+                               "\"type\":\"bspline\",\"degree\":3,"
+                               "\"count\":7},\"v\":{\"type\":\"bspline\",\"degree\":3,\"count\":7},"
+                               "\"corners\":{\"u0v0\":[0,0,0],"
+                               "\"u1v0\":[1,0,0],\"u0v1\":[0,1,0],\"u1v1\":[1,1,0]}}";
+    taut_problem *problem = NULL;
+    taut_model *model = NULL;
+
+    CHECK(taut_problem_read_text(text, strlen(text), "flat", &problem, NULL) == TAUT_OK, "read");
+    CHECK(taut_make(problem, NULL, &model, NULL) == TAUT_OK, "made");
+    CHECK(rests(problem, model) == TAUT_TRUE, "as it was made");
+    for (int k = 7; k < 6 * 7; k++) {
+        const double by[3] = {0.3 * (3 - k / 7), 0, 0};
+        if (k % 7 > 0 && k % 7 < 6) {
+            taut_model *other = model_moved(model, 0, k, by);
+            taut_model_free(model);
+            model = other;
+        }
+    }
+    CHECK(rests(problem, model) == TAUT_FALSE, "folded");
+    taut_model_free(model);
+    taut_problem_free(problem);
+}
+
 int main(void)
 {
+    test_strong_cable();
+    test_fold();
     test_least();
     test_bound();
     test_laws();
