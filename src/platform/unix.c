@@ -18,7 +18,7 @@ double taut_system_seconds(void)
 
 int taut_system_processors(void)
 {
-    const long count = sysconf(_SC_NPROCESSORS_ONLN);
+    const int64_t count = sysconf(_SC_NPROCESSORS_ONLN);
     return count < 1 ? 1 : count > TAUT_THREADS_MAX ? TAUT_THREADS_MAX : (int)count;
 }
 
