@@ -68,25 +68,29 @@ static taut_status open_nodes(const taut_basis *basis, taut_arena *arena, taut_f
 
 /* ---- threads ---- */
 
-void taut_film_sheet_threads(const taut_film_sheet *sheet, double u, double v, double threads[2])
+void taut_film_threads_of(const taut_film_problem *problem, const taut_surface *surface,
+                          double tension, double u, double v, double threads[2])
 {
-    const taut_film_problem *problem = sheet->problem;
-    const taut_basis *along = taut_surface_u(sheet->surface),
-                     *across = taut_surface_v(sheet->surface);
+    const taut_basis *along = taut_surface_u(surface), *across = taut_surface_v(surface);
     const double ratio = (taut_basis_hi(along) - taut_basis_lo(along)) /
                          (taut_basis_hi(across) - taut_basis_lo(across));
     double x[TAUT_SURFACE_VECTORS(1)][3], normal[3];
 
-    threads[0] = problem->force_density[0] / sheet->tension * ratio;
-    threads[1] = problem->force_density[1] / sheet->tension / ratio;
+    threads[0] = problem->force_density[0] / tension * ratio;
+    threads[1] = problem->force_density[1] / tension / ratio;
     if (problem->prestress[0] > 0) {
         (void)taut_surface_eval(problem->reference, u, v, 1, x[0]);
         taut_cross(x[TAUT_XU], x[TAUT_XV], normal);
         const double area = taut_norm(normal), lu = taut_norm(x[TAUT_XU]),
                      lv = taut_norm(x[TAUT_XV]);
-        threads[0] = problem->prestress[0] / sheet->tension * (area / lu / lu);
-        threads[1] = problem->prestress[1] / sheet->tension * (area / lv / lv);
+        threads[0] = problem->prestress[0] / tension * (area / lu / lu);
+        threads[1] = problem->prestress[1] / tension * (area / lv / lv);
     }
+}
+
+void taut_film_sheet_threads(const taut_film_sheet *sheet, double u, double v, double threads[2])
+{
+    taut_film_threads_of(sheet->problem, sheet->surface, sheet->tension, u, v, threads);
 }
 
 double taut_film_sheet_stored(const taut_film_sheet *sheet)
@@ -106,7 +110,7 @@ double taut_film_sheet_stored(const taut_film_sheet *sheet)
     return taut_sum_total(&sum);
 }
 
-static double tension_of(const taut_film_problem *problem)
+double taut_film_threads_tension(const taut_film_problem *problem)
 {
     const double *along = problem->prestress[0] > 0 ? problem->prestress : problem->force_density;
     if (taut_film_sheet_has_threads(problem)) {
@@ -361,7 +365,7 @@ taut_status taut_film_sheet_new(const taut_surface *surface, const taut_film_pro
         return TAUT_NO_MEMORY;
     }
     scale_points(sheet);
-    sheet->tension = tension_of(problem);
+    sheet->tension = taut_film_threads_tension(problem);
     for (int e = 0; e < 4; e++) {
         if (taut_film_sheet_is_cable(sheet, e) && find_force(sheet, e) != TAUT_OK) {
             return TAUT_NO_MEMORY;

@@ -140,4 +140,10 @@ void taut_film_sheet_tangent(const taut_film_sheet *sheet, int e, int k, double 
 void taut_film_sheet_gradient(const taut_film_sheet *sheet, double *gradient, double *moments,
                               double *area, double *largest, double lengths[4]);
 
+/* What forces are compared with: the tension, or the larger of the two along the threads. */
+double taut_film_threads_tension(const taut_film_problem *problem);
+/* Of threads, over a tension: what x_u, x_v by the knots of a surface count with at (u, v). */
+void taut_film_threads_of(const taut_film_problem *problem, const taut_surface *surface,
+                          double tension, double u, double v, double threads[2]);
+
 #endif /* TAUT_CERTIFY_FILM_SHEET_H */

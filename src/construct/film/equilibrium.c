@@ -27,6 +27,7 @@
 #include "construct/film/arc.h"
 #include "construct/film/fold.h"
 #include "construct/film/polish.h"
+#include "construct/film/threads.h"
 #include "construct/plateau/newton_step.h"
 #include "construct/plateau/small.h"
 #include "core/elementary/elementary.h"
@@ -129,47 +130,19 @@ void taut_film_drop_rule(taut_film_work *w)
     w->arena = NULL;
 }
 
-/* a, b over the tension at a node: the densities, or of a prestress |X_u x X_v| s / |X_u|^2 by u and v over [0, 1]. */
-static void find_density(const taut_film_work *w, double u, double v, double density[2])
-{
-    const taut_film_problem *problem = w->space->problem;
-    const taut_surface *reference = w->reference != NULL ? w->reference : problem->reference;
-    const double s = taut_film_tension(problem);
-    const double ratio = (taut_basis_hi(problem->v) - taut_basis_lo(problem->v)) /
-                         (taut_basis_hi(problem->u) - taut_basis_lo(problem->u));
-    double x[TAUT_SURFACE_VECTORS(1)][3], normal[3];
-
-    density[0] = problem->force_density[0] / s;
-    density[1] = problem->force_density[1] / s;
-    if (problem->prestress[0] > 0) {
-        (void)taut_surface_eval(reference, u, v, 1, x[0]);
-        taut_cross(x[TAUT_XU], x[TAUT_XV], normal);
-        const double area = taut_norm(normal), along = taut_norm(x[TAUT_XU]),
-                     across = taut_norm(x[TAUT_XV]);
-        density[0] = problem->prestress[0] / s * ratio * (area / along / along);
-        density[1] = problem->prestress[1] / s / ratio * (area / across / across);
-    }
-}
-
 static taut_status take_density(taut_film_work *w)
 {
+    const taut_film_problem *problem = w->space->problem;
     taut_area_functional *f = w->functional;
 
-    if (!taut_film_has_density(w->space->problem)) {
+    if (!taut_film_has_density(problem)) {
         return TAUT_OK;
     }
     if (taut_area_density_new(f, w->arena, &w->density) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
-    for (int line = 0; line < f->u.count; line++) {
-        for (int k = 0; k < f->v.count; k++) {
-            const size_t at = (size_t)line * (size_t)f->v.count + (size_t)k;
-            double density[2];
-            find_density(w, f->u.at[line], f->v.at[k], density);
-            w->density.along_u[at] = density[0];
-            w->density.along_v[at] = density[1];
-        }
-    }
+    taut_film_threads_lay(problem, w->reference != NULL ? w->reference : problem->reference,
+                          taut_film_tension(problem), f, &w->density);
     f->density = &w->density;
     return TAUT_OK;
 }

@@ -17,6 +17,7 @@
 #include "construct/film/refine.h"
 #include "construct/film/ring.h"
 #include "construct/film/solve.h"
+#include "construct/film/threads.h"
 #include "construct/film/witness.h"
 #include "core/fail.h"
 #include "core/vec3.h"
@@ -26,8 +27,6 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { REFERENCE_GRID = 33 };
-static const double sine_least = 1e-6;
 static const double parallel = 1e-9; /* sine: below it two directions are one */
 static const double tolerance_least = 1e-14, tolerance_most = 1e-3;
 
@@ -292,84 +291,6 @@ static taut_status check_corner(const taut_film_problem *problem, int c, taut_er
     return TAUT_OK;
 }
 
-static taut_status check_pair(const double pair[2], const char *where, taut_error *error)
-{
-    const int is_none = pair[0] == 0 && pair[1] == 0;
-    for (int k = 0; k < 2 && !is_none; k++) {
-        if (!(pair[k] > 0 && isfinite(pair[k]))) {
-            return taut_fail(error, TAUT_BAD_INPUT, "value", where, pair[k], 0,
-                             "found %.17g, expected two positive numbers", pair[k]);
-        }
-    }
-    return TAUT_OK;
-}
-
-/* Has the reference two directions everywhere that is looked at? */
-static taut_status check_reference(const taut_surface *reference, taut_error *error)
-{
-    const taut_basis *u = taut_surface_u(reference), *v = taut_surface_v(reference);
-
-    for (int k = 0; k < REFERENCE_GRID * REFERENCE_GRID; k++) {
-        const double s = (k / REFERENCE_GRID + 0.5) / REFERENCE_GRID,
-                     t = (k % REFERENCE_GRID + 0.5) / REFERENCE_GRID;
-        double x[TAUT_SURFACE_VECTORS(1)][3], normal[3];
-        (void)taut_surface_eval(
-            reference, taut_basis_lo(u) + s * (taut_basis_hi(u) - taut_basis_lo(u)),
-            taut_basis_lo(v) + t * (taut_basis_hi(v) - taut_basis_lo(v)), 1, x[0]);
-        taut_cross(x[TAUT_XU], x[TAUT_XV], normal);
-        const double sine = taut_norm(normal) / taut_norm(x[TAUT_XU]) / taut_norm(x[TAUT_XV]);
-        if (!(sine > sine_least)) {
-            return taut_fail(
-                error, TAUT_BAD_INPUT, "value", "/reference", sine, sine_least,
-                "the reference has no two directions at (%.3g, %.3g) of its range: the "
-                "sine of their angle is %.3g, expected more than %.3g",
-                s, t, sine, sine_least);
-        }
-    }
-    return TAUT_OK;
-}
-
-/* Forces along threads: one kind of them, and a reference with a prestress, on the bases of the film. */
-static taut_status check_threads(const taut_film_problem *problem, taut_error *error)
-{
-    const int has_density = problem->force_density[0] > 0,
-              has_prestress = problem->prestress[0] > 0;
-    taut_status status = check_pair(problem->force_density, "/force_density", error);
-
-    if (status == TAUT_OK) {
-        status = check_pair(problem->prestress, "/prestress", error);
-    }
-    if (status == TAUT_OK && (problem->tension > 0) + has_density + has_prestress > 1) {
-        return taut_fail(error, TAUT_BAD_INPUT, "conflict",
-                         has_density ? "/force_density" : "/prestress", 2, 1,
-                         "found more than one of \"tension\", \"force_density\" and "
-                         "\"prestress\", expected one");
-    }
-    if (status == TAUT_OK && has_prestress != (problem->reference != NULL)) {
-        return taut_fail(error, TAUT_BAD_INPUT, "missing",
-                         has_prestress ? "/reference" : "/prestress", 0, 1,
-                         "\"prestress\" and \"reference\" go together");
-    }
-    if (status == TAUT_OK && has_prestress &&
-        (!taut_basis_equal(problem->u, taut_surface_u(problem->reference)) ||
-         !taut_basis_equal(problem->v, taut_surface_v(problem->reference)) ||
-         taut_surface_weights(problem->reference) != NULL)) {
-        return taut_fail_expected(error, TAUT_BAD_INPUT, "basis", "/reference", taut_none,
-                                  "a surface on the bases of the film, without weights",
-                                  "the reference is not on the bases of the film");
-    }
-    if (status == TAUT_OK && problem->updates != 0 && !has_prestress) {
-        return taut_fail(error, TAUT_BAD_INPUT, "conflict", "/updates", problem->updates, 0,
-                         "\"updates\" go with \"prestress\": leave them out");
-    }
-    if (status == TAUT_OK && has_prestress) {
-        status = check_reference(problem->reference, error);
-    }
-    return status == TAUT_OK && problem->updates != 0
-               ? check_number(problem->updates, 1, TAUT_FILM_UPDATES_MAX, "/updates", error)
-               : status;
-}
-
 static double finer_count(const taut_basis *basis, int refine)
 {
     return taut_basis_count(basis) + (ldexp(1, refine) - 1) * taut_basis_span_count(basis);
@@ -392,7 +313,7 @@ static taut_status check_refine(const taut_film_problem *problem, taut_error *er
 
 static taut_status check_options(const taut_film_problem *problem, taut_error *error)
 {
-    taut_status status = check_threads(problem, error);
+    taut_status status = taut_film_threads_check(problem, error);
 
     if (status != TAUT_OK) {
         return status;

@@ -593,6 +593,17 @@ static void read_threads(taut_reader *document, taut_problem *problem, taut_film
     taut_reader_optional_integer(document, "updates", 0, TAUT_FILM_UPDATES_MAX, &data->updates);
 }
 
+static void read_film_tension(taut_reader *patch, taut_film_problem *data)
+{
+    taut_reader_optional(patch, "tension", read_positive, &data->tension);
+}
+
+static void read_tension(taut_reader *patch, taut_problem *problem, taut_film_problem *data)
+{
+    read_film_tension(patch, data);
+    read_threads(patch, problem, data);
+}
+
 /* A corner that nothing is said of is one that its edges draw, but at an end of one that is held. */
 static void free_corners(const taut_reader *document, taut_film_problem *data)
 {
@@ -651,19 +662,13 @@ static void read_one(taut_reader *patch, taut_problem *problem, taut_film_proble
     read_edges(patch, problem->arena, data);
 }
 
-static void read_film_tension(taut_reader *patch, taut_film_problem *data)
-{
-    taut_reader_optional(patch, "tension", read_positive, &data->tension);
-}
-
 /* What one patch has that is the whole film. */
 static void read_alone(taut_reader *document, taut_problem *problem, taut_film_problem *data)
 {
     read_one(document, problem, data);
     read_seams(document, data);
     read_nets(document, problem->arena, data);
-    read_film_tension(document, data);
-    read_threads(document, problem, data);
+    read_tension(document, problem, data);
 }
 
 /* One of a mirror, a turn, a translation. */
@@ -746,7 +751,7 @@ static void film_read(taut_reader *document, taut_problem *problem, void *into)
 
     refuse_without_curves(document);
     if (taut_reader_has(document, "patches")) {
-        static const taut_film_patch_readers readers = {read_one, read_film_tension, read_cable};
+        static const taut_film_patch_readers readers = {read_one, read_tension, read_cable};
         taut_film_document_patches(document, problem, &readers, data, &parts);
     } else if (taut_reader_has(document, "curves") || taut_reader_has(document, "boundary")) {
         taut_member_name(document, problem->arena, &data->name);

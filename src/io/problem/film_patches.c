@@ -17,13 +17,13 @@
 #include <stdio.h>
 #include <string.h>
 
-static const char *const patch_members[] = {"name",  "u",      "v",       "corners",
-                                            "edges", "points", "tension", NULL};
+static const char *const patch_members[] = {"name",      "u",         "v",       "corners",
+                                            "edges",     "points",    "tension", "force_density",
+                                            "prestress", "reference", "updates", NULL};
 static const char *const seam_members[] = {"edges", "cable", "plane", NULL};
 static const char *const cell_members[] = {"name", "sides", "pressure", "volume", "from", NULL};
 static const char *const edge_names[4] = {"u0", "u1", "v0", "v1"};
 static const char *const corner_names[4] = {"u0v0", "u1v0", "u0v1", "u1v1"};
-enum { CONFLICTS = 9 }; /* of these, by patches or in their place; the rest is not there yet */
 static const char *const of_patches[] = {
     "curves", "boundary",      "u",         "v",         "corners", "edges", "points", "tension",
     "name",   "force_density", "prestress", "reference", "updates", NULL};
@@ -62,7 +62,7 @@ static taut_status read_patch(const taut_json *at, void *into, taut_error *error
 
     if (in.status == TAUT_OK) {
         r->readers->patch(&in, r->problem, patch);
-        r->readers->tension(&in, patch);
+        r->readers->tension(&in, r->problem, patch);
         free_corners(at, patch);
     }
     if (in.status == TAUT_OK && patch->name == NULL) {
@@ -187,11 +187,8 @@ void taut_film_document_patches(taut_reader *document, taut_problem *problem,
         const taut_json at = taut_json_member(document->object, of_patches[k]);
         if (at.value != NULL) {
             document->status = taut_json_fail(
-                &at, document->error, k < CONFLICTS ? "conflict" : "not-yet", 2, 1,
-                k < CONFLICTS ? "found \"%s\" beside \"patches\": give it to each patch"
-                              : "found \"%s\", which films of many patches cannot have in "
-                                "this version: leave it out",
-                of_patches[k]);
+                &at, document->error, "conflict", 2, 1,
+                "found \"%s\" beside \"patches\": give it to each patch", of_patches[k]);
         }
     }
     r.patches = taut_arena_take(problem->arena, TAUT_FILM_PATCHES_MAX, sizeof *r.patches);

@@ -5,10 +5,10 @@
 #include "io/problem/document_ops.h"
 #include "taut/film.h"
 
-/* How film.c reads what one patch has, its tension, and a cable's law with its plane. */
+/* How film.c reads what one patch has, its tension or threads, and a cable's law with its plane. */
 typedef struct taut_film_patch_readers {
     void (*patch)(taut_reader *patch, taut_problem *problem, taut_film_problem *data);
-    void (*tension)(taut_reader *patch, taut_film_problem *data);
+    void (*tension)(taut_reader *patch, taut_problem *problem, taut_film_problem *data);
     void (*cable)(taut_reader *in, taut_film_edge *edge);
 } taut_film_patch_readers;
 

@@ -22,6 +22,7 @@
 #include "certify/film/complex/defects.h"
 #include "certify/film/edge.h"
 #include "certify/film/images.h"
+#include "certify/film/sheet.h"
 #include "core/constants.h"
 #include "core/fail.h"
 #include "core/vec3.h"
@@ -591,7 +592,8 @@ static taut_status fill_figures(const request *r, taut_record *figures,
     double *pressures = taut_arena_take(r->arena, (size_t)r->problem->cell_count, sizeof(double));
     double *forces = taut_arena_take(r->arena, (size_t)r->complex.nodes, 3 * sizeof(double));
     unsigned char *seen = taut_arena_take(r->arena, (size_t)r->complex.nodes, 1);
-    double energy = 0, area = 0;
+    double energy = 0, area = 0, stress[2][2];
+    int plain = 0, has_threads = 0;
 
     if (taut_arena_status(r->arena) != TAUT_OK ||
         taut_sheets_new(&r->complex, r->surfaces, extra_nodes[1], r->arena, &s) != TAUT_OK) {
@@ -599,7 +601,10 @@ static taut_status fill_figures(const request *r, taut_record *figures,
     }
     for (int p = 0; p < patches; p++) {
         area += s.areas[p];
-        energy += s.shares[p] * s.tension * s.areas[p];
+        const int threads = taut_film_sheet_has_threads(&r->problem->patches[p]);
+        energy += s.shares[p] * s.tension * (threads ? s.stored[p] : s.areas[p]);
+        plain |= !threads;
+        has_threads |= threads;
     }
     for (int k = 0; k < ropes; k++) {
         const taut_film_edge *law = r->complex.ropes[k].edge;
@@ -631,10 +636,21 @@ static taut_status fill_figures(const request *r, taut_record *figures,
         taut_record_add_number(figures, "lowest_eigenvalue", r->lowest_user);
     }
     const taut_complex_defects d = taut_complex_defects_of(&s);
-    taut_record_add_number(figures, "mean_curvature", d.mean);
+    if (plain) {
+        taut_record_add_number(figures, "mean_curvature", d.mean);
+    }
+    if (has_threads) {
+        taut_record *list = taut_record_add_list(figures, "stress");
+        taut_complex_stress(&s, stress);
+        for (int k = 0; k < 2; k++) {
+            taut_record_add_numbers(list, NULL, 2, stress[k]);
+        }
+    }
     if (ropes > 0) {
         taut_record_add_number(figures, "cable_geodesic", d.geodesic);
-        taut_record_add_number(figures, "cable_normal", d.normal);
+        if (plain) {
+            taut_record_add_number(figures, "cable_normal", d.normal);
+        }
     }
     if (r->problem->seam_count > 0) {
         taut_record_add_number(figures, "seam_angle", d.seam);

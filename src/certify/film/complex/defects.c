@@ -1,6 +1,7 @@
 #include "certify/film/complex/defects.h"
 
 #include "certify/common/verdict.h"
+#include "certify/film/sheet.h"
 #include "core/vec3.h"
 
 #include <math.h>
@@ -31,10 +32,29 @@ static double mean_at(const taut_sheets *s, int p, double u, double v)
            (w * w * w);
 }
 
-/* A place of an edge: its tangent, c'' by arc length, the outward conormal and the normal of its sheet. */
+/* A place of an edge: its tangent, c'' by arc length, the outward conormal and the normal of its sheet, and what this pulls with. */
 typedef struct rim {
-    double t[3], bend[3], nu[3], n[3], x[3];
+    double t[3], bend[3], nu[3], n[3], x[3], pull[3];
 } rim;
+
+static double tension_of(const taut_sheets *s, int p)
+{
+    return s->shares[p] * s->tension;
+}
+
+static int has_threads(const taut_sheets *s, int p)
+{
+    return taut_film_sheet_has_threads(&s->complex->problem->patches[p]);
+}
+
+/* Threads at parts of the ranges of a patch, in the user's unit, by its knots. */
+static void find_threads(const taut_sheets *s, int p, double at_u, double at_v, double threads[2])
+{
+    const taut_basis *u = taut_surface_u(s->surfaces[p]), *v = taut_surface_v(s->surfaces[p]);
+    taut_film_threads_of(&s->complex->problem->patches[p], s->surfaces[p], 1,
+                         taut_basis_lo(u) + at_u * (taut_basis_hi(u) - taut_basis_lo(u)),
+                         taut_basis_lo(v) + at_v * (taut_basis_hi(v) - taut_basis_lo(v)), threads);
+}
 
 static void find_rim(const taut_sheets *s, const taut_film_side *side, double part, rim *at)
 {
@@ -61,11 +81,14 @@ static void find_rim(const taut_sheets *s, const taut_film_side *side, double pa
         at->nu[k] /= size;
     }
     taut_cross(at->t, at->nu, at->n);
-}
-
-static double tension_of(const taut_sheets *s, int p)
-{
-    return s->shares[p] * s->tension;
+    double threads[2] = {0, 0};
+    if (has_threads(s, side->patch)) {
+        find_threads(s, side->patch, e < 2 ? e : along, e < 2 ? along : e - 2, threads);
+    }
+    for (int k = 0; k < 3; k++) {
+        at->pull[k] = threads[0] > 0 ? sign * threads[e < 2 ? 0 : 1] * out[k] / speed
+                                     : tension_of(s, side->patch) * at->nu[k];
+    }
 }
 
 /* What the cable along an edge, or the seam that it is in, draws with. */
@@ -95,11 +118,10 @@ static double seam_at(const taut_sheets *s, const taut_film_seam *seam, double p
     double sum[3] = {0, 0, 0}, largest = 0;
 
     for (int k = 0; k < seam->count; k++) {
-        const double tension = tension_of(s, seam->sides[k].patch);
         rim at;
         find_rim(s, &seam->sides[k], part, &at);
-        taut_add_scaled(tension, at.nu, sum);
-        largest = fmax(largest, tension);
+        taut_add_scaled(1, at.pull, sum);
+        largest = fmax(largest, taut_norm(at.pull));
         if (k == 0 && seam->edge.kind == TAUT_FILM_CABLE) {
             taut_add_scaled(-force_of(s, &seam->edge), at.bend, sum);
         }
@@ -111,15 +133,23 @@ static double seam_at(const taut_sheets *s, const taut_film_seam *seam, double p
 }
 
 static void edge_at(const taut_sheets *s, const taut_film_side *side, double part,
-                    taut_complex_defects *d)
+                    taut_complex_defects *d, double *threads, double *most)
 {
     const taut_film_edge *edge = &s->complex->problem->patches[side->patch].edges[side->edge];
     rim at;
 
     find_rim(s, side, part, &at);
     if (edge->kind == TAUT_FILM_SLIDE) {
-        into_plane(edge, at.nu); /* nu - (nu . N) N */
-        d->slide = taut_certify_max(taut_norm(at.nu), d->slide);
+        const double whole = taut_norm(at.pull);
+        into_plane(edge, at.pull); /* nu - (nu . N) N */
+        d->slide = taut_certify_max(taut_norm(at.pull) / whole, d->slide);
+    } else if (edge->kind == TAUT_FILM_CABLE && has_threads(s, side->patch)) {
+        *most = taut_certify_max(taut_norm(at.pull), *most);
+        if (edge->has_plane) {
+            into_plane(edge, at.pull);
+        }
+        taut_add_scaled(-force_of(s, edge), at.bend, at.pull);
+        *threads = taut_certify_max(taut_norm(at.pull), *threads);
     } else if (edge->kind == TAUT_FILM_CABLE) {
         const double radius = force_of(s, edge) / tension_of(s, side->patch);
         if (edge->has_plane) {
@@ -144,14 +174,18 @@ taut_complex_defects taut_complex_defects_of(const taut_sheets *sheets)
 
     for (int p = 0; p < problem->patch_count; p++) {
         const double pressure = ldexp(s->pull[p] / s->shares[p], -s->unit);
-        for (int k = 0; k < PLACES * PLACES; k++) {
+        for (int k = 0; k < PLACES * PLACES && !has_threads(s, p); k++) {
             const double bend =
                 mean_at(s, p, (k / PLACES + 0.5) / PLACES, (k % PLACES + 0.5) / PLACES);
             d.mean = taut_certify_max(fabs(bend + pressure) * (2 * s->half), d.mean);
         }
-        for (int k = 0; k < 4 * SAMPLES; k++) {
-            const taut_film_side side = {p, k / SAMPLES, 0};
-            edge_at(s, &side, (k % SAMPLES + 0.5) / SAMPLES, &d);
+        for (int e = 0; e < 4; e++) {
+            const taut_film_side side = {p, e, 0};
+            double threads = 0, most = 0;
+            for (int k = 0; k < SAMPLES; k++) {
+                edge_at(s, &side, (k + 0.5) / SAMPLES, &d, &threads, &most);
+            }
+            d.geodesic = most > 0 ? taut_certify_max(threads / most, d.geodesic) : d.geodesic;
         }
     }
     for (int k = 0; k < problem->seam_count * SAMPLES; k++) {
@@ -159,6 +193,33 @@ taut_complex_defects taut_complex_defects_of(const taut_sheets *sheets)
             seam_at(s, &problem->seams[k / SAMPLES], (k % SAMPLES + 0.5) / SAMPLES), d.seam);
     }
     return d;
+}
+
+void taut_complex_stress(const taut_sheets *sheets, double range[2][2])
+{
+    const int patches = sheets->complex->problem->patch_count;
+
+    for (int d = 0; d < 2; d++) {
+        range[d][0] = INFINITY;
+        range[d][1] = 0;
+    }
+    for (int k = 0; k < patches * SAMPLES * SAMPLES; k++) {
+        const int p = k / (SAMPLES * SAMPLES);
+        const double u = (double)(k / SAMPLES % SAMPLES) / (SAMPLES - 1),
+                     v = (double)(k % SAMPLES) / (SAMPLES - 1);
+        double x[TAUT_SURFACE_VECTORS(1)][3], threads[2];
+        if (!has_threads(sheets, p)) {
+            continue;
+        }
+        look(sheets, p, u, v, 1, x);
+        find_threads(sheets, p, u, v, threads);
+        const double lu = taut_norm(x[TAUT_XU]), lv = taut_norm(x[TAUT_XV]);
+        const double stress[2] = {threads[0] * lu / lv, threads[1] * lv / lu};
+        for (int d = 0; d < 2; d++) {
+            range[d][0] = stress[d] < range[d][0] ? stress[d] : range[d][0];
+            range[d][1] = taut_certify_max(range[d][1], stress[d]);
+        }
+    }
 }
 
 /* The tangent of a strand at an end, leaving it, and the end. */

@@ -9,15 +9,19 @@
 #include "certify/film/complex/sheets.h"
 
 typedef struct taut_complex_defects {
-    double mean;  /* |2 H + p / s| size */
-    double seam;  /* |sum s_i nu_i - T c''| / the largest s_i of the seam */
+    double mean; /* |2 H + p / s| size */
+    double
+        seam; /* |sum s_i nu_i - T c''| / the largest s_i of the seam; threads: what they pull with in place of s nu */
     double slide; /* |nu - (nu . N) N| */
     double
         geodesic; /* of cable edges |k_g T / s - 1|; in a plane |T c'' - s (nu - (nu . N) N)| / s */
+    /* beside threads |T c'' - p| over the largest |p| of the edge, p what they pull with, and no normal */
     double normal; /* |k_n| T / s, of those in no plane */
 } taut_complex_defects;
 
 taut_complex_defects taut_complex_defects_of(const taut_sheets *sheets);
+/* What patches of threads reach, per width: [[least, most] along u, along v]. */
+void taut_complex_stress(const taut_sheets *sheets, double range[2][2]);
 
 /* forces[nodes][3]: what the cables that end in a node pull it with, in the user's unit. */
 void taut_complex_pulls(const taut_sheets *sheets, double *forces);

@@ -1,6 +1,7 @@
 #include "certify/film/complex/sheets.h"
 
 #include "certify/common/verdict.h"
+#include "certify/film/sheet.h"
 #include "core/vec3.h"
 #include "geometry/exponent.h"
 #include "geometry/keep.h"
@@ -22,6 +23,7 @@ static taut_status make_axis(const taut_basis *basis, int extra, taut_arena *are
     int *span = taut_arena_take(arena, (size_t)count, sizeof(int));
     double *at = taut_arena_take(arena, (size_t)count, sizeof(double));
 
+    axis->at = at;
     axis->weights = taut_arena_take(arena, (size_t)count, sizeof(double));
     if (taut_arena_status(arena) != TAUT_OK) {
         return TAUT_NO_MEMORY;
@@ -78,6 +80,18 @@ static void scale_point(const taut_sheets *s, const double from[3], double to[3]
     }
 }
 
+static int has_threads(const taut_sheets *s, int p)
+{
+    return taut_film_sheet_has_threads(&s->complex->problem->patches[p]);
+}
+
+static void find_threads(const taut_sheets *s, int p, int a, int b, double threads[2])
+{
+    const taut_film_problem *patch = &s->complex->problem->patches[p];
+    taut_film_threads_of(patch, s->surfaces[p], taut_film_threads_tension(patch),
+                         s->axes[2 * p].at[a], s->axes[2 * p + 1].at[b], threads);
+}
+
 /* What one patch adds; its own derivatives and moments in local[points of the patch][6]. */
 static void add_patch(taut_sheets *s, int p, double *local)
 {
@@ -85,7 +99,7 @@ static void add_patch(taut_sheets *s, int p, double *local)
     const taut_table *u = s->axes[2 * p].table, *v = s->axes[2 * p + 1].table;
     const int nv = taut_basis_count(c->problem->patches[p].v);
     const int count = c->first[p + 1] - c->first[p];
-    taut_sum area = {0, 0}, cone = {0, 0};
+    taut_sum area = {0, 0}, cone = {0, 0}, stored = {0, 0};
     double whole[3] = {0, 0, 0}; /* iint x_u x x_v */
 
     memset(local, 0, (size_t)count * 6 * sizeof(double));
@@ -102,6 +116,15 @@ static void add_patch(taut_sheets *s, int p, double *local)
                 du[k] = share * (at.g * at.u[k] - at.f * at.v[k]);
                 dv[k] = share * (at.e * at.v[k] - at.f * at.u[k]);
             }
+            if (has_threads(s, p)) {
+                double threads[2];
+                find_threads(s, p, a, b, threads);
+                for (int k = 0; k < 3; k++) {
+                    du[k] = s->shares[p] * at.weight * threads[0] * at.u[k];
+                    dv[k] = s->shares[p] * at.weight * threads[1] * at.v[k];
+                }
+                taut_sum_add(&stored, 0.5 * at.weight * (threads[0] * at.e + threads[1] * at.g));
+            }
             for (int i = 0; i < u->local; i++) {
                 for (int j = 0; j < v->local; j++) {
                     double *to = local + 6 * ((u->first[a] + i) * nv + v->first[b] + j);
@@ -114,6 +137,7 @@ static void add_patch(taut_sheets *s, int p, double *local)
         }
     }
     s->areas[p] = ldexp(taut_sum_total(&area), 2 * s->unit);
+    s->stored[p] = ldexp(taut_sum_total(&stored), 2 * s->unit);
     double largest = 0;
     for (int k = 0; k < count; k++) {
         largest = taut_certify_max(taut_largest_coordinate(local + 6 * k), largest);
@@ -122,6 +146,7 @@ static void add_patch(taut_sheets *s, int p, double *local)
         const int node = c->node[c->first[p] + k];
         const double *g = local + 6 * k, *n = g + 3;
         s->scales[node] = taut_certify_max(largest, s->scales[node]);
+        s->threads[node] |= (unsigned char)has_threads(s, p);
         taut_add_scaled(1, g, s->gradient + 3 * node);
         taut_add_scaled(taut_dot(n, s->moments + 3 * node) < 0 ? -1 : 1, n, s->moments + 3 * node);
     }
@@ -266,7 +291,7 @@ static int find_ways(const taut_sheets *s, int node, double *ways)
     if (c->kind[node] == TAUT_FILM_NODE_HELD) {
         return 0;
     }
-    if (c->kind[node] == TAUT_FILM_NODE_INSIDE) {
+    if (c->kind[node] == TAUT_FILM_NODE_INSIDE && !s->threads[node]) {
         memcpy(x, s->moments + 3 * node, sizeof x);
         for (int k = 0; k < hold.count; k++) {
             taut_add_scaled(-taut_dot(x, hold.normals[k]), hold.normals[k], x);
@@ -277,7 +302,7 @@ static int find_ways(const taut_sheets *s, int node, double *ways)
         }
         return size > 0;
     }
-    if (c->kind[node] == TAUT_FILM_NODE_LINE) {
+    if (c->kind[node] == TAUT_FILM_NODE_LINE && !s->threads[node]) {
         find_tangent(s, node, x);
         (void)taut_film_hold_add(&hold, x, 0, INFINITY);
     }
@@ -497,6 +522,8 @@ taut_status taut_sheets_new(const taut_film_complex *complex, const taut_surface
     s->pressures = taut_arena_take(arena, cells, sizeof(double));
     s->pull = taut_arena_take(arena, patches, sizeof(double));
     s->areas = taut_arena_take(arena, patches, sizeof(double));
+    s->stored = taut_arena_take(arena, patches, sizeof(double));
+    s->threads = taut_arena_take(arena, nodes, 1);
     double *local = taut_arena_take(arena, (size_t)complex->points, 6 * sizeof(double));
     taut_status status = taut_arena_status(arena);
     for (size_t k = 0; status == TAUT_OK && k < 2 * patches; k++) {
@@ -507,11 +534,9 @@ taut_status taut_sheets_new(const taut_film_complex *complex, const taut_surface
         return status;
     }
     scale_points(s);
-    const double first = complex->problem->patches[0].tension;
-    s->tension = first > 0 ? first : 1;
+    s->tension = taut_film_threads_tension(&complex->problem->patches[0]);
     for (size_t p = 0; p < patches; p++) {
-        const double tension = complex->problem->patches[p].tension;
-        s->shares[p] = (tension > 0 ? tension : 1) / s->tension;
+        s->shares[p] = taut_film_threads_tension(&complex->problem->patches[p]) / s->tension;
         add_patch(s, (int)p, local);
     }
     status = add_ropes(s);
@@ -712,18 +737,26 @@ static void add_node(const taut_sheets *s, int p, int a, int b, const cell *at, 
         dv[i] = n0 * taut_table_row(v, b, 1)[iv];
     }
     const double share = s->shares[p] * x.weight;
+    double threads[2] = {0, 0};
+    if (has_threads(s, p)) {
+        find_threads(s, p, a, b, threads);
+    }
     for (int i = 0; i < at->count; i++) {
         const double *mi = s->way + 3 * at->moves[i];
         const double fu = share * along[i] * (x.g * du[i] - x.f * dv[i]) / x.w,
                      fv = share * along[i] * (x.e * dv[i] - x.f * du[i]) / x.w;
         for (int j = 0; j <= i; j++) {
             const double *mj = s->way + 3 * at->moves[j];
+            const double tense = threads[0] > 0
+                                     ? share * taut_dot(mi, mj) *
+                                           (threads[0] * du[i] * du[j] + threads[1] * dv[i] * dv[j])
+                                     : along[j] * (fu * du[j] + fv * dv[j]) +
+                                           share * (du[i] * dv[j] - du[j] * dv[i]) *
+                                               taut_det(mi, mj, x.normal) / x.w;
             const double k =
-                along[j] * (fu * du[j] + fv * dv[j]) +
-                share * (du[i] * dv[j] - du[j] * dv[i]) * taut_det(mi, mj, x.normal) / x.w -
-                0.5 * x.weight * s->pull[p] *
-                    (taut_det(mi, mj, x.v) * (still[i] * du[j] - still[j] * du[i]) +
-                     taut_det(mi, mj, x.u) * (still[j] * dv[i] - still[i] * dv[j]));
+                tense - 0.5 * x.weight * s->pull[p] *
+                            (taut_det(mi, mj, x.v) * (still[i] * du[j] - still[j] * du[i]) +
+                             taut_det(mi, mj, x.u) * (still[j] * dv[i] - still[i] * dv[j]));
             const double m = x.weight * x.w * along[i] * along[j] * still[i] * still[j];
             /* two functions at one node that is a pole: both ways fall on one entry */
             const double often = i != j && at->moves[i] == at->moves[j] ? 2 : 1;

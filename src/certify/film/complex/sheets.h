@@ -1,14 +1,14 @@
 /* sheets.h -- a film of many patches at Gauss nodes of the certificate's own: its derivatives by nodes of the
  * complex (problem/film_complex.h), the moves that it sees, and the second variation over these.
  *
- *     E / s    = sum (s_i / s) A_i + sum C_k,          s the tension of the first patch; C_k of cables of given length 0
+ *     E / s    = sum (s_i / s) A_i, or P_i / s of threads, + sum C_k,          s the tension of the first patch; C_k of cables of given length 0
  *     V        = 1/3 iint (x - from) . (x_u x x_v),    by parts dV = iint d . (x_u x x_v) along all that is free, since cells
  *                are closed or their rims held or in planes through `from` (problem/film_cells.h)
  *     pressure given, or that which leaves the least of the derivatives of E along moves; so are forces of given lengths
  *     gradient of E + sum r L - sum p V over given lengths and all cells
  *     inside   one move, along sum over sheets of n_a = iint N_a x_u x x_v, each sheet's turned to the side of the first one's
  *     line     across the tangent at the Greville abscissa, as far as planes leave it
- *     vertex   all that planes leave
+ *     vertex   all that planes leave, as of all points of patches of threads
  *     K, M     as certify/film/moves.h, over all sheets and cables; M over all lines
  *
  * All in scaled coordinates: the first point at 0, about size 1.
@@ -22,6 +22,7 @@
 typedef struct taut_sheet_axis {
     taut_table *table; /* order 1 */
     double *weights;
+    double *at; /* parameters */
 } taut_sheet_axis;
 
 typedef struct taut_sheets {
@@ -44,6 +45,8 @@ typedef struct taut_sheets {
     double *pressures;       /* [cell_count], over s, scaled */
     double *pull;            /* [patch_count]: sum of +-p, the same */
     double *moments;         /* [nodes][3] */
+    double *stored;          /* [patch_count]: of threads P over their tension, unscaled; else 0 */
+    unsigned char *threads;  /* [nodes]: of a patch of threads, all of whose moves are seen */
     double *areas, *lengths; /* [patch_count], [rope_count], unscaled */
     double *
         scales; /* [nodes]: the largest coordinate of a derivative of the sheets that meet in a node, each

@@ -10,6 +10,7 @@
 #include "construct/common/build.h"
 #include "construct/film/complex/refine.h"
 #include "construct/film/images.h"
+#include "construct/film/threads.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 #include "problem/film_cells.h"
@@ -94,6 +95,25 @@ static taut_status check_edge(const taut_film_edge *edge, const char *where, tau
     return TAUT_OK;
 }
 
+static taut_status check_threads(const taut_film_problem *patch, int p, taut_error *error)
+{
+    const taut_status status = taut_film_threads_check(patch, error);
+    char member[32], where[64];
+
+    if (status == TAUT_BAD_INPUT && error != NULL) {
+        snprintf(member, sizeof member, "%.31s", error->where);
+        snprintf(where, sizeof where, "/patches/%d%s", p, member);
+        snprintf(error->where, sizeof error->where, "%s", where);
+    }
+    if (status == TAUT_OK && patch->updates > 0) {
+        snprintf(where, sizeof where, "/patches/%d/updates", p);
+        return taut_fail(error, TAUT_BAD_INPUT, "not-yet", where, patch->updates, 0,
+                         "films of many patches, with cells or cables along several edges cannot "
+                         "have \"updates\" in this version: leave them out");
+    }
+    return status;
+}
+
 static taut_status check_patch(const taut_film_problem *problem, int p, taut_error *error)
 {
     const taut_film_problem *patch = &problem->patches[p];
@@ -121,6 +141,9 @@ static taut_status check_patch(const taut_film_problem *problem, int p, taut_err
             return taut_fail(error, TAUT_BAD_INPUT, "value", where, taut_none, taut_none,
                              "corner %s is not a point of finite numbers", corner_names[k]);
         }
+    }
+    if (status == TAUT_OK) {
+        status = check_threads(patch, p, error);
     }
     snprintf(where, sizeof where, "/patches/%d/tension", p);
     return status == TAUT_OK && patch->tension != 0 &&
@@ -161,35 +184,11 @@ static taut_status check_cell(const taut_film_problem *problem, int c, taut_erro
     return TAUT_OK;
 }
 
-/* What a film of one patch may have, but not with cells or cables along several edges. */
-static taut_status check_lone(const taut_film_problem *problem, taut_error *error)
-{
-    const struct {
-        const char *where;
-        int is_there;
-    } rows[] = {{"/updates", problem->updates > 0},
-                {"/prestress", problem->prestress[0] != 0},
-                {"/force_density", problem->force_density[0] != 0}};
-
-    for (size_t k = 0; problem->u != NULL && k < sizeof rows / sizeof *rows; k++) {
-        if (rows[k].is_there) {
-            return taut_fail(error, TAUT_BAD_INPUT, "not-yet", rows[k].where, taut_none, taut_none,
-                             "films with cells or cables along several edges cannot have \"%s\" in "
-                             "this version: leave it out",
-                             rows[k].where + 1);
-        }
-    }
-    return TAUT_OK;
-}
-
 static taut_status check_problem(const taut_film_problem *problem, taut_error *error)
 {
     double points = 0;
-    taut_status status = check_lone(problem, error);
+    taut_status status = TAUT_OK;
 
-    if (status != TAUT_OK) {
-        return status;
-    }
     if (problem->cell_count < 0 || problem->cell_count > TAUT_FILM_CELLS_MAX ||
         (problem->cell_count > 0 && problem->cells == NULL)) {
         return taut_fail(error, TAUT_BAD_INPUT, "size", "/cells", problem->cell_count,

@@ -2,6 +2,7 @@
 
 #include "construct/film/complex/volume.h"
 #include "construct/film/complex/ways.h"
+#include "construct/film/threads.h"
 #include "core/memory.h"
 #include "core/vec3.h"
 #include "numeric/sum.h"
@@ -203,6 +204,22 @@ taut_status taut_film_energy_narrow(taut_film_energy *energy, int narrow)
     return status;
 }
 
+static taut_status lay_threads(taut_film_energy *e, int p)
+{
+    const taut_film_complex *c = &e->layout->complex;
+    const taut_film_problem *patch = &c->problem->patches[p];
+    const taut_status status = taut_area_density_new(e->areas[p], e->arena, &e->densities[p]);
+
+    if (status == TAUT_OK) {
+        taut_film_threads_lay(patch, patch->reference, e->layout->tensions[p], e->areas[p],
+                              &e->densities[p]);
+    }
+    for (int k = c->first[p]; k < c->first[p + 1]; k++) {
+        e->threads[c->node[k]] = 1;
+    }
+    return status;
+}
+
 static taut_status make_parts(taut_film_energy *e, int extra)
 {
     const taut_film_complex *c = &e->layout->complex;
@@ -212,6 +229,9 @@ static taut_status make_parts(taut_film_energy *e, int extra)
         const taut_film_problem *patch = &c->problem->patches[p];
         status = taut_area_functional_new(patch->u, patch->v, NULL, extra, &e->areas[p]);
         e->shares[p] = e->layout->tensions[p] / e->layout->tensions[0];
+        if (status == TAUT_OK && taut_film_has_density(patch)) {
+            status = lay_threads(e, p);
+        }
         e->in_cells[p] = (unsigned char)bounds_cell(c->problem, p);
         if (status == TAUT_OK) {
             const size_t nodes = (size_t)e->areas[p]->u.count * (size_t)e->areas[p]->v.count;
@@ -245,6 +265,8 @@ taut_status taut_film_energy_new(const taut_film_layout *layout, int extra,
     e->layout = layout;
     e->arena = taut_arena_new();
     e->areas = taut_arena_take(e->arena, patches, sizeof *e->areas);
+    e->densities = taut_arena_take(e->arena, patches, sizeof *e->densities);
+    e->threads = taut_arena_take(e->arena, (size_t)c->nodes, 1);
     e->shares = taut_arena_take(e->arena, patches, sizeof(double));
     e->cables = taut_arena_take(e->arena, (size_t)c->strand_count, sizeof *e->cables);
     e->forces = taut_arena_take(e->arena, (size_t)c->rope_count, sizeof(double));
@@ -530,6 +552,38 @@ static void add_pressure(const taut_film_energy *e, int p, int line, int k, doub
     }
 }
 
+/* The same of threads: s in every direction. */
+static void add_threads(const taut_film_energy *energy, int patch, int line, int k, double *element)
+{
+    const taut_area_functional *area = energy->areas[patch];
+    const taut_area_axis *u = &area->u, *v = &area->v;
+    const int local = u->local * v->local;
+    const size_t at = (size_t)line * (size_t)v->count + (size_t)k;
+    const double weight = u->weights[line] * v->weights[k];
+    const double along_u = weight * area->density->along_u[at],
+                 along_v = weight * area->density->along_v[at];
+    double pu[LOCAL_MAX * LOCAL_MAX], pv[LOCAL_MAX * LOCAL_MAX];
+    double *const first = element;
+
+    for (int i = 0; i < local; i++) {
+        const int a = line * u->local + i / v->local, b = k * v->local + i % v->local;
+        pu[i] = u->slope[a] * v->value[b];
+        pv[i] = u->value[a] * v->slope[b];
+    }
+    for (int p = 0; p < local; p++) {
+        for (int q = 0; q <= p; q++, element += ELEMENT) {
+            const double s = along_u * pu[p] * pu[q] + along_v * pv[p] * pv[q];
+            element[0] += s;
+            element[3] += s;
+            element[5] += s;
+            element[9] += s;
+        }
+    }
+    if (energy->in_cells[patch]) {
+        add_pressure(energy, patch, line, k, first);
+    }
+}
+
 /* element[pair][ELEMENT]: s n n^T in six numbers, t n in three, s; pairs (p, q), q <= p. */
 static void add_node(const taut_film_energy *energy, int patch, int line, int k, double *element)
 {
@@ -539,6 +593,10 @@ static void add_node(const taut_film_energy *energy, int patch, int line, int k,
     double state[TAUT_AREA_STATE], pu[LOCAL_MAX * LOCAL_MAX], pv[LOCAL_MAX * LOCAL_MAX];
 
     double *const first = element;
+    if (area->density != NULL) {
+        add_threads(energy, patch, line, k, element);
+        return;
+    }
     taut_area_functional_state(area, line, k, state);
     const double *n = state, e = state[3], f = state[4], g = state[5], w = state[6];
     for (int i = 0; i < u->local; i++) {

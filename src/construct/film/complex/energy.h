@@ -1,6 +1,6 @@
 /* energy.h -- the energy of a film of many patches, and its first and second derivatives by nodes.
  *
- *     E / s = sum (s_i / s) A_i + sum C_k - sum p_c V_c,    s the tension of the first patch; cells of given pressure; C_k as laws.h
+ *     E / s = sum (s_i / s) A_i, or P_i / s of threads, + sum C_k - sum p_c V_c,    s the tension of the first patch; cells of given pressure; C_k as laws.h
  *     H     is that of E + sum r_k L_k - sum p_c V_c over given lengths and all cells, without the k dL dL' of springs
  *     B     = (1 - theta) H + theta L             of construct/plateau/area.h and cable.h, summed over the sheets
  *           = H + theta diag(L)                   of theta up to 1e-3: a shift that turns no move within a sheet into one across it
@@ -9,13 +9,15 @@
 #define TAUT_CONSTRUCT_FILM_COMPLEX_ENERGY_H
 
 #include "construct/film/complex/layout.h"
-#include "construct/plateau/area.h"
+#include "construct/plateau/density.h"
 #include "numeric/sparse.h"
 
 typedef struct taut_film_energy {
     const taut_film_layout *layout;
     taut_arena *arena;            /* of one rule */
     taut_area_functional **areas; /* [patch_count] */
+    taut_area_density *densities; /* [patch_count]: of patches of threads */
+    unsigned char *threads;       /* [nodes]: is it one of such a patch? All its moves are seen */
     double *shares;               /* [patch_count]: s_i / s */
     taut_area_cable *cables;      /* [strand_count] */
     double *forces;  /* [rope_count]: of given lengths what H is to take, else of the last value */

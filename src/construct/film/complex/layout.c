@@ -1,6 +1,7 @@
 #include "construct/film/complex/layout.h"
 
 #include "construct/common/curve_fit.h"
+#include "construct/film/edges.h"
 #include "construct/film/greville.h"
 #include "core/fail.h"
 #include "core/vec3.h"
@@ -485,8 +486,7 @@ static taut_status take_forces(taut_film_layout *l, taut_error *error)
     const taut_film_complex *c = &l->complex;
 
     for (int p = 0; p < c->problem->patch_count; p++) {
-        const double tension = c->problem->patches[p].tension;
-        l->tensions[p] = tension > 0 ? tension : 1;
+        l->tensions[p] = taut_film_tension(&c->problem->patches[p]);
     }
     return taut_film_laws_find(c, &l->scaling, l->points, l->tensions, l->drawn, error);
 }

@@ -1,6 +1,7 @@
 #include "construct/film/complex/parting.h"
 
 #include "construct/film/cone.h"
+#include "construct/film/edges.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 #include "taut/operations.h"
@@ -204,7 +205,8 @@ static int is_plain(const taut_film_layout *l, unsigned char *seen)
 
     for (int k = 0; k < 4 * problem->patch_count; k++) {
         const taut_film_edge_kind kind = problem->patches[k / 4].edges[k % 4].kind;
-        if (kind != TAUT_FILM_FIXED || l->tensions[k / 4] != l->tensions[0]) {
+        if (kind != TAUT_FILM_FIXED || l->tensions[k / 4] != l->tensions[0] ||
+            taut_film_has_density(&problem->patches[k / 4])) {
             return 0;
         }
     }

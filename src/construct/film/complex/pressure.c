@@ -1,5 +1,6 @@
 #include "construct/film/complex/pressure.h"
 
+#include "construct/film/edges.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 #include "numeric/quadrature.h"
@@ -33,7 +34,7 @@ static int is_held_round(const taut_film_complex *c, int cell)
         if (taut_film_cell_turn(&problem->cells[cell], p) == 0) {
             continue;
         }
-        if (!is_alone(problem, cell, p) ||
+        if (!is_alone(problem, cell, p) || taut_film_has_density(&problem->patches[p]) ||
             (s < 0 && edge->kind != TAUT_FILM_FIXED && edge->kind != TAUT_FILM_POLE) ||
             (s >= 0 && problem->seams[s].edge.kind == TAUT_FILM_CABLE)) {
             return 0;

@@ -8,6 +8,20 @@
 #include <math.h>
 #include <string.h>
 
+static taut_status halve(const taut_surface *surface, taut_arena *arena,
+                         const taut_surface **halved)
+{
+    taut_surface *along_u = NULL, *made = NULL;
+    taut_status status = taut_surface_refine(surface, TAUT_ALONG_U, &along_u, NULL);
+
+    if (status == TAUT_OK) {
+        status = taut_surface_refine(along_u, TAUT_ALONG_V, &made, NULL);
+    }
+    taut_surface_free(along_u);
+    *halved = made;
+    return status == TAUT_OK && taut_keep_surface(arena, made) ? TAUT_OK : TAUT_NO_MEMORY;
+}
+
 /* A patch of the film before on halved spans, from where it is; edges that are held on curves are laid anew. */
 static taut_status halve_patch(const taut_film_complex *c, int p, const double *points,
                                taut_arena *arena, taut_film_problem *patch)
@@ -15,7 +29,8 @@ static taut_status halve_patch(const taut_film_complex *c, int p, const double *
     const taut_film_problem *before = &c->problem->patches[p];
     const int first = c->first[p], count = c->first[p + 1] - first;
     double *net = taut_arena_take(arena, (size_t)count, 3 * sizeof(double));
-    taut_surface *surface = NULL, *along_u = NULL, *halved = NULL;
+    taut_surface *surface = NULL;
+    const taut_surface *halved = NULL;
     taut_status status = net != NULL ? TAUT_OK : TAUT_NO_MEMORY;
 
     for (int k = 0; net != NULL && k < count; k++) {
@@ -25,14 +40,10 @@ static taut_status halve_patch(const taut_film_complex *c, int p, const double *
         status = taut_surface_new(NULL, before->u, before->v, net, NULL, &surface, NULL);
     }
     if (status == TAUT_OK) {
-        status = taut_surface_refine(surface, TAUT_ALONG_U, &along_u, NULL);
-    }
-    if (status == TAUT_OK) {
-        status = taut_surface_refine(along_u, TAUT_ALONG_V, &halved, NULL);
+        status = halve(surface, arena, &halved);
     }
     taut_surface_free(surface);
-    taut_surface_free(along_u);
-    if (status != TAUT_OK || !taut_keep_surface(arena, halved)) {
+    if (status != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
     *patch = *before;
@@ -49,12 +60,15 @@ static taut_status halve_patch(const taut_film_complex *c, int p, const double *
         }
     }
     patch->start = start;
+    if (start != NULL && before->reference != NULL) {
+        return halve(before->reference, arena, &patch->reference);
+    }
     return start != NULL ? TAUT_OK : TAUT_NO_MEMORY;
 }
 
 /* The film before on halved spans. */
-static taut_status halve(const taut_film_complex *c, const double *points, taut_arena *arena,
-                         taut_film_problem *problem, taut_error *error)
+static taut_status halve_all(const taut_film_complex *c, const double *points, taut_arena *arena,
+                             taut_film_problem *problem, taut_error *error)
 {
     const size_t count = (size_t)c->problem->patch_count;
     taut_film_problem *patches = taut_arena_take(arena, count, sizeof *patches);
@@ -99,7 +113,7 @@ taut_status taut_film_complex_refine(const taut_film_layout *layout, const taut_
     taut_status status = taut_arena_status(arena) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 
     for (int k = 0; status == TAUT_OK && k < rounds; k++) {
-        status = halve(&now.complex, found.points, arena, &finer[k], error);
+        status = halve_all(&now.complex, found.points, arena, &finer[k], error);
         if (status == TAUT_OK) {
             status = taut_film_layout_new(&finer[k], arena, &now, error);
         }

@@ -105,6 +105,9 @@ static int find_ways(const taut_film_energy *e, int node, const double *moment, 
     if (c->kind[node] == TAUT_FILM_NODE_HELD) {
         return 0;
     }
+    if (e->threads[node]) {
+        return complete(&hold, ways);
+    }
     if (c->kind[node] == TAUT_FILM_NODE_INSIDE) {
         memcpy(x, moment, sizeof x);
         for (int k = 0; k < hold.count; k++) {

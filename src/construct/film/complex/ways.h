@@ -2,7 +2,7 @@
  *
  *     inside   along iint N_a x_u x x_v, summed over the sheets, each turned to the side of those before it
  *     line     across the tangent at the Greville abscissa, as far as planes leave it
- *     vertex   all that planes leave
+ *     vertex   all that planes leave, as of all points of patches of threads
  *
  * A move within the sheets changes the energy by what the discretisation errs alone: Newton's method in all coordinates creeps
  * along such moves, and in these it does not. */
