@@ -45,6 +45,25 @@ refused 3 'kind' pattern sail.json --across v0,v1 --count 2 -o none.json
 run 0 schema pattern
 contains out.txt '#/\$defs/pattern'
 
+# A film with cables, from its problem; its tension is the prestress.
+"$TAUT" example film-sail | sed 's/"force": 2/"force": 8/g; s/"construct": "film",/"construct": "film", "tension": 4,/' > sail-film.json
+for stress in film numbers; do
+    [ $stress = film ] && word='"film"' || word='[4, 4]'
+    cat > $stress.json << EOF
+{ "taut": 1, "pattern": "cloth", "of": $(cat sail-film.json), "seams": [{ "across": ["v0", "v1"], "count": 2 }],
+  "cloth": { "material": "pvc-pes" }, "prestress": $word }
+EOF
+    run 0 make $stress.json --quiet -o $stress-made.json
+    run 0 certify $stress-made.json $stress.json
+done
+cmp film-made.json numbers-made.json || complain "the film's tension is another prestress"
+contains film-made.json '"warp": 0.00318979266347'
+cat > no-film.json << 'EOF'
+{ "taut": 1, "pattern": "cloth", "of": "surface.json", "seams": [{ "across": ["v0", "v1"], "count": 2 }],
+  "cloth": { "material": "pvc-pes" }, "prestress": "film" }
+EOF
+refused 3 'type /prestress' make no-film.json -o none.json
+
 # A ring is sewn along its closing line.
 "$TAUT" example film-ring > ring.json
 run 0 make ring.json --quiet -o ring-made.json

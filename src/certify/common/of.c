@@ -4,6 +4,7 @@
 #include "core/fail.h"
 #include "geometry/keep.h"
 #include "problem/problem.h"
+#include "taut/join.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -55,6 +56,53 @@ static double all_differences(const taut_model *a, const taut_model *b)
 
 /* What was made first, proved by its own problem: the surface alone, under the details it was made
  * with. */
+/* An edge of the surface as a curve under its own name. */
+static taut_status add_edge(const taut_surface *surface, int edge, taut_arena *arena,
+                            taut_model *model)
+{
+    const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
+    const int nu = taut_basis_count(u), nv = taut_basis_count(v), is_u = edge < 2;
+    const int count = is_u ? nv : nu, held = edge % 2 == 0 ? 0 : (is_u ? nu : nv) - 1;
+    double *points = taut_arena_take(arena, (size_t)count, 3 * sizeof(double));
+    taut_curve *curve = NULL;
+
+    if (points == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    for (int k = 0; k < count; k++) {
+        const int i = is_u ? held : k, j = is_u ? k : held;
+        memcpy(points + 3 * (size_t)k,
+               taut_surface_points(surface) + 3 * ((size_t)i * (size_t)nv + (size_t)j),
+               3 * sizeof(double));
+    }
+    taut_status status =
+        taut_curve_new(taut_edge_name((taut_edge)edge), is_u ? v : u, points, NULL, &curve, NULL);
+    if (status == TAUT_OK) {
+        status = taut_model_add_curve(model, curve);
+        if (status != TAUT_OK) {
+            taut_curve_free(curve);
+        }
+    }
+    return status;
+}
+
+/* The cables of a film, which are edges of it: the model that goes on from its surface leaves them out. */
+static taut_status add_cables(const taut_record *details, const taut_surface *surface,
+                              taut_arena *arena, taut_model *model)
+{
+    const taut_record *cables = taut_record_get(details, "cables");
+    taut_status status = TAUT_OK;
+    for (size_t k = 0; status == TAUT_OK && k < taut_record_count(cables); k++) {
+        const char *name = taut_record_text(taut_record_get(taut_record_at(cables, k), "edge"));
+        for (int e = 0; status == TAUT_OK && e < 4; e++) {
+            if (strcmp(name, taut_edge_name((taut_edge)e)) == 0) {
+                status = add_edge(surface, e, arena, model);
+            }
+        }
+    }
+    return status;
+}
+
 static taut_status prove_first(const taut_model *whole, const taut_surface *carrier, int all,
                                const taut_problem *problem, taut_arena *arena,
                                const taut_audit *audit, taut_claim *claim, taut_error *error)
@@ -78,6 +126,10 @@ static taut_status prove_first(const taut_model *whole, const taut_surface *carr
             taut_surface_free(surface);
             return taut_fail_memory(error);
         }
+    }
+    if (!all && taut_surface_weights(carrier) == NULL &&
+        add_cables(details, carrier, arena, model) != TAUT_OK) {
+        return taut_fail_memory(error);
     }
     if (details != NULL) {
         taut_record *copy = taut_record_copy(details);

@@ -9,6 +9,8 @@
 #include "core/fail.h"
 #include "io/problem/document_ops.h"
 #include "io/problem/of_document.h"
+#include "problem/problem.h"
+#include "taut/film.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -417,6 +419,44 @@ static taut_status read_compensation(const taut_json *at, void *into, taut_error
     return in.status;
 }
 
+/* The tension of a film's patch, the same in all directions; 0 where it is none, or has other stresses. */
+static double tension_of(const taut_problem *of, const char *surface)
+{
+    const taut_film_problem *film =
+        of != NULL && of->construct == TAUT_CONSTRUCT_INDEX_film ? of->data : NULL;
+    for (int k = 0; film != NULL && k < film->patch_count; k++) {
+        const taut_film_problem *patch = &film->patches[k];
+        if (surface != NULL ? patch->name != NULL && strcmp(patch->name, surface) == 0
+                            : film->patch_count == 1) {
+            return patch->tension > 0 ? patch->tension : 1;
+        }
+    }
+    if (film == NULL || film->patch_count > 0 || film->force_density[0] > 0 ||
+        film->prestress[0] > 0) {
+        return 0;
+    }
+    return film->tension > 0 ? film->tension : 1;
+}
+
+/* "film": that of the film that the surface is, the same in all directions; or that of warp and weft. */
+static void take_stress(taut_reader *document, const taut_json *at, taut_pattern_problem *data)
+{
+    const char *word = taut_json_text_at(at);
+    double stress[2] = {0, 0};
+    if (word == NULL) {
+        taut_reader_numbers(document, "prestress", 2, stress);
+    } else {
+        stress[0] = stress[1] = strcmp(word, "film") == 0 ? tension_of(data->of, data->surface) : 0;
+        if (!(stress[0] > 0)) {
+            document->status =
+                taut_json_expected(at, document->error,
+                                   "two numbers, of warp and weft, or \"film\" where `of` is the "
+                                   "problem of a film of one tension");
+        }
+    }
+    data->prestress = (taut_pattern_prestress){stress[0], stress[1]};
+}
+
 /* In place of warp and weft. */
 static void read_prestress(taut_reader *document, taut_pattern_problem *data)
 {
@@ -429,9 +469,7 @@ static void read_prestress(taut_reader *document, taut_pattern_problem *data)
     if (document->status != TAUT_OK || !data->has_prestress) {
         return;
     }
-    double stress[2] = {0, 0};
-    taut_reader_numbers(document, "prestress", 2, stress);
-    data->prestress = (taut_pattern_prestress){stress[0], stress[1]};
+    take_stress(document, &at, data);
     if (document->status == TAUT_OK && taut_reader_has(document, "compensation") &&
         (taut_json_kind_at(&warp) != TAUT_JSON_MISSING ||
          taut_json_kind_at(&weft) != TAUT_JSON_MISSING)) {
