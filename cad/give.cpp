@@ -27,7 +27,10 @@
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Wire.hxx>
+#include <gp_Trsf.hxx>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -285,15 +288,39 @@ static void give_item(const occt_sink &sink, const occt_about &about, const char
     }
 }
 
+/* Uses of products, by their places, in the order in which they appear. */
+class uses
+{
+  public:
+    void find(const TopoDS_Shape &shape, const std::string &product, taut_cad_item &item)
+    {
+        const gp_Trsf place = shape.Location().Transformation();
+        std::array<double, 12> rows{};
+        for (int i = 0; i < 3; i++) {
+            for (int j = 0; j < 4; j++) {
+                rows[static_cast<size_t>(4 * i + j)] = place.Value(i + 1, j + 1);
+            }
+        }
+        const auto at =
+            known.emplace(std::make_pair(product, rows), static_cast<int>(known.size())).first;
+        item.instance = at->second;
+        std::copy(rows.begin(), rows.end(), item.place);
+    }
+
+  private:
+    std::map<std::pair<std::string, std::array<double, 12>>, int> known;
+};
+
 /* False, and nothing given, where the face is trimmed and only `whole` ones are wanted. */
 static bool give_face(const TopoDS_Face &face, const occt_about &about, const char *name,
-                      bool whole, const occt_sink &sink)
+                      bool whole, uses &used, const occt_sink &sink)
 {
     taut_cad_item item = {};
     const Handle(Geom_BSplineSurface) s = convert_surface(face, item.notes);
     if (whole && (item.notes & TAUT_CAD_TRIMMED) != 0) {
         return false;
     }
+    used.find(face, about.product, item);
     const std::vector<double> u = numbers(s->UKnotSequence()), v = numbers(s->VKnotSequence());
     std::vector<double> points, weights;
     for (int i = 1; i <= s->NbUPoles(); i++) {
@@ -448,12 +475,13 @@ void occt_give(const TopoDS_Shape &shape, const occt_names &names, bool with_edg
     }
     namer namer(names, faces, edges);
     std::vector<std::pair<int, std::string>> trimmed;
+    uses used;
     int given = 0;
     for (int i = 1; i <= faces.Extent(); i++) {
         const TopoDS_Face face = TopoDS::Face(faces(i));
         const std::string said = namer.name(face);
         given += give_or_name("face", i, said.c_str(), sink, [&](const char *name) {
-            if (!give_face(face, names.find(face), name, with_edges, sink)) {
+            if (!give_face(face, names.find(face), name, with_edges, used, sink)) {
                 trimmed.emplace_back(i, said.empty() ? "face" + std::to_string(i) : said);
             }
         });

@@ -88,7 +88,7 @@ PY
     ! grep -q '^ *402 ' model.igs || complain "a group of one"
     run 0 convert pipe.igs -o back.json
     [ "$(grep -c '"name": "' back.json)" = 4 ] || complain "names out of a group: $(grep '"name"' back.json)"
-    "$helper" --version | grep -q '^taut-cad, protocol 4, OpenCASCADE [0-9]' || complain "$helper says no version"
+    "$helper" --version | grep -q '^taut-cad, protocol 5, OpenCASCADE [0-9]' || complain "$helper says no version"
     "$helper" model.igs > /dev/null 2>&1 && complain "$helper takes an argument"
 fi
 finish

@@ -46,7 +46,7 @@ if "$PROBE"; then
     volume() { sed -n "s/^$1.step.* volume \([-+.e0-9]*\) .*/\1/p" probe.txt; }
     near "$(volume d)" "$d" 2e-8 'd.step, OpenCASCADE'
     near "$(volume p)" "$p" 1e-6 'p.step, OpenCASCADE'
-    near "$(volume g)" "$g" 1e-7 'g.step, OpenCASCADE'
+    near "$(volume g)" "$g" 1e-6 'g.step, OpenCASCADE'
     # a pipe of radius r all round, hollow: 2 pi r T for each unit of its axis is T times its area
     area=$("$TAUT" measure ring.json --json | tr -d ' \n' | grep -o '"area":[-+.e0-9]*' | awk -F: '{ s += $2 } END { printf "%.17g", s }')
     near "$(volume ring)" "$(steiner 5 "$area" 0)" 1e-5 'ring.step, OpenCASCADE'
@@ -96,7 +96,7 @@ sheet p 0.02
 cmp -s first.step p.step || complain "the same sheet is another file"
 
 # What folds, meets at edges, or has three sides is refused, with what would do.
-refused 4 'fold p\.step found 1 expected 0.4636[0-9]*' convert p.json -o p.step --thickness 1
+refused 4 'fold p\.step found 1 expected 0.463[0-9]*' convert p.json -o p.step --thickness 1
 contains err.txt 'its least radius of curvature is 0.23'
 run 0 make "$SOURCE/examples/film-bubbles.json" --quiet -o bubbles.json
 refused 4 'sheet bubbles\.step' convert bubbles.json -o bubbles.step --thickness 0.01

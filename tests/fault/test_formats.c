@@ -81,7 +81,10 @@ static const char plate_text[] =
     "{\"taut\": 1, \"surfaces\": [{\"u\": {\"type\": \"bezier\", \"degree\": 1}, \"v\": "
     "{\"type\": \"bezier\", \"degree\": 1}, \"points\": [[[0,0,0],[0,1,0]], [[1,0,0],[1,1,1]]]}, "
     "{\"u\": {\"type\": \"bezier\", \"degree\": 1}, \"v\": {\"type\": \"bezier\", \"degree\": 1}, "
-    "\"points\": [[[1,1,1],[1,0,0]], [[2,1,2],[2,0,0]]]}]}";
+    "\"points\": [[[1,1,1],[1,0,0]], [[2,1,2],[2,0,0]]]}], \"details\": {\"parts\": [{\"product\": "
+    "\"p\", "
+    "\"placement\": [[0,1,0,5],[-1,0,0,0],[0,0,1,0]], \"surfaces\": [0]}, {\"product\": \"q\", "
+    "\"surfaces\": [1]}]}}";
 
 static taut_status write_step(const void *context, void **result, taut_error *error)
 {
@@ -218,6 +221,7 @@ int main(void)
     fault_check("geomdl of curves", write_geomdl, NULL, frame, 10);
     fault_check("step", write_step, NULL, sheets, 20);
     fault_check("step of a body", write_step, NULL, body, 20);
+    fault_check("step of an assembly", write_step, NULL, plate, 40);
     fault_check("step of a sheet", write_thick, NULL, plate, 40);
     fault_check("glb", write_glb, NULL, surfaces, 20);
     fault_check("3mf", write_3mf, NULL, sheets, 30);

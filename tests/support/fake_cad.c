@@ -20,8 +20,10 @@ const taut_cad_item fake_cad_items[2] = {
      NULL,
      TAUT_CAD_APPROXIMATE,
      "part",
-     1 + 0x12ab34},
-    {"edge", {1, 0}, {2, 0}, {knots, NULL}, points, NULL, TAUT_CAD_APPROXIMATE, NULL, 0}};
+     1 + 0x12ab34,
+     0,
+     {0}},
+    {"edge", {1, 0}, {2, 0}, {knots, NULL}, points, NULL, TAUT_CAD_APPROXIMATE, NULL, 0, 0, {0}}};
 
 static const taut_error nothing_wrong = {.status = TAUT_OK};
 

@@ -89,7 +89,8 @@ static taut_status check_head(const taut_cad_item_head *head, taut_error *error)
 {
     const int directions = head->count[1] > 0 ? 2 : 1;
     if (head->name_length < 0 || head->name_length > TAUT_NAME_MAX || head->product_length < 0 ||
-        head->product_length > TAUT_NAME_MAX || head->colour < 0 || head->colour > 1 << 24) {
+        head->product_length > TAUT_NAME_MAX || head->colour < 0 || head->colour > 1 << 24 ||
+        head->instance < 0 || head->instance > TAUT_OBJECTS_MAX) {
         return refuse_stream(error);
     }
     for (int d = 0; d < directions; d++) {
@@ -194,6 +195,28 @@ static void add_looks(const item_read *item, taut_cad_result *result)
     taut_record_add_text(result->colours, NULL, colour);
 }
 
+/* Which use of a product a surface is of: numbers come as they appear. */
+static taut_status add_use(const item_read *item, taut_cad_result *result, taut_error *error)
+{
+    const size_t count = taut_record_count(result->uses);
+    if (result->uses == NULL || result->instances == NULL) {
+        return TAUT_OK;
+    }
+    if ((size_t)item->head.instance > count) {
+        return refuse_stream(error);
+    }
+    if ((size_t)item->head.instance == count) {
+        taut_record *use = taut_record_add_object(result->uses, NULL);
+        taut_record_add_text(use, "product", item->product);
+        taut_record *rows = taut_record_add_list(use, "placement");
+        for (int i = 0; i < 3; i++) {
+            taut_record_add_numbers(rows, NULL, 4, item->head.place + 4 * i);
+        }
+    }
+    taut_record_add_number(result->instances, NULL, item->head.instance);
+    return TAUT_OK;
+}
+
 static taut_status get_numbers(taut_cad_source *source, item_read *item, taut_error *error)
 {
     const taut_cad_item_head *head = &item->head;
@@ -254,10 +277,11 @@ static taut_status get_item_into(taut_cad_source *source, item_read *item, taut_
     add_notes(&item->head, item->name, index, result->notes);
     if (is_surface) {
         add_looks(item, result);
+        status = add_use(item, result, error);
     }
     result->trimmed += (item->head.notes & TAUT_CAD_TRIMMED) != 0;
     result->edges += !is_surface && (item->head.notes & TAUT_CAD_EDGE) != 0;
-    return TAUT_OK;
+    return status;
 }
 
 static taut_status get_item(taut_cad_source *source, taut_cad_result *result, taut_error *error)

@@ -32,11 +32,14 @@ typedef struct taut_cad_result {
     taut_model *model;  /* surfaces and curves are added, the unit set; may be NULL when writing */
     taut_record *notes; /* a list of sentences, likewise */
     taut_record *products,
-        *colours;  /* of each surface: a text, "" where nothing is said; may be NULL likewise */
-    int trimmed;   /* surfaces of which the file has only a part */
-    int edges;     /* curves that are edges of such ones: the last */
-    FILE *text;    /* where the text of a file goes; NULL when reading */
-    int has_ended; /* the end was seen... */
+        *colours; /* of each surface: a text, "" where nothing is said; may be NULL likewise */
+    taut_record *
+        instances; /* of each surface, numbers; and of each use of a product its name and place, a list of objects; */
+    taut_record *uses;  /* may be NULL likewise */
+    int trimmed;        /* surfaces of which the file has only a part */
+    int edges;          /* curves that are edges of such ones: the last */
+    FILE *text;         /* where the text of a file goes; NULL when reading */
+    int has_ended;      /* the end was seen... */
     taut_status status; /* ...with this, and *error is filled */
 } taut_cad_result;
 

@@ -159,6 +159,24 @@ static int has_colours(const taut_record *colours, const taut_model *model)
     return other;
 }
 
+/* The parts of an assembly: of each use of a product its name, place and surfaces. */
+static void add_parts(const taut_cad_result *result, taut_record *details)
+{
+    taut_record *parts = taut_record_add_list(details, "parts");
+    for (size_t p = 0; p < taut_record_count(result->uses); p++) {
+        const taut_record *use = taut_record_at(result->uses, p);
+        taut_record *made = taut_record_add_object(parts, NULL);
+        taut_record_add_record(made, "product", taut_record_get(use, "product"));
+        taut_record_add_record(made, "placement", taut_record_get(use, "placement"));
+        taut_record *surfaces = taut_record_add_list(made, "surfaces");
+        for (size_t i = 0; i < taut_record_count(result->instances); i++) {
+            if (taut_record_number(taut_record_at(result->instances, i)) == (double)p) {
+                taut_record_add_number(surfaces, NULL, (double)i);
+            }
+        }
+    }
+}
+
 /* What was read, with what there is to say of it. */
 static taut_status finish_model(taut_cad_kind kind, taut_cad_result *result, taut_error *error)
 {
@@ -166,6 +184,8 @@ static taut_status finish_model(taut_cad_kind kind, taut_cad_result *result, tau
     int is_said = taut_record_count(result->notes) > 0;
     if (taut_record_status(result->notes) != TAUT_OK ||
         taut_record_status(result->products) != TAUT_OK ||
+        taut_record_status(result->uses) != TAUT_OK ||
+        taut_record_status(result->instances) != TAUT_OK ||
         taut_record_status(result->colours) != TAUT_OK) {
         taut_record_free(details);
         return taut_fail_memory(error);
@@ -179,6 +199,10 @@ static taut_status finish_model(taut_cad_kind kind, taut_cad_result *result, tau
     taut_record_add_record(details, "notes", result->notes);
     if (has_products(result->products)) {
         taut_record_add_record(details, "products", result->products);
+        is_said = 1;
+    }
+    if (taut_record_count(result->uses) > 1) {
+        add_parts(result, details);
         is_said = 1;
     }
     if (has_colours(result->colours, result->model)) {
@@ -203,7 +227,10 @@ static taut_status read_items(const taut_cad_job *job, taut_cad_result *result, 
     result->notes = taut_record_new_list();
     result->products = taut_record_new_list();
     result->colours = taut_record_new_list();
+    result->instances = taut_record_new_list();
+    result->uses = taut_record_new_list();
     if (result->notes == NULL || result->products == NULL || result->colours == NULL ||
+        result->instances == NULL || result->uses == NULL ||
         taut_model_new(&result->model) != TAUT_OK) {
         return taut_fail_memory(error);
     }
@@ -229,6 +256,8 @@ static taut_status read_cad(taut_cad_kind kind, const char *path, int edges, tau
     taut_record_free(result.notes);
     taut_record_free(result.products);
     taut_record_free(result.colours);
+    taut_record_free(result.instances);
+    taut_record_free(result.uses);
     if (status != TAUT_OK) {
         taut_model_free(result.model);
         return status;

@@ -73,13 +73,16 @@ static int name_length(const char *name)
 
 int taut_cad_put_item(FILE *file, const taut_cad_item *item)
 {
-    const taut_cad_item_head head = {{item->degree[0], item->degree[1]},
-                                     {item->count[0], item->count[1]},
-                                     item->weights != NULL,
-                                     item->notes,
-                                     name_length(item->name),
-                                     name_length(item->product),
-                                     item->colour};
+    taut_cad_item_head head = {{item->degree[0], item->degree[1]},
+                               {item->count[0], item->count[1]},
+                               item->weights != NULL,
+                               item->notes,
+                               name_length(item->name),
+                               name_length(item->product),
+                               item->colour,
+                               item->instance,
+                               {0}};
+    memcpy(head.place, item->place, sizeof head.place);
     const size_t n = taut_cad_point_count(&head);
     return put_bytes(file, "I", 1, 1) && put_bytes(file, &head, sizeof head, 1) &&
            put_bytes(file, item->name, 1, (size_t)head.name_length) &&

@@ -35,12 +35,15 @@ typedef struct taut_cad_item {
     int notes;             /* read: TAUT_CAD_TRIMMED, TAUT_CAD_APPROXIMATE */
     const char *product;   /* read: of what it is a part, UTF-8; "" or NULL if nothing says so */
     int colour;            /* read: 0, or 1 + 0xRRGGBB */
+    int instance; /* read: surfaces: of which use of a product it is a part, numbered as they appear */
+    double place[12]; /* read: where that use has its product: the rows of (A | b), x -> A x + b */
 } taut_cad_item;
 
 /* What stands before the name, the product and the numbers of an item. */
 typedef struct taut_cad_item_head {
     int degree[2], count[2], is_rational, notes;
-    int name_length, product_length, colour;
+    int name_length, product_length, colour, instance;
+    double place[12];
 } taut_cad_item_head;
 
 typedef enum taut_cad_kind { TAUT_CAD_STEP, TAUT_CAD_IGES } taut_cad_kind;
@@ -61,7 +64,7 @@ typedef struct taut_cad_job {
 
 /* What stands first, both ways. A version changes with what is said, the layout with compilers. */
 enum {
-    TAUT_CAD_VERSION = 4,
+    TAUT_CAD_VERSION = 5,
     TAUT_CAD_MARK = 8,
     TAUT_CAD_UNIT = 4,
     TAUT_CAD_TEXT_MAX = 1 << 15,

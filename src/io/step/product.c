@@ -100,11 +100,15 @@ static size_t put_representation(taut_part21 *out, const taut_step_spaces *space
             kinds++;
         }
     }
-    if (kinds == 1) {
+    if (kinds == 1 && content->place_count == 0) {
         return last;
     }
-    const size_t whole = TAUT_NEW(out, "SHAPE_REPRESENTATION('',(%),%)",
-                                  TAUT_REF(spaces->placement), TAUT_REF(spaces->space));
+    size_t *items = content->places, own = spaces->placement;
+    items = content->place_count > 0 ? items : &own;
+    items[0] = spaces->placement;
+    const size_t whole =
+        TAUT_NEW(out, "SHAPE_REPRESENTATION('',%,%)", TAUT_REFS(content->place_count + 1, items),
+                 TAUT_REF(spaces->space));
     for (int kind = 0; kind < TAUT_STEP_KINDS; kind++) {
         if (each[kind] != 0) {
             TAUT_NEW(out, "SHAPE_REPRESENTATION_RELATIONSHIP('','',%,%)", TAUT_REF(whole),
@@ -114,28 +118,68 @@ static size_t put_representation(taut_part21 *out, const taut_step_spaces *space
     return whole;
 }
 
-void taut_step_put_product(taut_part21 *out, const char *name, const taut_step_spaces *spaces,
-                           taut_step_content *content)
+/* What all products refer to, once. */
+static void put_contexts(taut_part21 *out, taut_step_product *products)
 {
-    const size_t shape = put_representation(out, spaces, content);
-    TAUT_NEW(out, "MECHANICAL_DESIGN_GEOMETRIC_PRESENTATION_REPRESENTATION('',%,%)",
-             TAUT_REFS(content->style_count, content->styles), TAUT_REF(spaces->space));
     const size_t about =
         taut_part21_new(out, "APPLICATION_CONTEXT('managed model based 3d engineering')", NULL);
     TAUT_NEW(out,
              "APPLICATION_PROTOCOL_DEFINITION('international standard',"
              "'ap242_managed_model_based_3d_engineering',2014,%)",
              TAUT_REF(about));
-    const size_t field = TAUT_NEW(out, "PRODUCT_CONTEXT('',%,'mechanical')", TAUT_REF(about));
-    const size_t stage =
+    products->field = TAUT_NEW(out, "PRODUCT_CONTEXT('',%,'mechanical')", TAUT_REF(about));
+    products->stage =
         TAUT_NEW(out, "PRODUCT_DEFINITION_CONTEXT('part definition',%,'design')", TAUT_REF(about));
-    const size_t product =
-        TAUT_NEW(out, "PRODUCT(%,%,'',(%))", TAUT_TEXT(name), TAUT_TEXT(name), TAUT_REF(field));
-    TAUT_NEW(out, "PRODUCT_RELATED_PRODUCT_CATEGORY('part',$,(%))", TAUT_REF(product));
-    const size_t version =
-        TAUT_NEW(out, "PRODUCT_DEFINITION_FORMATION('','',%)", TAUT_REF(product));
-    const size_t definition =
-        TAUT_NEW(out, "PRODUCT_DEFINITION('design','',%,%)", TAUT_REF(version), TAUT_REF(stage));
-    const size_t form = TAUT_NEW(out, "PRODUCT_DEFINITION_SHAPE('','',%)", TAUT_REF(definition));
-    TAUT_NEW(out, "SHAPE_DEFINITION_REPRESENTATION(%,%)", TAUT_REF(form), TAUT_REF(shape));
+}
+
+void taut_step_put_product(taut_part21 *out, const char *name, const taut_step_spaces *spaces,
+                           taut_step_content *content, taut_step_product *product)
+{
+    product->shape = put_representation(out, spaces, content);
+    if (content->style_count > 0) {
+        TAUT_NEW(out, "MECHANICAL_DESIGN_GEOMETRIC_PRESENTATION_REPRESENTATION('',%,%)",
+                 TAUT_REFS(content->style_count, content->styles), TAUT_REF(spaces->space));
+    }
+    if (product->field == 0) {
+        put_contexts(out, product);
+    }
+    const size_t made = TAUT_NEW(out, "PRODUCT(%,%,'',(%))", TAUT_TEXT(name), TAUT_TEXT(name),
+                                 TAUT_REF(product->field));
+    TAUT_NEW(out, "PRODUCT_RELATED_PRODUCT_CATEGORY('part',$,(%))", TAUT_REF(made));
+    const size_t version = TAUT_NEW(out, "PRODUCT_DEFINITION_FORMATION('','',%)", TAUT_REF(made));
+    product->definition = TAUT_NEW(out, "PRODUCT_DEFINITION('design','',%,%)", TAUT_REF(version),
+                                   TAUT_REF(product->stage));
+    const size_t form =
+        TAUT_NEW(out, "PRODUCT_DEFINITION_SHAPE('','',%)", TAUT_REF(product->definition));
+    TAUT_NEW(out, "SHAPE_DEFINITION_REPRESENTATION(%,%)", TAUT_REF(form), TAUT_REF(product->shape));
+}
+
+size_t taut_step_put_place(taut_part21 *out, const double place[12])
+{
+    const double origin[3] = {place[3], place[7], place[11]};
+    const double axis[3] = {place[2], place[6], place[10]};
+    const double ahead[3] = {place[0], place[4], place[8]};
+    const size_t point = TAUT_NEW(out, "CARTESIAN_POINT('',%)", TAUT_REALS(3, origin, 1));
+    const size_t up = put_direction(out, 3, axis), right = put_direction(out, 3, ahead);
+    return TAUT_NEW(out, "AXIS2_PLACEMENT_3D('',%,%,%)", TAUT_REF(point), TAUT_REF(up),
+                    TAUT_REF(right));
+}
+
+void taut_step_put_use(taut_part21 *out, size_t number, const char *name, size_t at,
+                       const taut_step_spaces *spaces, const taut_step_product *whole,
+                       const taut_step_product *part)
+{
+    const size_t use =
+        TAUT_NEW(out, "NEXT_ASSEMBLY_USAGE_OCCURRENCE('%',%,'',%,%,$)", TAUT_NUMBER(number),
+                 TAUT_TEXT(name), TAUT_REF(whole->definition), TAUT_REF(part->definition));
+    const size_t form = TAUT_NEW(out, "PRODUCT_DEFINITION_SHAPE('','',%)", TAUT_REF(use));
+    const size_t place = TAUT_NEW(out, "ITEM_DEFINED_TRANSFORMATION('','',%,%)",
+                                  TAUT_REF(spaces->placement), TAUT_REF(at));
+    const size_t relation = TAUT_NEW(
+        out,
+        "(REPRESENTATION_RELATIONSHIP('','',%,%)REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION(%)"
+        "\nSHAPE_REPRESENTATION_RELATIONSHIP())",
+        TAUT_REF(part->shape), TAUT_REF(whole->shape), TAUT_REF(place));
+    TAUT_NEW(out, "CONTEXT_DEPENDENT_SHAPE_REPRESENTATION(%,%)", TAUT_REF(relation),
+             TAUT_REF(form));
 }

@@ -13,7 +13,7 @@
 #include "io/cad/cad.h"
 #include "io/cad/prepare.h"
 #include "io/format.h"
-#include "io/step/entities.h"
+#include "io/step/assembly.h"
 #include "mesh/colour.h"
 #include "taut/version.h"
 
@@ -104,16 +104,14 @@ static taut_status find_forms(const taut_model *nurbs, const taut_shells *shells
     return *forms != NULL ? TAUT_OK : TAUT_NO_MEMORY;
 }
 
-/* What the forms are off by counts as well. */
-static void add_distances(const taut_model *nurbs, const taut_step_form *forms,
-                          taut_cad_facts *facts)
+/* What the forms are off by. */
+static double distance_of(const taut_model *nurbs, const taut_step_form *forms)
 {
     double most = 0;
     for (int f = 0; f < taut_model_surface_count(nurbs); f++) {
         most = fmax(most, forms[f].distance);
     }
-    facts->bound += most;
-    taut_cad_say_bound(taut_model_unit(nurbs), facts);
+    return most;
 }
 
 /* Sheets are bodies, every one. */
@@ -147,38 +145,85 @@ static taut_status find_hollows(const taut_cad_facts *facts, const taut_shells *
     return *outside != NULL ? TAUT_OK : TAUT_NO_MEMORY;
 }
 
-/* All between the header and the end. */
-static taut_status put_data(taut_part21 *out, const taut_model *nurbs, taut_cad_facts *facts,
-                            taut_arena *arena, taut_error *error)
+static taut_status prepare_part(taut_step_part *p, const taut_cad_facts *facts, taut_arena *arena,
+                                taut_error *error)
 {
-    taut_shells shells;
-    taut_step_form *forms = NULL;
-    int *outside = NULL;
-    taut_step_content content;
-    taut_step_spaces spaces;
-    taut_status status = take_content(nurbs, arena, &content);
+    taut_status status = take_content(p->model, arena, &p->content);
+    if (status == TAUT_OK) {
+        status = find_shells(p->model, facts->bound, arena, &p->shells);
+    }
+    if (status == TAUT_OK) {
+        status = find_forms(p->model, &p->shells, arena, &p->forms);
+    }
+    if (status == TAUT_OK) {
+        status = find_hollows(facts, &p->shells, arena, &p->outside);
+    }
+    return status == TAUT_OK && facts->thickness > 0 ? check_bodies(p->model, &p->shells, error)
+                                                     : status;
+}
 
+/* What is looked at before the first byte: shells and forms, and how near all is. */
+static taut_status prepare_parts(int count, taut_step_part *parts, taut_cad_facts *facts,
+                                 taut_arena *arena, taut_error *error)
+{
+    double gap = 0, distance = 0;
+    for (int i = 0; i < count; i++) {
+        if (i > 0 && parts[i].of != i) {
+            continue;
+        }
+        const taut_status status = prepare_part(&parts[i], facts, arena, error);
+        if (status != TAUT_OK) {
+            return status;
+        }
+        gap = fmax(gap, parts[i].shells.gap);
+        distance = fmax(distance, distance_of(parts[i].model, parts[i].forms));
+    }
+    facts->bound += distance;
+    facts->precision = fmax(facts->precision, gap);
+    taut_cad_say_bound(taut_model_unit(parts[0].model), facts);
+    return TAUT_OK;
+}
+
+/* A part as a product, where it is the first of its kind. */
+static taut_status put_part(taut_part21 *out, const taut_step_spaces *spaces, taut_arena *arena,
+                            taut_step_part *p)
+{
+    const taut_status status = taut_step_put_faces(out, p->model, &p->shells, p->forms, p->outside,
+                                                   spaces, arena, &p->content);
     if (status == TAUT_OK) {
-        status = find_shells(nurbs, facts->bound, arena, &shells);
+        put_curves(out, p->model, &p->content);
+        taut_step_put_product(out, p->name, spaces, &p->content, &p->product);
     }
-    if (status == TAUT_OK) {
-        status = find_forms(nurbs, &shells, arena, &forms);
-    }
-    if (status == TAUT_OK) {
-        status = find_hollows(facts, &shells, arena, &outside);
-    }
-    if (status == TAUT_OK && facts->thickness > 0) {
-        status = check_bodies(nurbs, &shells, error);
-    }
+    return status;
+}
+
+/* All between the header and the end. */
+static taut_status put_data(taut_part21 *out, int count, taut_step_part *parts,
+                            taut_cad_facts *facts, taut_arena *arena, taut_error *error)
+{
+    taut_step_spaces spaces;
+    size_t *places = taut_arena_take(arena, (size_t)count, sizeof *places);
+    taut_status status =
+        places != NULL ? prepare_parts(count, parts, facts, arena, error) : TAUT_NO_MEMORY;
     if (status != TAUT_OK) {
         return status;
     }
-    add_distances(nurbs, forms, facts);
     put_header(out, facts);
-    taut_step_put_spaces(out, taut_model_unit(nurbs), fmax(facts->precision, shells.gap), &spaces);
-    status = taut_step_put_faces(out, nurbs, &shells, forms, outside, &spaces, arena, &content);
-    put_curves(out, nurbs, &content);
-    taut_step_put_product(out, facts->name, &spaces, &content);
+    taut_step_put_spaces(out, taut_model_unit(parts[0].model), facts->precision, &spaces);
+    for (int i = 1; i < count; i++) {
+        places[i] = taut_step_put_place(out, parts[i].place);
+    }
+    parts[0].content.place_count = (size_t)count - 1;
+    parts[0].content.places = places;
+    for (int i = 0; i < count && status == TAUT_OK; i++) {
+        parts[i].product.field = i > 0 ? parts[0].product.field : 0;
+        parts[i].product.stage = i > 0 ? parts[0].product.stage : 0;
+        status = i == 0 || parts[i].of == i ? put_part(out, &spaces, arena, &parts[i]) : TAUT_OK;
+    }
+    for (int i = 1; i < count && status == TAUT_OK; i++) {
+        taut_step_put_use(out, (size_t)i, parts[i].name, places[i], &spaces, &parts[0].product,
+                          &parts[parts[i].of].product);
+    }
     taut_part21_put(out, "ENDSEC;\nEND-ISO-10303-21;\n", NULL);
     return status;
 }
@@ -187,7 +232,12 @@ static taut_status put_file(const taut_model *nurbs, taut_cad_facts *facts, FILE
                             taut_arena *arena, taut_error *error)
 {
     taut_part21 out = {.sink = taut_sink_to(file)};
-    const taut_status put = put_data(&out, nurbs, facts, arena, error);
+    taut_step_part *parts = NULL;
+    double moved = 0;
+    int count = 0;
+    taut_status put = taut_step_list_parts(nurbs, facts, arena, &count, &parts, &moved);
+    facts->bound += moved;
+    put = put == TAUT_OK ? put_data(&out, count, parts, facts, arena, error) : put;
     const taut_status sent = taut_sink_finish(&out.sink);
     return put == TAUT_NO_MEMORY || sent == TAUT_NO_MEMORY ? taut_fail_memory(error)
            : put != TAUT_OK                                ? put

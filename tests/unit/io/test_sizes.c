@@ -83,7 +83,8 @@ static size_t read_on(void *context, void *to, size_t room)
 static void test_items(void)
 {
     static const double knots[4] = {0, 0, 1, 1}, points[6] = {0, 0, 0, 1, 2, 3};
-    const taut_cad_item line = {"", {1, 0}, {2, 0}, {knots, NULL}, points, NULL, 0, NULL, 0};
+    const taut_cad_item line = {"", {1, 0}, {2, 0}, {knots, NULL}, points, NULL, 0, NULL,
+                                0,  0,      {0}};
     taut_cad_result result = {.notes = taut_record_new_list()};
     taut_error error = {.status = TAUT_OK};
     FILE *file = tmpfile();

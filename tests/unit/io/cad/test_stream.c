@@ -18,9 +18,11 @@ static const double knots_u[] = {0, 0, 0, 1, 1, 1}, knots_v[] = {0, 0, 2, 2};
 static const double points[] = {0, 0, 0, 0, 1, 0, 1, 0, 1, 1, 1, 1, 2, 0, 0, 2, 1, 0};
 static const double weights[] = {1, 2, 3, 4, 5, 6};
 static const taut_cad_item face = {"a face", {2, 1},           {3, 2},   {knots_u, knots_v}, points,
-                                   weights,  TAUT_CAD_TRIMMED, "a part", 1 + 0x12ab34};
+                                   weights,  TAUT_CAD_TRIMMED, "a part", 1 + 0x12ab34,       0,
+                                   {0}};
 static const taut_cad_item edge = {
-    "an edge", {1, 0}, {2, 0}, {knots_v, NULL}, points, NULL, TAUT_CAD_APPROXIMATE, NULL, 0};
+    "an edge", {1, 0}, {2, 0}, {knots_v, NULL}, points, NULL, TAUT_CAD_APPROXIMATE, NULL,
+    0,         0,      {0}};
 
 /* free() it. */
 static char *written(const taut_cad_item *items, int count, size_t *length)

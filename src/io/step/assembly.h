@@ -1,0 +1,28 @@
+/* assembly.h -- what of a model becomes which product. */
+#ifndef TAUT_IO_STEP_ASSEMBLY_H
+#define TAUT_IO_STEP_ASSEMBLY_H
+
+#include "io/cad/prepare.h"
+#include "io/step/entities.h"
+
+/* One part of an assembly, or the whole: a model of its own, whose faces are sewn among themselves. */
+typedef struct taut_step_part {
+    const char *name;
+    const taut_model *model; /* in coordinates of its own */
+    double place[12];        /* the rows of (A | b), where it is in the whole */
+    int is_placed;           /* elsewhere than as it is */
+    int of; /* the part whose product this is a use of: itself, or an earlier one */
+    taut_shells shells;
+    taut_step_form *forms;
+    int *outside;
+    taut_step_content content;
+    taut_step_product product;
+} taut_step_part;
+
+/* parts[0] is the whole, or what of it is in no part, and [1] to [count - 1] its parts: none where the model is no assembly, or is made
+ * to sheets. *moved: how far a point is from where the model has it, a length. All from the arena. TAUT_NO_MEMORY. */
+taut_status taut_step_list_parts(const taut_model *nurbs, const taut_cad_facts *facts,
+                                 taut_arena *arena, int *count, taut_step_part **parts,
+                                 double *moved);
+
+#endif /* TAUT_IO_STEP_ASSEMBLY_H */
