@@ -13,7 +13,7 @@
 
 /* The derivatives of a surface up to the third, in the order of taut_jet_power: x, x_u, x_v, x_uu,
  * x_uv, x_vv, x_uuu, x_uuv, x_uvv, x_vvv. */
-enum { TAUT_CARRIER_VECTORS = 10 };
+enum { TAUT_CARRIER_VECTORS = 10, TAUT_CARRIER_RULE = 10 };
 
 typedef struct taut_carrier {
     const taut_surface *surface;
@@ -29,6 +29,7 @@ typedef struct taut_carrier {
     double roundest;       /* the largest R of it */
     int is_straight[2][2]; /* asymptotic, principal; first and second family (trace/straight.h) */
     double way[2][2][2];
+    double rule[2][TAUT_CARRIER_RULE]; /* Gauss's nodes and weights along them */
     int wraps[2];               /* u0 and u1 (v0 and v1) are one line in space, with one normal */
     struct taut_seam *seams[4]; /* of u0, u1, v0, v1: where curves go on (trace/seam.h), or NULL */
 } taut_carrier;

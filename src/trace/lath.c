@@ -1,6 +1,7 @@
 #include "trace/lath.h"
 
 #include "core/vec3.h"
+#include "trace/straight.h"
 
 #include <string.h>
 
@@ -155,18 +156,37 @@ static taut_status push(pieces *p, const taut_piece *piece)
     return TAUT_OK;
 }
 
+/* The state at half of a piece, of the length or, of a straight line, of the window, and how far it is; 0 where there
+ * is none. */
+static int half_way(taut_linefield_kind kind, const taut_piece *piece, taut_walk_state *middle,
+                    double *h)
+{
+    const double *way = taut_straight_way(piece->start.on, kind);
+    *h = piece->h / 2;
+    if (way == NULL) {
+        return taut_walk_step(kind, &piece->start, piece->h / 2, middle);
+    }
+    const int d = fabs(way[0]) > fabs(way[1]) ? 0 : 1;
+    const double t = (piece->to.at[d] - piece->start.y[d]) / way[d];
+    taut_straight_move(piece->start.on, kind, &piece->start, t / 2, middle);
+    *h = middle->s - piece->start.s;
+    return isfinite(middle->s);
+}
+
 /* The piece, or its halves, each by a full step from where it begins. */
 static taut_status refine(taut_linefield_kind kind, const taut_piece *piece,
                           const taut_lath_options *options, int depth, pieces *out)
 {
     taut_piece low = *piece, high = *piece;
     taut_walk_state middle = {.s = 0};
+    double h = 0;
 
     if (depth == 0 || piece->near_parabolic || is_good(kind, piece, options) ||
-        !taut_walk_step(kind, &piece->start, piece->h / 2, &middle)) {
+        !half_way(kind, piece, &middle, &h)) {
         return push(out, piece);
     }
-    low.h = high.h = piece->h / 2;
+    low.h = h;
+    high.h = piece->h - h;
     high.start = middle;
     taut_walk_station(kind, &middle, &low.to);
     high.from = low.to;
@@ -371,27 +391,35 @@ taut_status taut_lath_trace(const taut_carrier *carrier, taut_linefield_kind kin
     return take_kinks(lath, &walks[0], &walks[1], arena);
 }
 
-int taut_segment_state(taut_linefield_kind kind, const taut_segment *segment, double s,
-                       taut_station *station)
+void taut_segment_station(taut_linefield_kind kind, const taut_segment *segment,
+                          const taut_walk_state *state, taut_station *station)
 {
-    const double h = segment->way * (s - segment->first) - segment->start.s;
-    taut_walk_state state;
     taut_station own;
 
-    if (!taut_walk_step(kind, &segment->start, h, &state)) {
-        return 0;
-    }
-    taut_walk_station(kind, &state, &own);
+    taut_walk_station(kind, state, &own);
     if (segment->way > 0) {
         *station = own;
     } else {
         reverse_station(&own, station);
     }
-    station->s = s;
+    station->s = segment->first + segment->way * state->s;
     const double base_twist = segment->way > 0 ? segment->from.twist : segment->to.twist;
     const double base_measure = segment->way > 0 ? segment->from.measure : segment->to.measure;
     station->twist = base_twist + segment->way * (own.twist - segment->start.y[TAUT_WALK_TWIST]);
     station->measure =
         base_measure + segment->way * (own.measure - segment->start.y[TAUT_WALK_MEASURE]);
+}
+
+int taut_segment_state(taut_linefield_kind kind, const taut_segment *segment, double s,
+                       taut_station *station)
+{
+    const double h = segment->way * (s - segment->first) - segment->start.s;
+    taut_walk_state state;
+
+    if (!taut_walk_step(kind, &segment->start, h, &state)) {
+        return 0;
+    }
+    taut_segment_station(kind, segment, &state, station);
+    station->s = s;
     return 1;
 }

@@ -58,7 +58,10 @@ void taut_segment_window(const taut_segment *segment, double points[TAUT_QUINTIC
 void taut_quintic_at(int dim, const double *points, double t, double *value, double *step,
                      double *bend);
 
-/* The state at s of the lath on a segment, by one full step, and the station. 0 where there is none. */
+/* The station of a state of the curve that a segment is stepped along, as the lath runs. */
+void taut_segment_station(taut_linefield_kind kind, const taut_segment *segment,
+                          const taut_walk_state *state, taut_station *station);
+/* That of s of the lath on a segment, by one full step. 0 where there is none. */
 int taut_segment_state(taut_linefield_kind kind, const taut_segment *segment, double s,
                        taut_station *station);
 

@@ -1,6 +1,7 @@
 #include "trace/node.h"
 
 #include "core/vec3.h"
+#include "trace/straight.h"
 
 #include <string.h>
 
@@ -196,29 +197,69 @@ static void move_station(taut_station *station, double step)
     taut_add_scaled(step, station->acceleration, station->tangent);
 }
 
-/* The crossing near s0 and s1, if it is one: of the quintics first, then Newton on both lengths, each
- * iterate a full step from where the segment begins. */
-static void polish(search *w, double s0, double s1)
+/* Where two straight lines of the window cross; 0 where that is on neither segment. */
+static int cross_lines(const search *w, const double *const lines[2], taut_station at[2],
+                       double s[2])
 {
-    double s[2] = {s0, s1};
-    taut_station at[2];
-    taut_node node;
+    double from[2][2], ways[2][2], t[2];
+    const double room = roughly;
 
+    for (int k = 0; k < 2; k++) {
+        memcpy(from[k], w->segments[k]->start.y, sizeof from[k]);
+        memcpy(ways[k], lines[k], sizeof ways[k]);
+    }
+    if (!newton_step((const double(*)[2])from, (const double(*)[2])ways, t)) {
+        return 0;
+    }
+    for (int k = 0; k < 2; k++) {
+        const taut_segment *segment = w->segments[k];
+        const int d = fabs(ways[k][0]) > fabs(ways[k][1]) ? 0 : 1;
+        const double length = segment->to.at[d] - segment->from.at[d];
+        const double share = (from[k][d] + t[k] * ways[k][d] - segment->from.at[d]) / length;
+        if (!(share >= -room) || !(share <= 1 + room)) {
+            return 0;
+        }
+    }
+    const double place[2] = {from[0][0] + t[0] * ways[0][0], from[0][1] + t[0] * ways[0][1]};
+    for (int k = w->nodes->count - 1; k >= 0; k--) { /* two lines cross once */
+        const taut_node *other = &w->nodes->list[k];
+        if (other->laths[0] != w->index[0] || other->laths[1] != w->index[1]) {
+            break;
+        }
+        if (fabs(other->at[0] - place[0]) <= same * (w->carrier->hi[0] - w->carrier->lo[0]) &&
+            fabs(other->at[1] - place[1]) <= same * (w->carrier->hi[1] - w->carrier->lo[1])) {
+            return 0;
+        }
+    }
+    for (int k = 0; k < 2; k++) {
+        const taut_linefield_kind kind = {w->net, k};
+        taut_walk_state state;
+        taut_straight_move(w->carrier, kind, &w->segments[k]->start, t[k], &state);
+        taut_segment_station(kind, w->segments[k], &state, &at[k]);
+        s[k] = at[k].s;
+    }
+    return isfinite(s[0]) && isfinite(s[1]);
+}
+
+/* The crossing near s[0] and s[1]: of the quintics first, then Newton on both lengths, each iterate a full step from
+ * where the segment begins. 0 where there is none. */
+static int cross_curves(const search *w, taut_station at[2], double s[2])
+{
     if (!cross_quintics(w, s)) {
-        return;
+        return 0;
     }
     for (int round = 0; round < ROUNDS; round++) {
         double places[2][2], ways[2][2], step[2];
         for (int k = 0; k < 2; k++) {
             const taut_linefield_kind kind = {w->net, k};
             if (!taut_segment_state(kind, w->segments[k], s[k], &at[k])) {
-                return;
+                return 0;
             }
             memcpy(places[k], at[k].at, sizeof places[k]);
             memcpy(ways[k], at[k].ab, sizeof ways[k]);
         }
         if (!newton_step((const double(*)[2])places, (const double(*)[2])ways, step)) {
-            return;
+            return 0;
         }
         s[0] += step[0];
         s[1] += step[1];
@@ -227,6 +268,22 @@ static void polish(search *w, double s0, double s1)
             move_station(&at[1], step[1]);
             break;
         }
+    }
+    return 1;
+}
+
+static void polish(search *w, double s0, double s1)
+{
+    const taut_linefield_kind kinds[2] = {{w->net, 0}, {w->net, 1}};
+    const double *const lines[2] = {taut_straight_way(w->carrier, kinds[0]),
+                                    taut_straight_way(w->carrier, kinds[1])};
+    double s[2] = {s0, s1};
+    taut_station at[2];
+    taut_node node;
+
+    if (lines[0] != NULL && lines[1] != NULL ? !cross_lines(w, lines, at, s)
+                                             : !cross_curves(w, at, s)) {
+        return;
     }
     const double room = beyond * w->carrier->size;
     if (!is_within(w->segments[0], s[0], room) || !is_within(w->segments[1], s[1], room)) {

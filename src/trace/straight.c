@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-enum { LOOK = 13, NODES = 10, ROUNDS = 12 };
+enum { LOOK = 13, NODES = TAUT_CARRIER_RULE, ROUNDS = 12 };
 /* The sine between two directions of the window, its sides made 1, that is rounding; a component below
  * the second is 0. -K over R^2 below which it may vanish near by. */
 static const double same_way = 1e-12, no_component = 1e-14, least_gauss = 1e-3;
@@ -67,6 +67,7 @@ static int find_way(const taut_carrier *carrier, taut_linefield_kind kind, doubl
 void taut_straight_find(taut_carrier *carrier)
 {
     static const taut_trace_net nets[] = {TAUT_TRACE_ASYMPTOTIC, TAUT_TRACE_PRINCIPAL};
+    taut_gauss_rule(NODES, carrier->rule[0], carrier->rule[1]);
     for (int k = 0; k < 2; k++) {
         for (int family = 0; family < 2 && !carrier->wraps[0] && !carrier->wraps[1]; family++) {
             const taut_linefield_kind kind = {nets[k], family};
@@ -104,8 +105,7 @@ static void rates_at(const taut_carrier *carrier, taut_linefield_kind kind, cons
 static void integrate(const taut_carrier *carrier, taut_linefield_kind kind,
                       const taut_walk_state *from, const double *way, double t, double sums[3])
 {
-    double nodes[NODES], weights[NODES];
-    taut_gauss_rule(NODES, nodes, weights);
+    const double *nodes = carrier->rule[0], *weights = carrier->rule[1];
     sums[0] = sums[1] = sums[2] = 0;
     for (int k = 0; k < NODES; k++) {
         const double here = t * (1 + nodes[k]) / 2;

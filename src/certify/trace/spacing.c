@@ -20,6 +20,7 @@ static const double on_line = 1e-12, along = 1e-5;
 
 typedef struct line {
     taut_net_cells *cells;
+    int on; /* which surface */
     const taut_surface *surface;
     taut_trace_net net;
     taut_trace_by by;
@@ -46,7 +47,7 @@ static double rate_at(const line *l, double t)
         return 1;
     }
     place_on(l, t, at);
-    if (!taut_net_cells_look(l->cells, 0, at, NULL, &f)) {
+    if (!taut_net_cells_look(l->cells, l->on, at, NULL, &f)) {
         return 0;
     }
     const double u = l->way[0], v = l->way[1];
@@ -140,7 +141,7 @@ static int is_wanted(const line *l, int family, double t)
     taut_forms f;
 
     place_on(l, t, at);
-    if (!taut_net_cells_look(l->cells, 0, at, NULL, &f) || !f.regular) {
+    if (!taut_net_cells_look(l->cells, l->on, at, NULL, &f) || !f.regular) {
         return 0;
     }
     const double square = f.mean * f.mean - f.gaussian, a = l->way[0], b = l->way[1];
@@ -170,25 +171,30 @@ static double beside(const line *l, const double at[2], double *t)
     return (l->way[0] * y - l->way[1] * x) / square;
 }
 
-/* Adds the measures at which a curve crosses the line; 0 where its places in the window are not known. */
-static int add_crossings(const line *l, const taut_net_line *curve, double *crossings, int *count)
+static void window_at(const taut_curve *window, double t, double at[2])
 {
-    const taut_basis *basis = taut_curve_t(curve->space);
+    double point[3];
+    taut_curve_eval(window, t, 0, point);
+    at[0] = point[0];
+    at[1] = point[1];
+}
+
+/* Adds the measures at which a stretch of a curve in the line's window crosses it. */
+static void add_crossings(const line *l, const taut_curve *window, double *crossings, int *count)
+{
+    const taut_basis *basis = taut_curve_t(window);
     const double *breaks = taut_basis_breaks(basis);
     double at[2], t = 0, before = 0;
-    int on = 0;
 
     for (int k = 0; k <= taut_basis_span_count(basis); k++) {
-        if (!taut_net_line_window(curve, breaks[k], at, &on)) {
-            return 0;
-        }
+        window_at(window, breaks[k], at);
         const double here = beside(l, at, &t);
         int crosses = fabs(here) <= on_line;
         if (!crosses && k > 0 && fabs(before) > on_line && (here > 0) != (before > 0)) {
             double low = breaks[k - 1], high = breaks[k];
             for (int round = 0; round < HALVINGS; round++) {
                 const double middle = (low + high) / 2;
-                taut_net_line_window(curve, middle, at, &on);
+                window_at(window, middle, at);
                 *((beside(l, at, &t) > 0) == (before > 0) ? &low : &high) = middle;
             }
             crosses = 1;
@@ -198,7 +204,6 @@ static int add_crossings(const line *l, const taut_net_line *curve, double *cros
         }
         before = here;
     }
-    return 1;
 }
 
 /* The measures at which curves of a family cross the line. NULL: no memory. */
@@ -207,15 +212,18 @@ static double *find_crossings(const line *l, const taut_net_lines *lines, int fa
 {
     size_t most = 1;
     for (int i = 0; i < lines->count; i++) {
-        most += (size_t)taut_basis_span_count(taut_curve_t(lines->lines[i].space)) + 1;
+        for (int k = 0; k < lines->lines[i].count; k++) {
+            most += (size_t)taut_basis_span_count(taut_curve_t(lines->lines[i].window[k])) + 1;
+        }
     }
     double *crossings = taut_arena_take_raw(arena, most, sizeof *crossings);
     *count = 0;
     for (int i = 0; crossings != NULL && i < lines->count; i++) {
-        const int before = *count;
-        if (lines->lines[i].family == family &&
-            !add_crossings(l, &lines->lines[i], crossings, count)) {
-            *count = before;
+        const taut_net_line *curve = &lines->lines[i];
+        for (int k = 0; curve->family == family && k < curve->count; k++) {
+            if (curve->on[k] == l->on) {
+                add_crossings(l, curve->window[k], crossings, count);
+            }
         }
     }
     return crossings;
@@ -245,14 +253,28 @@ static taut_status judge(const line *l, const taut_net_lines *lines, int family,
     return TAUT_OK;
 }
 
-static line line_of(taut_net_cells *cells, const taut_trace_problem *problem,
+/* The surface that a seed lies on: the one that it names, or the problem's. */
+static int surface_of(const taut_net_cells *cells, int several, const taut_trace_problem *problem,
+                      const taut_trace_seed *seed)
+{
+    const char *name = seed->surface != NULL ? seed->surface : problem->surface;
+    for (int k = 0; name != NULL && k < several; k++) {
+        if (strcmp(taut_surface_name(cells->surfaces[k]), name) == 0) {
+            return k;
+        }
+    }
+    return 0;
+}
+
+static line line_of(taut_net_cells *cells, int several, const taut_trace_problem *problem,
                     const taut_trace_seed *seed)
 {
-    const taut_surface *surface = cells->surfaces[0];
+    const int on = surface_of(cells, several, problem, seed);
+    const taut_surface *surface = cells->surfaces[on];
     const taut_basis *bu = taut_surface_u(surface), *bv = taut_surface_v(surface);
     const double lo[2] = {taut_basis_lo(bu), taut_basis_lo(bv)};
     const double hi[2] = {taut_basis_hi(bu), taut_basis_hi(bv)};
-    line l = {.cells = cells, .surface = surface, .net = problem->net, .by = seed->by};
+    line l = {.cells = cells, .on = on, .surface = surface, .net = problem->net, .by = seed->by};
 
     for (int d = 0; d < 2; d++) {
         double from = seed->at[d], to = seed->to[d];
@@ -289,11 +311,11 @@ static int forms_on(const parted *p, double t, taut_forms *f)
         return 0;
     }
     for (int d = 0; d < 2; d++) {
-        const taut_basis *basis =
-            d == 0 ? taut_surface_u(p->l->surface) : taut_surface_v(p->l->surface);
+        const taut_surface *surface = p->l->cells->surfaces[on];
+        const taut_basis *basis = d == 0 ? taut_surface_u(surface) : taut_surface_v(surface);
         at[d] = fmin(fmax(at[d], taut_basis_lo(basis)), taut_basis_hi(basis));
     }
-    return taut_net_cells_look(p->l->cells, 0, at, NULL, f);
+    return taut_net_cells_look(p->l->cells, on, at, NULL, f);
 }
 
 static double rate_on(const parted *p, double t)
@@ -435,7 +457,9 @@ static int crossing_at(const taut_net_lines *lines, const taut_surface *surface,
     for (size_t k = 0; k < taut_record_count(nodes); k++) {
         const taut_record *node = taut_record_at(nodes, k), *there = taut_record_get(node, "at");
         const char *name = taut_record_text(taut_record_get(node, "node"));
-        int is_near = 1;
+        int is_near =
+            lines->surface_count == 1 || strcmp(taut_record_text(taut_record_get(node, "surface")),
+                                                taut_surface_name(surface)) == 0;
         for (size_t d = 0; d < 2; d++) {
             const taut_basis *basis = d == 0 ? taut_surface_u(surface) : taut_surface_v(surface);
             const double room = 1e-9 * (taut_basis_hi(basis) - taut_basis_lo(basis));
@@ -503,15 +527,15 @@ taut_status taut_net_spacing(const taut_net_lines *lines, taut_net_cells *cells,
 {
     *residual = -1;
     for (int i = 0; i < lines->count; i++) {
-        if (lines->lines[i].count != 1 || lines->surface_count > 1) {
-            return TAUT_OK; /* across a seam, where two edges are one line */
+        if (lines->lines[i].count != 1 && lines->surface_count == 1) {
+            return TAUT_OK; /* across a seam of one surface, where two edges are one line */
         }
     }
     for (int k = 0; problem != NULL && k < problem->seed_count; k++) {
         const taut_trace_seed *seed = &problem->seeds[k];
         int families = seed->family != 0 ? seed->family : 3;
         families &= problem->families != 0 ? problem->families : 3;
-        line l = line_of(cells, problem, seed);
+        line l = line_of(cells, lines->surface_count, problem, seed);
         if (seed->kind == TAUT_TRACE_AT || problem->net == TAUT_TRACE_GEODESIC) {
             continue;
         }

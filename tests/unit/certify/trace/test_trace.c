@@ -451,6 +451,32 @@ static taut_record *on_surface(const taut_record *old, size_t which, const char 
     return details;
 }
 
+/* Equal parts of an edge, a line, a lath and a lattice of the second surface, whose curves go on to the first; and
+ * those of another measure, which are none. */
+static void test_spacing_across(void)
+{
+    static const char *const seeds[] = {
+        "{ \"edge\": \"v0\", \"count\": 3, \"surface\": \"b\", \"by\": \"%s\" }",
+        "{ \"cells\": 5, \"surface\": \"b\", \"by\": \"%s\" }",
+        "{ \"at\": [0.3, 0.6] }, { \"lath\": \"A1\", \"count\": 4, \"by\": \"%s\" }"};
+    for (size_t k = 0; k < sizeof seeds / sizeof *seeds; k++) {
+        char list[160], members[200];
+        made_net made[2];
+        for (int by = 0; by < 2; by++) {
+            snprintf(list, sizeof list, seeds[k], by ? "length" : "conformal");
+            snprintf(members, sizeof members, "\"carry\": true, \"seeds\": [%s]", list);
+            made[by] = net_make("principal", HALVES("1.1"), members);
+            CHECK(made[by].status == TAUT_OK, "%zu, %d: %s", k, by, made[by].error.message);
+            CHECK(claim_of(made[by].proof, "spacing")->holds == TAUT_TRUE, "%zu, %d: %g", k, by,
+                  claim_of(made[by].proof, "spacing")->residual);
+        }
+        CHECK(judge(&made[0], changed(made[1].model, -1, 0, 0, NULL), "spacing") == TAUT_FALSE,
+              "%zu", k);
+        net_free(&made[0]);
+        net_free(&made[1]);
+    }
+}
+
 /* A curve that is told to be on another surface, and one that ends where the next surface begins. */
 static void test_seams(void)
 {
@@ -507,6 +533,7 @@ int main(void)
     test_everywhere();
     test_cells();
     test_threads();
+    test_spacing_across();
     test_seams();
     test_moved();
     test_told();

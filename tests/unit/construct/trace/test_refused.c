@@ -73,6 +73,30 @@ static void test_reasons(void)
     }
 }
 
+/* A bend of a millionth of the size: no step is short enough for a geodesic that comes to it. */
+static void test_stalled(void)
+{
+    static const char surface[] =
+        "{ \"taut\": 1, \"surfaces\": [{ \"u\": { \"type\": \"bezier\", \"degree\": 2 }, \"v\": { "
+        "\"type\": \"bezier\", \"degree\": 1 }, \"points\": [[[0, 0, 0], [0, 1, 0.3]], [[1, 0, 0], "
+        "[1, "
+        "1, 0.1]], [[1, 0, 1], [1, 1, 1.2]]], \"weights\": [[1, 1], [1e-8, 1e-8], [1, 1]] }] }";
+    for (int threads = 1; threads <= 2; threads++) {
+        made_net made =
+            net_make_by("geodesic", surface,
+                        "\"seeds\": [{ \"at\": [0.3, 0.5], \"direction\": [1, 0.2] }]", threads);
+        double at[2] = {0, 0};
+        const char *beyond = strstr(made.error.message, "beyond (");
+        CHECK(made.status == TAUT_NOT_CONVERGED, "%d %s", made.status, made.error.message);
+        CHECK(strcmp(made.error.reason, "stalled") == 0, "%s", made.error.reason);
+        CHECK(beyond != NULL && sscanf(beyond, "beyond (%lf, %lf)", &at[0], &at[1]) == 2 &&
+                  at[0] > 0.99 && at[0] <= 1 && at[1] > 0.5 && at[1] < 1,
+              "%s", made.error.message);
+        CHECK(made.model == NULL, "no net");
+        net_free(&made);
+    }
+}
+
 /* K > 0 at the seed: the place that the message names is one where there are curves. */
 static void test_elliptic(void)
 {
@@ -132,6 +156,7 @@ static void test_sheet(void)
 int main(void)
 {
     test_reasons();
+    test_stalled();
     test_elliptic();
     test_sheet();
     return check_failures != 0;
