@@ -108,6 +108,12 @@ int taut_film_hold_add(taut_film_hold *hold, const double normal[3], double offs
 /* x is moved onto them by the shortest way. */
 void taut_film_hold_onto(const taut_film_hold *hold, double x[3]);
 
+/* Unit vectors, orthogonal, along which it leaves a node free: how many; the hold has them too then. */
+int taut_film_hold_left(taut_film_hold *hold, double *ways);
+/* x_t of the line of a node at its Greville abscissa. points: [points][3]. */
+void taut_film_complex_tangent(const taut_film_complex *complex, const double *points, int node,
+                               double t[3]);
+
 /* In the arena. TAUT_BAD_INPUT: edge-conflict, seam-mismatch, corner-conflict, corner-missing, curve-ends, value.
  * TAUT_NO_SOLUTION: floating. TAUT_NO_MEMORY. */
 taut_status taut_film_complex_new(const taut_film_problem *problem, taut_arena *arena,

@@ -112,3 +112,55 @@ void taut_film_hold_onto(const taut_film_hold *hold, double x[3])
         taut_add_scaled(hold->offsets[k] - taut_dot(hold->normals[k], x), hold->normals[k], x);
     }
 }
+
+int taut_film_hold_left(taut_film_hold *hold, double *ways)
+{
+    int count = 0;
+
+    for (int k = 0; hold->count < 3 && k < 6; k++) { /* axes that are far from what holds first */
+        const double axis[3] = {k % 3 == 0, k % 3 == 1, k % 3 == 2};
+        const int before = hold->count;
+        double left = 1;
+        for (int n = 0; n < before; n++) {
+            const double along = taut_dot(axis, hold->normals[n]);
+            left -= along * along;
+        }
+        if (left > (k < 3 ? 0.3 : 1e-6)) {
+            (void)taut_film_hold_add(hold, axis, 0, INFINITY);
+        }
+        if (hold->count > before) {
+            memcpy(ways + 3 * count++, hold->normals[before], 3 * sizeof(double));
+        }
+    }
+    return count;
+}
+
+void taut_film_complex_tangent(const taut_film_complex *complex, const double *points, int node,
+                               double t[3])
+{
+    const taut_film_complex *c = complex;
+    const taut_film_side *side = &c->line[node];
+    const taut_film_problem *patch = &c->problem->patches[side->patch];
+    const taut_basis *basis = side->edge < 2 ? patch->v : patch->u;
+    const int p = taut_basis_degree(basis), n = taut_basis_count(basis), k = c->at[node];
+    double values[2 * (TAUT_DEGREE_MAX + 1)], at = 0;
+    taut_basis_spec spec;
+
+    taut_basis_spec_of(basis, &spec);
+    for (int i = 1; i <= p; i++) {
+        at += spec.knots != NULL ? spec.knots[k + i] / p
+              : k + i > p        ? taut_basis_hi(basis) / p
+                                 : taut_basis_lo(basis) / p;
+    }
+    at = k == 0 ? taut_basis_lo(basis) : k == n - 1 ? taut_basis_hi(basis) : at;
+    const int span = taut_basis_span(basis, at), first = taut_basis_first(basis, span);
+    memset(t, 0, 3 * sizeof(double));
+    if (taut_basis_eval(basis, span, at, 1, values) != TAUT_OK) {
+        return;
+    }
+    for (int i = 0; i < taut_basis_local(basis); i++) {
+        const int point =
+            c->first[side->patch] + taut_film_complex_point(patch, side->edge, first + i);
+        taut_add_scaled(values[taut_basis_local(basis) + i], points + 3 * point, t);
+    }
+}

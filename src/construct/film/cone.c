@@ -11,6 +11,7 @@
  */
 #include "construct/film/cone.h"
 
+#include "core/fail.h"
 #include "core/vec3.h"
 #include "numeric/quadrature.h"
 
@@ -85,6 +86,17 @@ double taut_film_cone_widest(taut_film_rims *rims, double axis[6])
         }
     }
     return gap;
+}
+
+taut_status taut_film_cone_refuse(const taut_film_rims *rims, int digits, const char *where,
+                                  taut_error *error)
+{
+    const double most = rims->span[0] + rims->span[1];
+    return taut_fail(error, TAUT_NO_SOLUTION, "collapses", where, rims->height, most,
+                     "no film spans both rims, which is proved: they are %.15g apart, and lie in "
+                     "the two halves of a cone that no film connects; rims as wide as these are "
+                     "joined up to %.*g at most: bring them together",
+                     rims->height, digits, most);
 }
 
 double taut_film_cone_area(const taut_curve *curve, const double tip[3])

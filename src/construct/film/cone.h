@@ -17,6 +17,9 @@ typedef struct taut_film_rims {
 double taut_film_cone_gap(taut_film_rims *rims, const double axis[6]);
 /* The same of the axis with the most room that is found near this one, which it becomes; -1 without a direction. */
 double taut_film_cone_widest(taut_film_rims *rims, double axis[6]);
+/* That there is no film between such rims, at `where`: collapses. digits: of how wide rims are joined up to. TAUT_NO_SOLUTION. */
+taut_status taut_film_cone_refuse(const taut_film_rims *rims, int digits, const char *where,
+                                  taut_error *error);
 /* 1/2 int |(x - tip) x x_t| dt: the area of the cone over a curve. */
 double taut_film_cone_area(const taut_curve *curve, const double tip[3]);
 

@@ -247,15 +247,7 @@ taut_status taut_film_ring_cone(const taut_film_space *space, taut_error *error)
     if (!taken) {
         return taut_fail_memory(error);
     }
-    if (!(gap > 0)) {
-        return TAUT_OK;
-    }
-    const double most = told.span[0] + told.span[1];
-    return taut_fail(error, TAUT_NO_SOLUTION, "collapses", "/edges", told.height, most,
-                     "no film spans both edges, which is proved: they are %.15g apart, and lie in "
-                     "the two halves of a cone that no film connects; edges as wide as these are "
-                     "joined up to %.15g at most: bring them together",
-                     told.height, most);
+    return gap > 0 ? taut_film_cone_refuse(&told, 15, "/edges", error) : TAUT_OK;
 }
 
 /* ---- rivals ---- */

@@ -251,42 +251,12 @@ static void scale_cables(taut_sheets *s)
 
 /* ---- moves ---- */
 
-/* The tangent of a line at the Greville abscissa of point k of one of its edges. */
-static void find_tangent(const taut_sheets *s, int node, double t[3])
-{
-    const taut_film_side *side = &s->complex->line[node];
-    const taut_film_problem *patch = &s->complex->problem->patches[side->patch];
-    const taut_basis *basis = side->edge < 2 ? patch->v : patch->u;
-    const int p = taut_basis_degree(basis), n = taut_basis_count(basis), k = s->complex->at[node];
-    double values[2 * (TAUT_DEGREE_MAX + 1)], at = 0;
-    taut_basis_spec spec;
-
-    taut_basis_spec_of(basis, &spec);
-    for (int i = 1; i <= p; i++) {
-        at += spec.knots != NULL ? spec.knots[k + i] / p
-              : k + i > p        ? taut_basis_hi(basis) / p
-                                 : taut_basis_lo(basis) / p;
-    }
-    at = k == 0 ? taut_basis_lo(basis) : k == n - 1 ? taut_basis_hi(basis) : at;
-    const int span = taut_basis_span(basis, at), first = taut_basis_first(basis, span);
-    memset(t, 0, 3 * sizeof(double));
-    if (taut_basis_eval(basis, span, at, 1, values) != TAUT_OK) {
-        return;
-    }
-    for (int i = 0; i < taut_basis_local(basis); i++) {
-        const int point =
-            s->complex->first[side->patch] + taut_film_complex_point(patch, side->edge, first + i);
-        taut_add_scaled(values[taut_basis_local(basis) + i], s->points + 3 * point, t);
-    }
-}
-
 /* The ways of a node, at most three; how many. */
 static int find_ways(const taut_sheets *s, int node, double *ways)
 {
     const taut_film_complex *c = s->complex;
     taut_film_hold hold = c->holds[node];
     double x[3];
-    int count = 0;
 
     if (c->kind[node] == TAUT_FILM_NODE_HELD) {
         return 0;
@@ -303,26 +273,10 @@ static int find_ways(const taut_sheets *s, int node, double *ways)
         return size > 0;
     }
     if (c->kind[node] == TAUT_FILM_NODE_LINE && !s->threads[node]) {
-        find_tangent(s, node, x);
+        taut_film_complex_tangent(c, s->points, node, x);
         (void)taut_film_hold_add(&hold, x, 0, INFINITY);
     }
-    for (int k = 0; k < 6 && hold.count < 3;
-         k++) { /* first axes that are far from what holds, then the rest */
-        const double axis[3] = {k % 3 == 0, k % 3 == 1, k % 3 == 2};
-        const int before = hold.count;
-        double left = 1;
-        for (int n = 0; n < before; n++) {
-            const double along = taut_dot(axis, hold.normals[n]);
-            left -= along * along;
-        }
-        if (left > (k < 3 ? 0.3 : 1e-6)) {
-            (void)taut_film_hold_add(&hold, axis, 0, INFINITY);
-        }
-        if (hold.count > before) {
-            memcpy(ways + 3 * count++, hold.normals[before], 3 * sizeof(double));
-        }
-    }
-    return count;
+    return taut_film_hold_left(&hold, ways);
 }
 
 static taut_status find_moves(taut_sheets *s)

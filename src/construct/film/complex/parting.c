@@ -327,15 +327,9 @@ taut_status taut_film_parting_check(const taut_film_layout *layout,
     }
     find_middles(&rims, axis);
     taut_add_scaled(-1, axis, axis + 3);
-    if (!(taut_film_cone_widest(&rims, axis) > 0)) {
-        return TAUT_OK;
-    }
-    const double most = rims.span[0] + rims.span[1];
-    return taut_fail(error, TAUT_NO_SOLUTION, "collapses", "/patches", rims.height, most,
-                     "no film spans both rims, which is proved: they are %.15g apart, and lie in "
-                     "the two halves of a cone that no film connects; rims as wide as these are "
-                     "joined up to %.9g at most: bring them together",
-                     rims.height, most);
+    return taut_film_cone_widest(&rims, axis) > 0
+               ? taut_film_cone_refuse(&rims, 9, "/patches", error)
+               : TAUT_OK;
 }
 
 taut_status taut_film_parting_discs(const taut_film_layout *layout,
