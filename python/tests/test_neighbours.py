@@ -1,4 +1,5 @@
 """Other packages' curves and surfaces. What is not installed is stood for by the members that are used."""
+import sys
 import types
 
 import numpy as np
@@ -46,6 +47,58 @@ def test_geomdl():
     assert (surface.points == points).all() and (surface.weights == weights).all() and surface.name == "s"
     if pytest.importorskip("geomdl", reason="needs geomdl"):
         assert neighbours.from_geomdl(neighbours.to_geomdl(curve)) == curve
+
+
+class StandIn:
+    """What geomdl's NURBS classes document: the degree first, then at least one point more, lists of x w, y w, z w, w, then as many
+    knots as points, degree and 1; points and weights are read apart."""
+    rational, name = True, ""
+
+    def __init__(self, normalize_kv=True):
+        assert not normalize_kv
+
+    def _taken(self, points, most):
+        assert len(points) >= most and all(isinstance(point, list) and len(point) == 4 for point in points)
+        self._points = [[float(x) for x in point] for point in points]
+
+    ctrlpts = property(lambda self: [[x / point[3] for x in point[:3]] for point in self._points])
+    weights = property(lambda self: [point[3] for point in self._points])
+
+
+class StandInCurve(StandIn):
+    ctrlptsw = property(None, lambda self, points: self._taken(points, self.degree + 1))
+
+    def _set_knots(self, knots):
+        assert len(knots) == len(self._points) + self.degree + 1 and sorted(knots) == knots
+        self._knots = knots
+    knotvector = property(lambda self: self._knots, _set_knots)
+
+
+class StandInSurface(StandIn):
+    def _set_points(self, points):
+        assert len(points) == self.ctrlpts_size_u * self.ctrlpts_size_v
+        self._taken(points, (self.degree_u + 1) * (self.degree_v + 1))
+    ctrlptsw = property(None, _set_points)
+
+    def _set_knots(self, key, knots, count):
+        assert self._points and len(knots) == count and sorted(knots) == knots
+        setattr(self, key, knots)
+    knotvector_u = property(lambda self: self._u, lambda self, knots: self._set_knots("_u", knots, self.ctrlpts_size_u + self.degree_u + 1))
+    knotvector_v = property(lambda self: self._v, lambda self, knots: self._set_knots("_v", knots, self.ctrlpts_size_v + self.degree_v + 1))
+
+
+def test_to_geomdl(monkeypatch):
+    """Into a stand-in of geomdl's classes, set in the order that they ask for, and back."""
+    nurbs = types.SimpleNamespace(Curve=StandInCurve, Surface=StandInSurface)
+    monkeypatch.setitem(sys.modules, "geomdl", types.SimpleNamespace(NURBS=nurbs))
+    curve, random = curve_of(7), np.random.default_rng(8)
+    back = neighbours.from_geomdl(neighbours.to_geomdl(curve), name="c")
+    assert back.t == curve.t and (back.points == curve.points).all() and (back.weights == 1).all()
+    points, weights = random.standard_normal((6, 5, 3)), random.uniform(1, 2, (6, 5))
+    surface = taut.Surface(taut.bspline(3, count=6), taut.bspline(2, count=5), points, weights)
+    back = neighbours.from_geomdl(neighbours.to_geomdl(surface))
+    assert back.u == surface.u and back.v == surface.v and (back.weights == weights).all()
+    assert np.abs(back.points - points).max() < 1e-15 * 8
 
 
 def test_meshio(tmp_path):
