@@ -3,6 +3,7 @@
 #include "draw/figure.h"
 
 #include "core/arena.h"
+#include "core/date.h"
 #include "core/elementary/elementary.h"
 #include "core/fail.h"
 #include "draw/flat_page.h"
@@ -333,9 +334,8 @@ static int64_t source_date(void)
     const char *text = getenv("SOURCE_DATE_EPOCH");
     char *end = NULL;
     const int64_t date = text != NULL ? strtoll(text, &end, 10) : -1;
-    return text != NULL && end != text && *end == '\0' && date >= 0 && date <= INT64_C(253402300799)
-               ? date
-               : -1;
+    return text != NULL && end != text && *end == '\0' && date >= 0 && date <= TAUT_DATE_MOST ? date
+                                                                                              : -1;
 }
 
 /* What the file is called within: the title, or what the model is. */

@@ -209,6 +209,24 @@ static int look_at(taut_source *source)
     return S_ISDIR(about.st_mode) ? EISDIR : 0;
 }
 
+void taut_system_close(taut_source *source)
+{
+    if (source->file != STDIN_FILENO) {
+        close(source->file);
+    }
+}
+
+taut_place taut_system_place_of(const char *path)
+{
+    struct stat about;
+    if (stat(path, &about) != 0) {
+        return TAUT_PLACE_NONE;
+    }
+    return S_ISREG(about.st_mode)   ? TAUT_PLACE_FILE
+           : S_ISDIR(about.st_mode) ? TAUT_PLACE_FOLDER
+                                    : TAUT_PLACE_OTHER;
+}
+
 int taut_system_open(const char *path, taut_source *source)
 {
     const int is_standard = strcmp(path, "-") == 0;

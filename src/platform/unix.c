@@ -4,7 +4,6 @@
 
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -65,26 +64,6 @@ const char *taut_system_last_part(const char *path)
 int taut_system_is_rooted(const char *path)
 {
     return path[0] == '/';
-}
-
-/* ---- files ---- */
-
-void taut_system_close(taut_source *source)
-{
-    if (source->file != STDIN_FILENO) {
-        close(source->file);
-    }
-}
-
-taut_place taut_system_place_of(const char *path)
-{
-    struct stat about;
-    if (stat(path, &about) != 0) {
-        return TAUT_PLACE_NONE;
-    }
-    return S_ISREG(about.st_mode)   ? TAUT_PLACE_FILE
-           : S_ISDIR(about.st_mode) ? TAUT_PLACE_FOLDER
-                                    : TAUT_PLACE_OTHER;
 }
 
 int taut_system_same_target(const char *a, const char *b)

@@ -1,24 +1,15 @@
-#define _DEFAULT_SOURCE /* getentropy */
-/* wasi.c -- taut in WebAssembly: one thread, no modules, and files as far as the host opens its own.
- *
- * Every function of a host that opens no folder fails with that host's reason. A new file is written
- * under a passing name beside its target and renamed over it.
+/* wasi.c -- taut in WebAssembly: one thread, no modules, no files.
  */
 #include "platform/system.h"
 
 #include <errno.h>
-#include <fcntl.h>
-#include <stdlib.h>
-#include <string.h>
-#include <sys/stat.h>
-#include <time.h>
-#include <unistd.h>
-
-enum { TRIES = 64 };
 
 const char *taut_system_reason(int number, char *text, size_t size)
 {
-    return strerror_r(number, text, size) == 0 ? text : "unknown reason";
+    (void)number;
+    (void)text;
+    (void)size;
+    return "there are no files and no programs here";
 }
 
 /* ---- threads and modules ---- */
@@ -78,78 +69,48 @@ taut_helper_fate taut_system_helper_end(const taut_helper *helper, int *number)
     return TAUT_HELPER_UNKNOWN;
 }
 
-/* ---- reading ---- */
+/* ---- files: there are none; documents come and go as texts ---- */
 
 int taut_system_open(const char *path, taut_source *source)
 {
-    struct stat about;
+    (void)path;
+    source->file = -1;
+    return ENOSYS;
+}
 
-    source->file = strcmp(path, "-") == 0 ? STDIN_FILENO : open(path, O_RDONLY);
-    if (source->file < 0 || fstat(source->file, &about) != 0) {
-        return errno;
-    }
-    source->size = S_ISREG(about.st_mode) ? (double)about.st_size : -1;
-    if (S_ISDIR(about.st_mode)) {
-        taut_system_close(source);
-        return EISDIR;
-    }
-    return 0;
+void taut_system_close(taut_source *source)
+{
+    (void)source;
 }
 
 int taut_system_read(taut_source *source, char *to, size_t room, size_t *count)
 {
-    const ssize_t got = read(source->file, to, room);
-    *count = got > 0 ? (size_t)got : 0;
-    return got < 0 ? errno : 0;
+    (void)source;
+    (void)to;
+    (void)room;
+    *count = 0;
+    return ENOSYS;
 }
 
-/* ---- what is there ---- */
+taut_place taut_system_place_of(const char *path)
+{
+    (void)path;
+    return TAUT_PLACE_NONE;
+}
 
-/* Paths are the host's to resolve: they are taken as they are, with a folder in front. */
 int taut_system_target(const char *path, taut_target_kind *kind, char target[TAUT_PATH_ROOM])
 {
-    const char *folder = strchr(path, '/') == NULL ? "./" : "";
-    const taut_place place = taut_system_place_of(path);
-
-    if (strcmp(path, "-") == 0) {
-        *kind = TAUT_TARGET_STANDARD;
-        target[0] = '\0';
-        return 0;
-    }
-    if (path[0] == '\0' || strlen(folder) + strlen(path) >= TAUT_PATH_ROOM) {
-        return path[0] == '\0' ? ENOENT : ENAMETOOLONG;
-    }
-    memcpy(target, folder, strlen(folder) + 1);
-    strcat(target, path);
-    *kind = place == TAUT_PLACE_OTHER ? TAUT_TARGET_DEVICE : TAUT_TARGET_FILE;
-    return place == TAUT_PLACE_FOLDER ? EISDIR : 0;
+    (void)path;
+    *kind = TAUT_TARGET_FILE;
+    target[0] = '\0';
+    return ENOSYS;
 }
-
-/* ---- writing ---- */
 
 int taut_system_create(taut_new_file *made)
 {
-    char *name = strrchr(made->temporary, '/') + 1;
-    int file = -1, reason = EEXIST;
-
-    for (int i = 0; i < TRIES && reason == EEXIST; i++) {
-        unsigned char random[8];
-        if (getentropy(random, sizeof random) != 0) {
-            return errno;
-        }
-        snprintf(name, TAUT_SUFFIX_ROOM, ".taut-%02x%02x%02x%02x%02x%02x%02x%02x", random[0],
-                 random[1], random[2], random[3], random[4], random[5], random[6], random[7]);
-        file = open(made->temporary, O_WRONLY | O_CREAT | O_EXCL, 0666);
-        reason = file < 0 ? errno : 0;
-    }
-    made->pending = reason == 0;
-    made->stream = reason == 0 ? fdopen(file, "wb") : NULL;
-    if (reason == 0 && made->stream == NULL) {
-        close(file);
-        taut_system_discard(made);
-        return ENOMEM;
-    }
-    return reason;
+    made->pending = 0;
+    made->stream = NULL;
+    return ENOSYS;
 }
 
 const char *taut_system_own_path(const taut_new_file *file, char own[TAUT_OWN_ROOM])
@@ -160,34 +121,25 @@ const char *taut_system_own_path(const taut_new_file *file, char own[TAUT_OWN_RO
 
 int taut_system_place(taut_new_file *file)
 {
-    if (rename(file->temporary, file->target) != 0) {
-        return errno;
-    }
-    file->pending = 0;
-    return 0;
+    (void)file;
+    return ENOSYS;
 }
 
 void taut_system_discard(taut_new_file *file)
 {
-    if (file->stream != NULL) {
-        fclose(file->stream);
-        file->stream = NULL;
-    }
-    taut_system_remove(file);
-    file->pending = 0;
+    (void)file;
 }
 
 void taut_system_remove(const taut_new_file *file)
 {
-    if (file->pending) {
-        unlink(file->temporary);
-    }
+    (void)file;
 }
 
 int taut_system_open_device(const char *target, FILE **stream)
 {
-    *stream = fopen(target, "ab");
-    return *stream == NULL ? errno : 0;
+    (void)target;
+    *stream = NULL;
+    return ENOSYS;
 }
 
 FILE *taut_system_spool(char **text, size_t *length)

@@ -253,8 +253,15 @@ INLINE void group_fill(int order, int dim, int local, const double *basis, const
     }
 }
 
-/* Groups of the same kind; four functions, the cubic's, and
- * five, where a group has a knot, are kernels of their own. */
+/* What has kernels of its own for four functions, the cubic's, and for five, where a group has a knot: all; where code is to be
+ * small, first derivatives of surfaces without weights, which is what is drawn. */
+#ifdef TAUT_SMALL_KERNEL
+#define GRID_OWN(order, dim) ((order) == 1 && (dim) == 3)
+#else
+#define GRID_OWN(order, dim) 1
+#endif
+
+/* Groups of the same kind. */
 INLINE void fill_kind(int order, int dim, int streaming, const taut_grid_group *groups, int count,
                       const double *polygons, size_t polygon_stride, double *out)
 {
@@ -262,9 +269,9 @@ INLINE void fill_kind(int order, int dim, int streaming, const taut_grid_group *
         const taut_grid_group g = groups[i];
         const double *q = polygons + (ptrdiff_t)g.first * dim;
         double *to = out + (ptrdiff_t)i * GROUP * TAUT_SURFACE_VECTORS(order) * 3;
-        if (g.local == 4) {
+        if (GRID_OWN(order, dim) && g.local == 4) {
             group_fill(order, dim, 4, g.basis, q, polygon_stride, streaming, to);
-        } else if (g.local == 5) {
+        } else if (GRID_OWN(order, dim) && g.local == 5) {
             group_fill(order, dim, 5, g.basis, q, polygon_stride, streaming, to);
         } else {
             group_fill(order, dim, g.local, g.basis, q, polygon_stride, streaming, to);

@@ -1,5 +1,6 @@
 #include "io/cad/prepare.h"
 
+#include "core/date.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 #include "geometry/exponent.h"
@@ -12,7 +13,6 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <time.h>
 
 enum { DEGREE_MAX = 25 };
 static const double default_tolerance = 1e-6;
@@ -21,16 +21,11 @@ static const double side_of_thickness =
 static const double precision_of_size = 1e-7; /* what CAD systems take for one point */
 static const double least_precision = 1e-290, largest_precision = 1e290;
 
-static void write_date(char text[32])
+static void write_date(char text[TAUT_DATE_ROOM])
 {
     const char *found = getenv("SOURCE_DATE_EPOCH");
     const int64_t seconds = found != NULL ? strtoll(found, NULL, 10) : 0;
-    const time_t date = seconds >= 0 && seconds <= INT64_C(253402300799) ? (time_t)seconds : 0;
-    struct tm parts;
-    if (gmtime_r(&date, &parts) == NULL || strftime(text, 32, "%Y-%m-%dT%H:%M:%S", &parts) == 0) {
-        /* not reached: up to the year 9999 every second has a date, of 19 characters */
-        text[0] = '\0';
-    }
+    taut_date_text(seconds >= 0 && seconds <= TAUT_DATE_MOST ? seconds : 0, text);
 }
 
 /* A box of halved coordinates, as a whole one may be twice what a double holds. */

@@ -3,12 +3,12 @@
  * A PNG is drawn three times as large and then made smaller. Polygons are drawn without smoothing,
  * each point of the large page belonging to one of them: smoothed edges of neighbours would let the
  * ground shine through as a mesh of hairlines. */
+#include "core/date.h"
 #include "draw/canvas.h"
 
 #include <cairo-pdf.h>
 #include <cairo.h>
 #include <string.h>
-#include <time.h>
 
 struct taut_canvas {
     const taut_page *page;
@@ -39,12 +39,11 @@ static taut_status status_of(cairo_status_t status)
 /* cairo would write the time of the day; an empty date leaves it out. */
 static void set_metadata(cairo_surface_t *surface, const taut_page *page)
 {
-    char date[32] = "";
-    const time_t seconds = (time_t)page->date;
-    struct tm parts;
+    char date[TAUT_DATE_ROOM] = "";
 
-    if (page->date >= 0 && gmtime_r(&seconds, &parts) != NULL) {
-        strftime(date, sizeof date, "%Y-%m-%dT%H:%M:%SZ", &parts);
+    if (page->date >= 0) {
+        taut_date_text(page->date, date);
+        strcat(date, "Z");
     }
     cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, date);
     cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATOR, "taut");
