@@ -209,6 +209,7 @@ typedef struct taut_pattern_problem {
       "leave less there: the message says how much")                                               \
     X("strain", "no number of strips up to 500 is strained as little as that",                     \
       "allow more strain: halving the width of strips quarters it")                                \
+    X("overlap", "a flat piece lies over itself", "cut it across, by a butt, or take more strips") \
     X("folds", "no flat piece without folds was found to begin with", "take more strips")          \
     X("not-converged", "the flattening did not settle",                                            \
       "take more strips, or a material whose moduli differ less")

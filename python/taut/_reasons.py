@@ -122,6 +122,7 @@ REMEDIES = {
     'other-surface': 'give the piece across that edge, u and v as in the surface',
     'outside': 'give a place of the window, or of an edge; or give one inside its ranges',
     'overflow': 'scale the points down; or lower the degree',
+    'overlap': 'cut it across, by a butt, or take more strips',
     'parabolic': 'trace another net',
     'parallel-axes': 'say where each pipe ends',
     'parallel-legs': 'turn a leg: the two span the tangent plane',

@@ -45,6 +45,19 @@ refused 3 'kind' pattern sail.json --across v0,v1 --count 2 -o none.json
 run 0 schema pattern
 contains out.txt '#/\$defs/pattern'
 
+# A ramp of more than one turn lies over itself when it is flat, but not when it is cut across.
+awk 'BEGIN {
+    printf "{ \"taut\": 1, \"pattern\": \"cloth\", \"of\": { \"taut\": 1, \"surfaces\": [{ \"name\": \"ramp\", \"u\": { \"type\": \"bezier\", \"degree\": 1 }, "
+    printf "\"v\": { \"type\": \"bspline\", \"degree\": 3, \"count\": 30 }, \"points\": ["
+    for (r = 1; r < 2; r += 0.6)
+        for (k = 0; k < 30; k++)
+            printf "%s[%.6f, %.6f, %.6f]%s", k == 0 ? "[" : "", r * cos(8.168 * k / 29), r * sin(8.168 * k / 29), 0.6 * k / 29, k < 29 ? ", " : r < 1.5 ? "], " : "]"
+    print "] }] }, \"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 1 }] }"
+}' > ramp.json
+refused 4 'overlap' make ramp.json -o none.json
+sed 's/"count": 1 }\]/"count": 1 }, { "butt": "P1", "at": 0.5 }]/' ramp.json > ramps.json
+run 0 make ramps.json --quiet -o ramps-made.json
+
 # A film with cables, from its problem; its tension is the prestress.
 "$TAUT" example film-sail | sed 's/"force": 2/"force": 8/g; s/"construct": "film",/"construct": "film", "tension": 4,/' > sail-film.json
 for stress in film numbers; do

@@ -12,6 +12,7 @@
 #include "construct/construct_ops.h"
 #include "construct/pattern/allowance.h"
 #include "construct/pattern/details.h"
+#include "construct/pattern/overlap.h"
 #include "construct/pattern/strains.h"
 #include "core/fail.h"
 #include "core/unit.h"
@@ -273,6 +274,24 @@ static double gap_of(const request *r)
                                      : gap_default * taut_unit_ratio("mm", unit_of(r));
 }
 
+/* A piece that lies over itself cannot be cut out of one cloth. */
+static taut_status check_overlap(const taut_pattern_piece *piece,
+                                 const taut_pattern_outline *outline, taut_arena *arena,
+                                 taut_error *error)
+{
+    const int scale = piece->carrier->scale;
+    double at[2] = {0, 0};
+    int is_crossed = 0;
+    if (taut_pattern_overlap(outline, arena, &is_crossed, at) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    return is_crossed
+               ? taut_fail(error, TAUT_NO_SOLUTION, "overlap", "/seams", taut_none, taut_none,
+                           "the flat piece %s lies over itself at (%.6g, %.6g): cut it across",
+                           piece->name, ldexp(at[0], scale), ldexp(at[1], scale))
+               : TAUT_OK;
+}
+
 static taut_status make_outlines(const request *r, made_pieces *made, taut_error *error)
 {
     const int count = made->layout.piece_count;
@@ -289,6 +308,9 @@ static taut_status make_outlines(const request *r, made_pieces *made, taut_error
         made->margins[k] = taut_pattern_margin_of(r->problem, &made->layout, k);
         status = taut_pattern_leave(&made->layout.pieces[k], &made->margins[k],
                                     r->problem->allowance.corner, made->arena, outline, error);
+        if (status == TAUT_OK) {
+            status = check_overlap(&made->layout.pieces[k], outline, made->arena, error);
+        }
         if (status != TAUT_OK) {
             return status;
         }
