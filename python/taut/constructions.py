@@ -137,12 +137,12 @@ def film(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None, v: 
         unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, name: str | None = None,
         corners: Mapping[str, Union[npt.ArrayLike, None, Mapping[str, npt.ArrayLike], Mapping[str, Any]]] | None = None,
         edges: Mapping[str, Union[Literal["fixed"], Mapping[str, Union[CurveLike, Union[Mapping[str, npt.ArrayLike], Mapping[str, Mapping[str, Any]]]]], Mapping[str, Any], Mapping[str, Mapping[str, npt.ArrayLike]], Mapping[str, None]]] | None = None,
-        seams: Sequence[Any] | None = None, patches: Sequence[Any] | None = None, cells: Sequence[Any] | None = None,
-        curves: Sequence[Any] | None = None, boundary: Union[str, Mapping[str, Any]] | None = None,
-        degree: int | None = None, count: int | None = None, images: Sequence[Any] | None = None,
-        tension: float | None = None, force_density: npt.ArrayLike | None = None, prestress: npt.ArrayLike | None = None,
-        reference: SurfaceLike | None = None, updates: int | None = None, tolerance: float | None = None,
-        max_iterations: int | None = None, equilibrium: float | None = None,
+        seams: Sequence[Any] | None = None, patches: Sequence[Any] | None = None, cables: Sequence[Any] | None = None,
+        cells: Sequence[Any] | None = None, curves: Sequence[Any] | None = None,
+        boundary: Union[str, Mapping[str, Any]] | None = None, degree: int | None = None, count: int | None = None,
+        images: Sequence[Any] | None = None, tension: float | None = None, force_density: npt.ArrayLike | None = None,
+        prestress: npt.ArrayLike | None = None, reference: SurfaceLike | None = None, updates: int | None = None,
+        tolerance: float | None = None, max_iterations: int | None = None, equilibrium: float | None = None,
         method: Literal["full", "normal"] | None = None, accept: Literal["minimum", "stationary"] | None = None,
         least: bool | None = None, start: Mapping[str, Any] | None = None, refine: int | None = None,
         known: npt.ArrayLike | None = None, threads: int | None = None, progress: Progress | None = None,
@@ -160,6 +160,7 @@ def film(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None, v: 
     seams                  of one patch a ring: the two edges, u0 and u1 or v0 and v1, are one curve inside the film,
                            which goes around; of many, edges that are one
     patches                in place of u, v, corners, edges and tension: a film of many patches
+    cables                 one cable along several edges, as it runs, with one force; its law counts the whole length
     cells                  what sides of the film bound, each under a pressure or of a volume
     curves                 in place of patches: curves that go round, in their order, each run either way
     boundary               in place of curves: those of a file, 3 to 12 that go round, in any order; or a file and which
@@ -185,11 +186,11 @@ def film(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None, v: 
     known                  (nu, nv) of truth values: which points are given
     """
     said: dict[str, Any] = {"points": points, "u": u, "v": v, "unit": unit, "name": name, "corners": corners,
-        "edges": edges, "seams": seams, "patches": patches, "cells": cells, "curves": curves, "boundary": boundary,
-        "degree": degree, "count": count, "images": images, "tension": tension, "force_density": force_density,
-        "prestress": prestress, "reference": reference, "updates": updates, "tolerance": tolerance,
-        "max_iterations": max_iterations, "equilibrium": equilibrium, "method": method, "accept": accept, "least": least,
-        "start": start, "refine": refine}
+        "edges": edges, "seams": seams, "patches": patches, "cables": cables, "cells": cells, "curves": curves,
+        "boundary": boundary, "degree": degree, "count": count, "images": images, "tension": tension,
+        "force_density": force_density, "prestress": prestress, "reference": reference, "updates": updates,
+        "tolerance": tolerance, "max_iterations": max_iterations, "equilibrium": equilibrium, "method": method,
+        "accept": accept, "least": least, "start": start, "refine": refine}
     return made_of("film", said, known, threads=threads, progress=progress, strict=strict)
 
 
@@ -373,9 +374,10 @@ def pattern(*, pattern: Literal["cloth"], of: Union[str, Mapping[str, Any]], sea
         unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, surface: str | None = None,
         seam_length: Literal["shared", "true"] | None = None, cloth: Mapping[str, Any] | None = None,
         untrim: bool | None = None, compensation: Mapping[str, float] | None = None,
-        prestress: npt.ArrayLike | None = None, allowance: Mapping[str, Any] | None = None,
-        hems: Sequence[Any] | None = None, marks: Mapping[str, Any] | None = None, strain: float | None = None,
-        tolerance: float | None = None, threads: int | None = None, progress: Progress | None = None, strict: bool = False) -> Model:
+        prestress: Union[npt.ArrayLike, Literal["film"]] | None = None, allowance: Mapping[str, Any] | None = None,
+        held: Sequence[Any] | None = None, hems: Sequence[Any] | None = None, marks: Mapping[str, Any] | None = None,
+        strain: float | None = None, tolerance: float | None = None, threads: int | None = None,
+        progress: Progress | None = None, strict: bool = False) -> Model:
     """Flat pieces of cloth that are sewn together to a surface.
 
     pattern                what it is cut of
@@ -391,13 +393,14 @@ def pattern(*, pattern: Literal["cloth"], of: Union[str, Mapping[str, Any]], sea
     compensation           the shares by which the cloth is cut smaller than it is mounted
     prestress              of warp and weft, in kN/m, in place of their compensation: e = D^-1 s, c = e/(1 + e)
     allowance              cloth that is left beyond the lines to sew
+    held                   edges to which nothing is sewn, held at the length of the surface less the compensation
     hems                   borders that are folded over
     marks                  marks that meet when a seam is sewn
     strain                 claimed: no principal strain is larger; above 0
     """
     said: dict[str, Any] = {"pattern": pattern, "of": of, "seams": seams, "unit": unit, "surface": surface,
         "seam_length": seam_length, "cloth": cloth, "untrim": untrim, "compensation": compensation, "prestress": prestress,
-        "allowance": allowance, "hems": hems, "marks": marks, "strain": strain}
+        "allowance": allowance, "held": held, "hems": hems, "marks": marks, "strain": strain}
     return made_of("pattern", said, None, tolerance=tolerance, threads=threads, progress=progress, strict=strict)
 
 
