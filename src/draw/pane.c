@@ -350,17 +350,31 @@ static double length_of(const taut_polyline *line, const taut_camera *camera)
     return length;
 }
 
-/* Is at least one of a hundred of its points, or any of a few, hidden by nothing? */
+static const double near_enough = 1; /* in page units: what lies on a surface is not hidden by it */
+
+/* The middle of a cell; not finite where a corner is not. */
+static void middle_of(const double *const corner[4], double at[3])
+{
+    for (int c = 0; c < 3; c++) {
+        at[c] = (corner[0][c] + corner[1][c] + corner[2][c] + corner[3][c]) / 4;
+    }
+}
+
+/* Is more than one of a hundred of its cells hidden by nothing, at the middle? Edges may lie on those of what hides it. */
 static int is_seen(const taut_sheet *sheet, const double *page, const taut_depth *depth)
 {
-    const size_t count = (size_t)sheet->u.count * (size_t)sheet->v.count;
+    const size_t nu = (size_t)sheet->u.count, nv = (size_t)sheet->v.count;
     size_t seen = 0;
-    for (size_t i = 0; i < count; i++) {
-        const double *at = page + 3 * i;
-        seen += isfinite(at[0]) && isfinite(at[1]) && isfinite(at[2]) &&
-                !taut_depth_hides(depth, at, 0);
+    for (size_t i = 0; i + 1 < nu; i++) {
+        for (size_t j = 0; j + 1 < nv; j++) {
+            const double *at = page + 3 * (i * nv + j);
+            double middle[3];
+            middle_of((const double *const[4]){at, at + 3, at + 3 * nv, at + 3 * nv + 3}, middle);
+            seen += isfinite(middle[0]) && isfinite(middle[1]) && isfinite(middle[2]) &&
+                    !taut_depth_hides(depth, middle, near_enough);
+        }
     }
-    return 100 * seen > count;
+    return 100 * seen > (nu - 1) * (nv - 1);
 }
 
 taut_status taut_pane_add_curves(taut_pane *pane, const taut_write_options *options,
