@@ -124,6 +124,8 @@ typedef struct taut_pattern_allowance {
     double
         overlap; /* above 0: of welded seams, in place of seam: all of it on the piece of odd number */
     int is_split; /* or half of it on both */
+    int has_butt; /* nonzero: `butt` is that of seams across strips, or it is that of seams */
+    double butt;
     taut_pattern_corner corner;
 } taut_pattern_allowance;
 
@@ -195,7 +197,7 @@ typedef struct taut_pattern_problem {
       "take more strips, or run them between the other edges")                                     \
     X("crossing", "two seams cross, or a piece turns over between them",                           \
       "take other strips: the message names the place")                                            \
-    X("shape", "a seam leaves a piece that has not four sides",                                    \
+    X("shape", "a seam leaves a piece that has two sides, or five",                                \
       "run seams between opposite edges, not around a corner of the window")                       \
     X("singular", "the surface has no normal somewhere in a piece",                                \
       "keep seams and edges away from the place that the message names")                           \

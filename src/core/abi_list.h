@@ -387,6 +387,8 @@
     X(taut_pattern_allowance, border, "double") \
     X(taut_pattern_allowance, overlap, "double") \
     X(taut_pattern_allowance, is_split, "int") \
+    X(taut_pattern_allowance, has_butt, "int") \
+    X(taut_pattern_allowance, butt, "double") \
     X(taut_pattern_allowance, corner, "taut_pattern_corner")
 
 #define TAUT_ABI_MEMBERS_taut_pattern_at(X) \

@@ -128,7 +128,7 @@ static void look_at_edge(const taut_cloth *cloth, const taut_cloth_piece *piece,
         mirrors || is_short(cloth, piece, e, 1)};
     const double length = taut_cloth_length(cloth, piece->edges[e]);
     const double room = next_to + 4 * width / length;
-    for (int k = 0; k <= PLACES; k++) {
+    for (int k = 0; !piece->is_point[e] && k <= PLACES; k++) {
         const double x = (double)k / PLACES;
         double y[2][2];
         edge_at(cloth, piece, e, x, y);
@@ -149,10 +149,17 @@ static int is_asked(const taut_cloth *cloth, int index, int e)
 {
     const taut_pattern_problem *p = cloth->problem;
     const taut_cloth_piece *piece = &cloth->pieces[index];
+    if (piece->is_point[e]) { /* a tip, cut square */
+        return 1;
+    }
     double asked = piece->border[e] < 0 ? p->allowance.seam : p->allowance.border;
     if (piece->border[e] < 0 && p->allowance.overlap > 0) {
         asked = p->allowance.is_split ? p->allowance.overlap / 2
                                       : p->allowance.overlap * (index % 2 == 0);
+    }
+    if (piece->border[e] < 0 && p->allowance.has_butt &&
+        (e == TAUT_CLOTH_START || e == TAUT_CLOTH_END)) {
+        asked = p->allowance.butt;
     }
     for (int k = 0; k < p->hem_count; k++) {
         if ((int)p->hems[k].edge == piece->border[e]) {

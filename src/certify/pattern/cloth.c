@@ -12,6 +12,9 @@
 
 /* Of lengths of one line, found twice. */
 static const double same_length = 1e-10;
+/* Of an edge that is none, over the size. */
+static const double no_length = 1e-9;
+enum { POINT_PLACES = 16 };
 
 static const char *const edge_names[TAUT_CLOTH_EDGES] = {"right", "end", "left", "start"};
 
@@ -309,6 +312,27 @@ static void take_asked(taut_cloth *cloth, const taut_record *details)
     }
 }
 
+/* Start and end whose coefficients are one and which have no length on the surface: the piece has three sides. */
+static void find_points(taut_cloth *cloth, taut_cloth_piece *piece)
+{
+    const int count[2] = {taut_basis_count(taut_surface_u(piece->flat)),
+                          taut_basis_count(taut_surface_v(piece->flat))};
+    const double *net = taut_surface_points(piece->flat);
+    for (int end = 0; end < 2; end++) {
+        const double *row = net + (end == 0 ? 0 : 3 * (count[0] - 1) * count[1]);
+        int all = 1;
+        for (int k = 1; k < count[1]; k++) {
+            all &= row[3 * k] == row[0] && row[3 * k + 1] == row[1];
+        }
+        for (int k = 0; all && k <= POINT_PLACES; k++) {
+            double g[3] = {0, 0, 0};
+            taut_cloth_metric(cloth, piece, end, (double)k / POINT_PLACES, g);
+            all = g[2] <= no_length * no_length * cloth->size * cloth->size;
+        }
+        piece->is_point[end == 0 ? TAUT_CLOTH_START : TAUT_CLOTH_END] = all;
+    }
+}
+
 taut_status taut_cloth_read(taut_arena *arena, const taut_model *model,
                             const taut_pattern_problem *problem, taut_cloth *cloth,
                             taut_error *error)
@@ -341,6 +365,9 @@ taut_status taut_cloth_read(taut_arena *arena, const taut_model *model,
     taut_status status = cloth->pieces != NULL ? read_sides(cloth, details, arena) : TAUT_NO_MEMORY;
     for (size_t k = 0; status == TAUT_OK && k < count; k++) {
         status = read_piece(cloth, taut_record_at(list, k), roll, arena);
+    }
+    for (int k = 0; status == TAUT_OK && k < cloth->piece_count; k++) {
+        find_points(cloth, &cloth->pieces[k]);
     }
     return status == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 }

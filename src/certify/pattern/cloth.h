@@ -34,8 +34,9 @@ typedef struct taut_cloth_piece {
     int is_sewn[TAUT_CLOTH_EDGES];
     double held
         [TAUT_CLOTH_EDGES]; /* of those that are held and not sewn: flat over true length, as it is told; NaN */
-    double part[TAUT_CLOTH_EDGES][2];          /* shares of the side, as s or t grows */
-    const taut_surface *flat;                  /* scaled; the arena's */
+    int is_point[TAUT_CLOTH_EDGES];   /* start or end: of no length, flat or on the surface */
+    double part[TAUT_CLOTH_EDGES][2]; /* shares of the side, as s or t grows */
+    const taut_surface *flat;         /* scaled; the arena's */
     const taut_curve *edges[TAUT_CLOTH_EDGES]; /* as s or t grows, in the model's unit */
     const taut_curve *cut;
     double allowance[TAUT_CLOTH_EDGES]; /* told to be left along each, in the model's unit */

@@ -557,6 +557,28 @@ static int is_held(const work *w, int edge)
     return w->piece->is_sewn[edge] || !isnan(w->piece->held[edge]);
 }
 
+/* How many ends are points, all of whose coefficients are one. */
+static int points_of(const work *w)
+{
+    return w->piece->is_point[TAUT_CLOTH_START] + w->piece->is_point[TAUT_CLOTH_END];
+}
+
+/* And rows that keep them one, before the thread's. */
+static void add_points(work *w)
+{
+    const int count = w->lines[1].count;
+    int row = w->rows - 1 - points_of(w) * 2 * (count - 1);
+    for (int end = 0; end < 2; end++) {
+        const int edge = end == 0 ? TAUT_CLOTH_START : TAUT_CLOTH_END;
+        for (int k = 1; w->piece->is_point[edge] && k < count; k++) {
+            for (int d = 0; d < 2; d++, row++) {
+                row_of(w, row)[edge_unknown(w, edge, k, d)] = 1;
+                row_of(w, row)[edge_unknown(w, edge, 0, d)] = -1;
+            }
+        }
+    }
+}
+
 static taut_status make_room(work *w)
 {
     const line *s = &w->lines[0], *t = &w->lines[1];
@@ -566,6 +588,7 @@ static taut_status make_room(work *w)
         w->edges[e] = is_held(w, e) ? w->rows : -1;
         w->rows += is_held(w, e) ? along(w, e)->count - 1 : 0;
     }
+    w->rows += points_of(w) * 2 * (t->count - 1);
     w->rows++; /* of the thread */
     w->gradient = taut_arena_take(w->arena, (size_t)w->n, sizeof(double));
     w->scale = taut_arena_take(w->arena, (size_t)w->n, sizeof(double));
@@ -588,7 +611,10 @@ static void look_around(work *w)
     taut_cloth_state *state = w->state;
     state->strain[0] = state->inner[0] = INFINITY;
     state->strain[1] = state->inner[1] = -INFINITY;
-    for (int i = 0; i <= GRID * s->spans; i++) {
+    /* at a point there is no strain */
+    const int first = w->piece->is_point[TAUT_CLOTH_START];
+    const int last = GRID * s->spans - w->piece->is_point[TAUT_CLOTH_END];
+    for (int i = first; i <= last; i++) {
         taut_cloth_across across;
         taut_cloth_across_at(w->cloth, w->piece, (double)i / (GRID * s->spans), 1, &across);
         for (int k = 0; k <= GRID * t->spans; k++) {
@@ -644,6 +670,7 @@ static taut_status look_in(work *w, int solved)
             add_edge(w, e, 0);
         }
     }
+    add_points(w);
     add_thread(w);
     status = fit_multipliers(w);
     if (status != TAUT_OK) {

@@ -92,6 +92,25 @@ static double lowest(determinant d, double enough, int depth)
     return taut_certify_min(lowest(low, enough, depth - 1), lowest(high, enough, depth - 1));
 }
 
+/* Where the cell begins (or ends) at a point det J is 0 along it: over the part of the way to there, raised to the degree that it had.
+ *
+ *     sum d_i B_i^Q = s sum d_i+1 Q/(i + 1) B_i^Q-1 */
+static void divide_out(int at_end, determinant d)
+{
+    determinant e;
+    for (int i = 0; i < Q; i++) {
+        for (int j = 0; j <= Q; j++) {
+            e[i][j] = d[at_end ? Q - 1 - i : i + 1][j] * Q / (i + 1.0);
+        }
+    }
+    for (int i = 0; i <= Q; i++) {
+        for (int j = 0; j <= Q; j++) {
+            const double share = (double)i / Q;
+            d[i][j] = (i > 0 ? share * e[i - 1][j] : 0) + (i < Q ? (1 - share) * e[i][j] : 0);
+        }
+    }
+}
+
 /* The flat piece's least det J over its mean. */
 static double fold_of(const taut_cloth_piece *piece)
 {
@@ -111,6 +130,13 @@ static double fold_of(const taut_cloth_piece *piece)
                     for (int j = 0; j <= Q; j++) {
                         sum += d[i][j] / ((Q + 1) * (Q + 1));
                     }
+                }
+                if (pass == 1 && a == 0 && piece->is_point[TAUT_CLOTH_START]) {
+                    divide_out(0, d);
+                }
+                if (pass == 1 && a == taut_basis_span_count(u) - 1 &&
+                    piece->is_point[TAUT_CLOTH_END]) {
+                    divide_out(1, d);
                 }
                 mean += sum; /* the integral over [0, 1]^2, which is of area 1 */
                 if (pass == 1) {
@@ -218,6 +244,16 @@ static double count_meetings(int count, const arc *arcs)
     return pairs;
 }
 
+/* The edge of a tip. */
+static int is_place(const arc *a)
+{
+    int all = 1;
+    for (int k = 1; k <= P; k++) {
+        all &= a->p[k][0] == a->p[0][0] && a->p[k][1] == a->p[0][1];
+    }
+    return all;
+}
+
 static taut_status overlap_of(const taut_cloth *cloth, const taut_cloth_piece *piece,
                               taut_arena *arena, double *pairs)
 {
@@ -235,16 +271,18 @@ static taut_status overlap_of(const taut_cloth *cloth, const taut_cloth_piece *p
     for (int i = 0; i < around; i++) {
         taut_cloth_arc_of(cut, i,
                           taut_curve_points(piece->cut) + 3 * (size_t)taut_basis_first(cut, i), 3,
-                          arcs[i].p);
+                          arcs[count].p);
+        count += !is_place(&arcs[count]);
     }
-    *pairs = count_meetings(around, arcs);
+    *pairs = count_meetings(count, arcs);
+    count = 0;
     const size_t nv = (size_t)taut_basis_count(bases[1]), nu = (size_t)taut_basis_count(bases[0]);
     const double *net = taut_surface_points(piece->flat);
     const double *from[4] = {net, net + 3 * (nu - 1) * nv, net + 3 * (nv - 1), net};
     for (int e = 0; e < TAUT_CLOTH_EDGES; e++) {
         const int across = e == TAUT_CLOTH_END || e == TAUT_CLOTH_START;
         const int is_back = e == TAUT_CLOTH_LEFT || e == TAUT_CLOTH_START;
-        for (int i = 0; i < spans[across]; i++) {
+        for (int i = 0; !piece->is_point[e] && i < spans[across]; i++) {
             arc *one = &arcs[count++];
             double p[P + 1][2];
             const int span = is_back ? spans[across] - 1 - i : i;

@@ -176,10 +176,11 @@ static void look_at_ends(const taut_cloth *cloth, const taut_cloth_piece *piece,
         const int border = piece->border[e];
         count_wrong(w, border < 0 || !is_on(cloth, right, border) || !is_on(cloth, left, border),
                     piece->name, end);
-        count_wrong(w,
-                    border >= 0 && !(end == 0 ? is_forward(border, left, right)
-                                              : is_forward(border, right, left)),
-                    piece->name, end);
+        const int is_none = piece->is_point[e] && right[0] == left[0] && right[1] == left[1];
+        const int is_fine =
+            is_none || (border >= 0 && (end == 0 ? is_forward(border, left, right)
+                                                 : is_forward(border, right, left)));
+        count_wrong(w, !is_fine, piece->name, end);
     }
 }
 
@@ -218,7 +219,8 @@ static void look_at_border(const taut_cloth *cloth, int border, taut_worst *w)
         corners_of(cloth, piece, at);
         for (int end = 0; end < 2; end++) {
             const int e = end == 0 ? TAUT_CLOTH_START : TAUT_CLOTH_END;
-            if (piece->sides[e] < 0 && piece->border[e] == border && count < PIECES) {
+            if (piece->sides[e] < 0 && piece->border[e] == border && count < PIECES &&
+                at[0][end][along] != at[1][end][along]) {
                 list[count++] = (stretch){fmin(at[0][end][along], at[1][end][along]),
                                           fmax(at[0][end][along], at[1][end][along])};
             }
@@ -226,6 +228,30 @@ static void look_at_border(const taut_cloth *cloth, int border, taut_worst *w)
     }
     count_wrong(w, times > 0 ? times > 1 || count > 0 : gaps(list, count, range[0], range[1]) > 0,
                 names[border], 0);
+}
+
+/* One parameter is the same all along. */
+static int is_held(const taut_cloth_side *side, int d)
+{
+    const double *points = taut_curve_points(side->window);
+    int all = 1;
+    for (int k = 1; k < taut_basis_count(taut_curve_t(side->window)); k++) {
+        all &= points[3 * k + d] == points[d];
+    }
+    return all;
+}
+
+/* A border of the window that is one place. */
+static int is_pole(const taut_cloth *cloth, int border)
+{
+    for (int k = 0; k < cloth->piece_count; k++) {
+        for (int e = 0; e < TAUT_CLOTH_EDGES; e++) {
+            if (cloth->pieces[k].is_point[e] && cloth->pieces[k].border[e] == border) {
+                return 1;
+            }
+        }
+    }
+    return 0;
 }
 
 /* A seam told as a parameter line is where a ring closes, or one that is asked for, all along. */
@@ -239,13 +265,16 @@ static int is_asked_line(const taut_cloth *cloth, const taut_cloth_side *side)
     }
     for (int k = 0; k < cloth->problem->rule_count; k++) {
         const taut_pattern_rule *rule = &cloth->problem->rules[k];
-        for (int i = 0; rule->kind == TAUT_PATTERN_LINE && i < rule->value_count; i++) {
-            const int count = taut_basis_count(taut_curve_t(side->window));
-            int all = at[rule->held] == rule->values[i];
-            for (int n = 0; n < count; n++) {
-                all &= taut_curve_points(side->window)[3 * n + rule->held] == rule->values[i];
+        const int is_strips =
+            rule->kind == TAUT_PATTERN_ACROSS || rule->kind == TAUT_PATTERN_RADIAL;
+        for (int e = 0; is_strips && e < 2; e++) { /* from a pole they run along parameter lines */
+            const int across = 1 - (int)rule->edges[0] / 2;
+            if (is_pole(cloth, (int)rule->edges[e]) && is_held(side, across)) {
+                return 1;
             }
-            if (all) {
+        }
+        for (int i = 0; rule->kind == TAUT_PATTERN_LINE && i < rule->value_count; i++) {
+            if (at[rule->held] == rule->values[i] && is_held(side, rule->held)) {
                 return 1;
             }
         }
@@ -444,7 +473,7 @@ static void measure(const taut_cloth *cloth, const sewn *one, taut_worst *w)
 /* Is it asked that this edge is held? */
 static int is_asked(const taut_pattern_held *held, const taut_cloth_piece *piece, int e)
 {
-    return !piece->is_sewn[e] &&
+    return !piece->is_sewn[e] && !piece->is_point[e] &&
            (held->edges[e] || (piece->border[e] >= 0 && held->borders[piece->border[e]]));
 }
 

@@ -37,6 +37,8 @@ enum {
 static const double golden = 0.61803398874989484820;
 /* gamma ends so far from the ends of the axis, in s. */
 static const double end_of_axis = 1e-6;
+/* And places are so far from tips. */
+static const double next_to_tip = 1e-3;
 /* K times area that is none, and k_g times length. */
 static const double no_curvature = 1e-11;
 
@@ -80,6 +82,14 @@ static void climb(const climber *c, double (*value)(const climber *, double), do
 
 /* ---- the axis ---- */
 
+/* At a tip curvature is lost in rounding: as next to it. */
+static double away_from_tips(const taut_cloth_piece *piece, double s)
+{
+    const double low = piece->is_point[TAUT_CLOTH_START] ? next_to_tip : 0;
+    const double high = piece->is_point[TAUT_CLOTH_END] ? 1 - next_to_tip : 1;
+    return fmin(fmax(s, low), high);
+}
+
 /* Length of the axis from s = a to b, or of the cross line of s = a from t = 0 to b. */
 static double length_of(const ground *w, double a, double b, int is_across)
 {
@@ -111,7 +121,7 @@ static int measure(ground *w)
 {
     for (int i = 0; i <= STEPS; i++) {
         station *one = &w->at[i];
-        const double s = (double)i / STEPS;
+        const double s = away_from_tips(w->piece, (double)i / STEPS);
         taut_cloth_spot spot;
         one->low = INFINITY;
         one->high = -INFINITY;
@@ -276,8 +286,9 @@ static void look_at_saddles(const ground *w, taut_cloth_limit *limit)
 
 /* ---- what strips of constant curvature need ---- */
 
-static double expected_at(const climber *c, double s)
+static double expected_at(const climber *c, double at)
 {
+    const double s = away_from_tips(c->ground->piece, at);
     const double half = length_of(c->ground, s, 1, 1) / 2;
     double most = 0;
     for (int k = 0; k <= ACROSS; k++) {

@@ -23,6 +23,8 @@ static const double mitre_most = 2, square_most = 1;
 static const double least_size = 1e-6, most_size = 10;
 /* Of the parameters of an edge, for its corners. */
 static const double corner_share = 0.0625;
+/* Of the way between the parallels of both sides: half the length that a tip is given. */
+static const double tip_share = 1e-3;
 
 /* ---- how much is left ---- */
 
@@ -43,6 +45,9 @@ taut_pattern_margin taut_pattern_margin_of(const taut_pattern_problem *problem,
         if (border < 0 && a->overlap > 0) {
             width = a->is_split ? a->overlap / 2 : piece % 2 == 0 ? a->overlap : 0;
         }
+        if (border < 0 && a->has_butt && (e == TAUT_FLAT_START || e == TAUT_FLAT_END)) {
+            width = a->butt;
+        }
         for (int k = 0; border >= 0 && k < problem->hem_count; k++) {
             if ((int)problem->hems[k].edge == border) {
                 width = 2 * problem->hems[k].pocket + a->seam;
@@ -50,6 +55,12 @@ taut_pattern_margin taut_pattern_margin_of(const taut_pattern_problem *problem,
             }
         }
         margin.width[e] = ldexp(width, -layout->carrier->scale);
+    }
+    for (int e = TAUT_FLAT_END; e <= TAUT_FLAT_START; e += TAUT_FLAT_START - TAUT_FLAT_END) {
+        if (layout->pieces[piece].bounds[e].is_point) { /* a tip is cut square */
+            margin.width[e] = fmax(margin.width[TAUT_FLAT_RIGHT], margin.width[TAUT_FLAT_LEFT]);
+            margin.is_folded[e] = 0;
+        }
     }
     return margin;
 }
@@ -431,6 +442,41 @@ static taut_status make_corner(build *b, int e, const taut_pattern_piece *piece,
     return TAUT_OK;
 }
 
+/* A tip as an edge of hardly any length, square to the way in the middle of both sides, and so placed that its parallel lies between
+ * theirs. */
+static taut_status open_tip(const build *b, int e, taut_arena *arena, const taut_curve **curve)
+{
+    const int is_end = e == TAUT_FLAT_END;
+    double way[2] = {0, 0}, tip[2], lines[2][2][2], at[2];
+    for (int side = 0; side < 2; side++) { /* along the piece */
+        const edge *one = &b->edges[side == 0 ? TAUT_FLAT_RIGHT : TAUT_FLAT_LEFT];
+        const double out = side == 0 ? one->width : -one->width;
+        double y[2][3];
+        taut_curve_eval(one->curve, is_end, 1, y[0]);
+        const double speed = taut_hypot(y[1][0], y[1][1]);
+        for (int d = 0; d < 2; d++) {
+            lines[side][1][d] = y[1][d] / speed;
+            way[d] += y[1][d] / speed;
+            tip[d] = y[0][d];
+        }
+        lines[side][0][0] = tip[0] + out * lines[side][1][1]; /* of the parallel */
+        lines[side][0][1] = tip[1] - out * lines[side][1][0];
+    }
+    const double length = taut_hypot(way[0], way[1]);
+    const double across[2] = {-way[1] / length, way[0] / length}; /* from right to left */
+    const double back = (is_end ? 1 : -1) * b->edges[e].width / length;
+    const double line[2][2] = {{tip[0] + back * way[0], tip[1] + back * way[1]},
+                               {across[0], across[1]}};
+    for (int side = 0; side < 2; side++) {
+        at[side] = meets(line, lines[side][0], lines[side][1]);
+    }
+    const double middle = (at[0] + at[1]) / 2, half = tip_share * fabs(at[1] - at[0]);
+    const double ends[2][2] = {
+        {tip[0] + (middle - half) * across[0], tip[1] + (middle - half) * across[1]},
+        {tip[0] + (middle + half) * across[0], tip[1] + (middle + half) * across[1]}};
+    return taut_pattern_straight(ends[0], ends[1], arena, curve);
+}
+
 taut_status taut_pattern_leave(const taut_pattern_piece *piece, const taut_pattern_margin *margin,
                                taut_pattern_corner corner_kind, taut_arena *arena,
                                taut_pattern_outline *outline, taut_error *error)
@@ -447,6 +493,11 @@ taut_status taut_pattern_leave(const taut_pattern_piece *piece, const taut_patte
     }
     if (!(b.width > 0)) {
         return TAUT_OK;
+    }
+    for (int e = 0; e < TAUT_FLAT_EDGES; e++) {
+        if (piece->bounds[e].is_point && open_tip(&b, e, arena, &b.edges[e].curve) != TAUT_OK) {
+            return taut_fail_memory(error);
+        }
     }
     for (int e = 0; e < TAUT_FLAT_EDGES; e++) {
         const double width = margin->width[e], size = piece->carrier->size;

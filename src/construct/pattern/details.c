@@ -253,13 +253,16 @@ static void describe_hems(const taut_pattern_told *told, taut_record *details)
 static void describe_allowance(const taut_pattern_allowance *a, taut_record *details)
 {
     static const char *const corners[] = {"mitre", "square", "mirror"};
-    if (a->seam > 0 || a->border > 0 || a->overlap > 0) {
+    if (a->seam > 0 || a->border > 0 || a->overlap > 0 || a->butt > 0) {
         taut_record *at = taut_record_add_object(details, "allowance");
         taut_record_add_number(at, "seam", a->overlap > 0 ? 0 : a->seam);
         taut_record_add_number(at, "border", a->border);
         if (a->overlap > 0) {
             taut_record_add_number(at, "overlap", a->overlap);
             taut_record_add_bool(at, "split", a->is_split);
+        }
+        if (a->has_butt) {
+            taut_record_add_number(at, "butt", a->butt);
         }
         taut_record_add_text(at, "corner", corners[a->corner]);
     }

@@ -5,7 +5,12 @@
 
 #include <math.h>
 
-enum { NODES = 8, LOOK = 24, LEAST = 4 /* spans along, at first; across a quarter */, MOST = 64 };
+enum {
+    NODES = 8,
+    LOOK = 24,
+    LEAST = 4 /* spans along, at first; across half as many, at last as many */,
+    LEVELS = 5
+};
 /* K times the area of a piece, up to rounding none; and the strain that is no strain. */
 static const double flat_curvature = 1e-11, no_strain = 2e-12;
 
@@ -101,9 +106,15 @@ static void fill(const walker *w, const int spans[2], double *places)
         walk(w, 0, 0, s, next, &axis);
         s = next;
         taut_pattern_piece_metric(w->piece, s, 0.5, g);
+        const int is_point = (i == 0 && w->piece->bounds[TAUT_FLAT_START].is_point) ||
+                             (i == count[0] - 1 && w->piece->bounds[TAUT_FLAT_END].is_point);
+        for (int k = 0; is_point && k < count[1]; k++) { /* and no line across */
+            places[2 * (i * count[1] + k)] = axis.at[0];
+            places[2 * (i * count[1] + k) + 1] = axis.at[1];
+        }
         place across = axis;
         across.angle += taut_atan2(sqrt(g[0] * g[2] - g[1] * g[1]), g[1]);
-        for (int way = 0; way < 2; way++) {
+        for (int way = 0; !is_point && way < 2; way++) {
             place p = across;
             double t = 0.5;
             for (int k = 0; k < count[1]; k++) {
@@ -124,7 +135,9 @@ static void fill(const walker *w, const int spans[2], double *places)
 static double strain_of(const taut_pattern_piece *piece, const taut_flat *flat)
 {
     double most = 0;
-    for (int i = 0; i <= 2 * flat->spans[0]; i++) {
+    const int first = piece->bounds[TAUT_FLAT_START].is_point; /* at a point there is no strain */
+    const int last = 2 * flat->spans[0] - piece->bounds[TAUT_FLAT_END].is_point;
+    for (int i = first; i <= last; i++) {
         for (int k = 0; k <= 2 * flat->spans[1]; k++) {
             const double s = i / (2.0 * flat->spans[0]), t = k / (2.0 * flat->spans[1]);
             double g[3], y[3][2], strain[2];
@@ -146,15 +159,15 @@ taut_status taut_pattern_develop(taut_pattern_piece *piece, const taut_flat_opti
 
     taut_gauss_rule(NODES, w.nodes, w.weights);
     integrals(w.nodes, w.weights, w.table);
-    for (int spans = LEAST; spans <= MOST; spans *= 2) {
+    for (int level = 0; level <= LEVELS; level++) {
         taut_arena *scratch = taut_arena_new();
         taut_flat_options own = *options;
         taut_flat flat;
-        own.spans[0] = spans;
-        own.spans[1] = spans > LEAST ? spans / 2 : 2;
+        own.spans[0] = LEAST << (level < LEVELS ? level : LEVELS - 1);
+        own.spans[1] = own.spans[0] / (level < LEVELS ? 2 : 1);
         double *places = scratch != NULL
                              ? taut_arena_take(scratch,
-                                               (size_t)(spans + TAUT_FLAT_DEGREE) *
+                                               (size_t)(own.spans[0] + TAUT_FLAT_DEGREE) *
                                                    (size_t)(own.spans[1] + TAUT_FLAT_DEGREE),
                                                2 * sizeof(double))
                              : NULL;

@@ -254,16 +254,26 @@ static taut_flat_strip strip_of(const taut_pattern_piece *piece)
     return (taut_flat_strip){taut_pattern_piece_metric, piece};
 }
 
+/* What is asked of this piece. */
+static taut_flat_options options_of(const pass *p, const taut_pattern_piece *piece)
+{
+    taut_flat_options own = p->options;
+    own.is_point[0] = piece->bounds[TAUT_FLAT_START].is_point;
+    own.is_point[1] = piece->bounds[TAUT_FLAT_END].is_point;
+    return own;
+}
+
 static void alone(void *context, int worker, int64_t task)
 {
     const pass *p = context;
     taut_pattern_piece *piece = &p->layout->pieces[task];
     const taut_flat_strip strip = strip_of(piece);
+    const taut_flat_options own = options_of(p, piece);
     (void)worker;
 
     taut_pattern_look_at_curvature(piece);
     if (piece->is_developable) {
-        taut_status status = taut_pattern_develop(piece, &p->options, p->arenas[task]);
+        taut_status status = taut_pattern_develop(piece, &own, p->arenas[task]);
         p->status[task] = status == TAUT_OK
                               ? all_edges(&piece->alone, p->arenas[task], piece->alone_edges)
                               : status;
@@ -272,7 +282,7 @@ static void alone(void *context, int worker, int64_t task)
     taut_arena *scratch = taut_arena_new();
     taut_flat flat = {.steps = 0};
     taut_status status =
-        scratch != NULL ? taut_flatten(scratch, &strip, &p->options, NULL, &flat) : TAUT_NO_MEMORY;
+        scratch != NULL ? taut_flatten(scratch, &strip, &own, NULL, &flat) : TAUT_NO_MEMORY;
     if (status == TAUT_OK) {
         status = taut_flat_copy(p->arenas[task], &flat, &piece->alone);
     }
@@ -310,7 +320,7 @@ static taut_status hold_piece(const pass *p, int index, taut_arena *scratch, tau
 {
     const taut_pattern_piece *piece = &p->layout->pieces[index];
     const taut_flat_strip strip = strip_of(piece);
-    taut_flat_options own = p->options;
+    taut_flat_options own = options_of(p, piece);
     int is_natural = 1, is_same = 1;
 
     own.spans[0] = piece->is_developable ? ALONG : piece->alone.spans[0];

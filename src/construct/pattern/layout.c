@@ -9,6 +9,7 @@
 #include "construct/pattern/layout.h"
 
 #include "construct/pattern/rule.h"
+#include "construct/pattern/trail.h"
 #include "core/elementary/elementary.h"
 #include "core/fail.h"
 
@@ -87,7 +88,9 @@ static taut_status check_piece(const taut_pattern_piece *piece, taut_error *erro
     if (cross((const double(*)[2])chain[0], (const double(*)[2])chain[1], at)) {
         return fail_crossing(piece, at, error);
     }
-    for (int i = 0; i <= ALONG; i++) {
+    const int first = piece->bounds[TAUT_FLAT_START].is_point;
+    const int last = ALONG - piece->bounds[TAUT_FLAT_END].is_point;
+    for (int i = first; i <= last; i++) {
         for (int k = 0; k <= ACROSS; k++) {
             double g[3];
             const double s = (double)i / ALONG, t = (double)k / ACROSS;
@@ -106,16 +109,16 @@ static taut_status check_piece(const taut_pattern_piece *piece, taut_error *erro
     return TAUT_OK;
 }
 
-/* It has four sides. */
+/* It has three sides or four. */
 static taut_status check_sides(const taut_pattern_piece *piece, taut_error *error)
 {
-    for (int e = 0; e < TAUT_FLAT_EDGES; e++) {
-        const taut_pattern_bound *bound = &piece->bounds[e];
-        if (bound->is_point) {
-            return taut_fail(error, TAUT_NO_SOLUTION, "shape", "/seams", taut_none, taut_none,
-                             "piece %s has three sides: seams meet at (%.6g, %.6g)", piece->name,
-                             bound->ends[0][0], bound->ends[0][1]);
-        }
+    const taut_pattern_bound *start = &piece->bounds[TAUT_FLAT_START],
+                             *end = &piece->bounds[TAUT_FLAT_END];
+    if (start->is_point && end->is_point) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "shape", "/seams", taut_none, taut_none,
+                         "piece %s has two sides, which meet at (%.6g, %.6g) and (%.6g, %.6g)",
+                         piece->name, start->ends[0][0], start->ends[0][1], end->ends[0][0],
+                         end->ends[0][1]);
     }
     return TAUT_OK;
 }
@@ -155,8 +158,19 @@ static taut_status add_border(laying *l, int edge, int backwards, int *index)
 {
     taut_pattern_side side = {.border = edge, .twin = -1};
     const taut_pattern_ground *g = l->ground;
+    const int held = edge / 2, begins = 2 * (1 - held);
+    const double value = edge % 2 == 0 ? g->carrier->lo[held] : g->carrier->hi[held];
+    if (g->is_pole[edge]) {
+        return taut_fail(l->error, TAUT_NO_SOLUTION, "shape", "/seams", taut_none, taut_none,
+                         "%s is one place: run strips from it to the opposite edge",
+                         taut_edge_name((taut_edge)edge));
+    }
     const taut_status status =
-        taut_pattern_border(g->carrier, edge, backwards, g->monitor, g->arena, &side, l->error);
+        g->is_pole[begins] || g->is_pole[begins + 1]
+            ? taut_pattern_trail_line(g, held, value, backwards, &side, l->error)
+            : taut_pattern_border(g->carrier, edge, backwards, g->monitor, g->arena, &side,
+                                  l->error);
+    snprintf(side.name, sizeof side.name, "%s", taut_edge_name((taut_edge)edge));
     if (status != TAUT_OK) {
         return status;
     }
@@ -195,10 +209,11 @@ static taut_status begin(laying *l)
     for (int end = 0; end < 2; end++) {
         taut_pattern_bound *bound = &piece->bounds[end == 0 ? TAUT_FLAT_START : TAUT_FLAT_END];
         const int border = end == 0 ? first : second;
-        *bound = (taut_pattern_bound){.side = -1, .border = border};
+        *bound = (taut_pattern_bound){
+            .side = -1, .border = border, .is_point = l->ground->is_pole[border]};
         memcpy(bound->ends[0], piece->bounds[TAUT_FLAT_RIGHT].ends[end], sizeof bound->ends[0]);
         memcpy(bound->ends[1], piece->bounds[TAUT_FLAT_LEFT].ends[end], sizeof bound->ends[1]);
-        if (l->ground->is_ring[held]) { /* as t runs */
+        if (l->ground->is_ring[held] && !l->ground->is_pole[border]) { /* as t runs */
             const int along = 1 - held;
             int index = 0;
             const taut_status status =
@@ -260,7 +275,7 @@ static void shorten(taut_pattern_bound *bound, int which, double share, const do
     if (bound->side >= 0) {
         *(which == 0 ? &bound->to : &bound->from) = share;
     }
-    bound->is_point =
+    bound->is_point |=
         bound->ends[0][0] == bound->ends[1][0] && bound->ends[0][1] == bound->ends[1][1];
 }
 

@@ -10,6 +10,7 @@ typedef struct taut_pattern_ground {
     const taut_carrier *carrier;
     const taut_model *model; /* curves that seams run along are in it */
     int is_ring[2];          /* u0 and u1, v0 and v1 are one line */
+    int is_pole[4];          /* u0, u1, v0, v1 are one place */
     const taut_monitor *monitor;
     taut_arena *arena;
 } taut_pattern_ground;

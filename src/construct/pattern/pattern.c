@@ -13,6 +13,7 @@
 #include "construct/pattern/allowance.h"
 #include "construct/pattern/details.h"
 #include "construct/pattern/overlap.h"
+#include "construct/pattern/rule.h"
 #include "construct/pattern/strains.h"
 #include "core/fail.h"
 #include "core/unit.h"
@@ -220,10 +221,10 @@ static taut_status check_problem(const taut_pattern_problem *problem, taut_error
     const taut_pattern_compensation shrunk =
         status == TAUT_OK ? compensation_of(problem) : (taut_pattern_compensation){.warp = 0};
     const taut_pattern_allowance *a = &problem->allowance;
-    const double lengths[4] = {a->seam, a->border, a->overlap, problem->marks.spacing};
-    static const char *const left[4] = {"/allowance/seam", "/allowance/border",
-                                        "/allowance/overlap", "/marks/spacing"};
-    for (int k = 0; status == TAUT_OK && k < 4; k++) {
+    const double lengths[5] = {a->seam, a->border, a->overlap, problem->marks.spacing, a->butt};
+    static const char *const left[5] = {"/allowance/seam", "/allowance/border",
+                                        "/allowance/overlap", "/marks/spacing", "/allowance/butt"};
+    for (int k = 0; status == TAUT_OK && k < 5; k++) {
         status = check_range(lengths[k], 0, 1e300, "allowance", left[k], error);
     }
     for (int k = 0; status == TAUT_OK && k < problem->hem_count; k++) {
@@ -627,6 +628,9 @@ static taut_status build(void *context, taut_arena *arena, taut_model *model, ta
     taut_pattern_ground ground = {
         .carrier = carrier, .model = of, .monitor = &r->options->monitor, .arena = arena};
     memcpy(ground.is_ring, carrier->wraps, sizeof ground.is_ring);
+    for (int k = 0; k < 4; k++) {
+        ground.is_pole[k] = taut_pattern_is_place(carrier, k);
+    }
     for (int k = 0; k < 4; k++) { /* pieces do not go on across it */
         carrier->wraps[k / 2] = 0;
         carrier->seams[k] = NULL;

@@ -16,7 +16,7 @@ typedef struct taut_pattern_bound {
     int side; /* of the layout's: a stretch of it; -1: along a border, to which nothing is sewn */
     const taut_pattern_side *line; /* that side, or NULL */
     int border;                    /* of the window, 0 to 3: u0, u1, v0, v1; -1 */
-    int is_point;                  /* it has no length: the piece has three sides */
+    int is_point;                  /* start or end: it has no length, the piece has three sides */
     double from, to;               /* shares of the side's length */
     double share;      /* where it is held and not sewn: flat over the surface's length */
     double ends[2][2]; /* the places where it begins and ends */

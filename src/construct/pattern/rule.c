@@ -2,6 +2,7 @@
 
 #include "construct/pattern/trail.h"
 #include "core/fail.h"
+#include "core/vec3.h"
 #include "trace/divide.h"
 
 #include <math.h>
@@ -26,6 +27,26 @@ int taut_pattern_is_on(const taut_carrier *carrier, const double at[2], int bord
 {
     const int held = border / 2;
     return at[held] == (border % 2 == 0 ? carrier->lo[held] : carrier->hi[held]);
+}
+
+int taut_pattern_is_place(const taut_carrier *carrier, int border)
+{
+    enum { PLACES = 16 };
+    const int held = border / 2, along = 1 - held;
+    double first[3], most = 0;
+    for (int k = 0; k <= PLACES; k++) {
+        double at[2], x[TAUT_CARRIER_VECTORS][3];
+        int span[2];
+        at[held] = border % 2 == 0 ? carrier->lo[held] : carrier->hi[held];
+        at[along] = carrier->lo[along] + (carrier->hi[along] - carrier->lo[along]) * k / PLACES;
+        taut_carrier_cell(carrier, at, NULL, span);
+        taut_carrier_at(carrier, span, at, 0, x);
+        if (k == 0) {
+            memcpy(first, x[0], sizeof first);
+        }
+        most = fmax(most, taut_length_between(first, x[0]));
+    }
+    return most <= same_place * carrier->size;
 }
 
 static void ends_of(const taut_carrier *carrier, int edge, double ends[2][2])
@@ -215,6 +236,23 @@ static taut_status add_geodesic(const rule_work *w, const double from[2], const 
                              : status;
 }
 
+/* From a pole, where all directions begin, along a parameter line. */
+static taut_status add_meridian(const rule_work *w, const double at[2])
+{
+    const int held = 1 - (int)w->rule->edges[0] / 2, along = 1 - held;
+    const taut_carrier *carrier = w->ground->carrier;
+    double ends[2][2];
+    for (int end = 0; end < 2; end++) {
+        ends[end][held] = at[held];
+        ends[end][along] = end == 0 ? carrier->lo[along] : carrier->hi[along];
+    }
+    const taut_status status = orient(w, ends);
+    return status == TAUT_OK
+               ? taut_pattern_trail_line(w->ground, held, at[held], ends[0][along] > ends[1][along],
+                                         next_seam(w), w->error)
+               : status;
+}
+
 /* Across, radial. */
 static taut_status lay_strips(const rule_work *w, int count)
 {
@@ -237,8 +275,10 @@ static taut_status lay_strips(const rule_work *w, int count)
     if (status == TAUT_OK) {
         status = divide(g, (int)w->rule->edges[1], w->rule->by, count, to, w->error);
     }
+    const int poles[2] = {g->is_pole[(int)w->rule->edges[0]], g->is_pole[(int)w->rule->edges[1]]};
     for (int k = 1; status == TAUT_OK && k < count; k++) {
-        status = add_geodesic(w, from[k], to[k]);
+        status = poles[0] || poles[1] ? add_meridian(w, poles[0] ? to[k] : from[k])
+                                      : add_geodesic(w, from[k], to[k]);
     }
     return status;
 }

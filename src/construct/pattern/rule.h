@@ -17,6 +17,8 @@ taut_status taut_pattern_rule_seams(const taut_pattern_ground *ground,
                                     const taut_pattern_rule *rule, int index, int count,
                                     taut_pattern_seams *seams, taut_error *error);
 
+/* Is a border of the window one place of the surface? */
+int taut_pattern_is_place(const taut_carrier *carrier, int border);
 /* Does a place lie on a border of the window? */
 int taut_pattern_is_on(const taut_carrier *carrier, const double at[2], int border);
 

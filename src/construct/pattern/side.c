@@ -120,10 +120,10 @@ taut_status taut_pattern_geodesic_lath(const taut_carrier *carrier, const double
                              : status;
 }
 
-taut_status taut_pattern_take_lath(const taut_carrier *carrier, const taut_lath *lath,
+taut_status taut_pattern_take_lath(const taut_carrier *carrier, const taut_lath *lath, int held,
                                    taut_arena *arena, taut_pattern_side *side, taut_error *error)
 {
-    return take_lath(carrier, lath, -1, arena, side, error);
+    return take_lath(carrier, lath, held, arena, side, error);
 }
 
 taut_status taut_pattern_geodesic(const taut_carrier *carrier, const double from[2],

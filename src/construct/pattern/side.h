@@ -66,8 +66,8 @@ taut_status taut_pattern_geodesic_along(const taut_carrier *carrier, const doubl
 taut_status taut_pattern_geodesic_lath(const taut_carrier *carrier, const double from[2],
                                        const double to[2], const taut_monitor *monitor,
                                        taut_arena *arena, taut_lath *lath, taut_error *error);
-/* A lath that was made otherwise, with side->ends. */
-taut_status taut_pattern_take_lath(const taut_carrier *carrier, const taut_lath *lath,
+/* A lath that was made otherwise, with side->ends; `held`: the coordinate that is the same all along it, or -1. */
+taut_status taut_pattern_take_lath(const taut_carrier *carrier, const taut_lath *lath, int held,
                                    taut_arena *arena, taut_pattern_side *side, taut_error *error);
 /* An edge of the window (0 to 3: u0, u1, v0, v1), backwards or not. */
 taut_status taut_pattern_border(const taut_carrier *carrier, int edge, int backwards,

@@ -19,7 +19,10 @@ taut_pattern_strains taut_pattern_strains_of(const taut_pattern_piece *piece)
                                 .warp = {INFINITY, -INFINITY},
                                 .weft = {INFINITY, -INFINITY}};
     double most = -1;
-    for (int i = 0; i <= count[0]; i++) {
+    /* at a point there is no strain */
+    const int first = piece->bounds[TAUT_FLAT_START].is_point;
+    const int last = count[0] - piece->bounds[TAUT_FLAT_END].is_point;
+    for (int i = first; i <= last; i++) {
         for (int k = 0; k <= count[1]; k++) {
             const double s = (double)i / count[0], t = (double)k / count[1];
             double g[3], y[3][2], strain[2], cloth[3];

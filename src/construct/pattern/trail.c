@@ -2,6 +2,7 @@
 
 #include "core/fail.h"
 #include "core/vec3.h"
+#include "geometry/keep.h"
 #include "geometry/stretch.h"
 #include "numeric/quadrature.h"
 
@@ -197,7 +198,7 @@ taut_status taut_pattern_trail_find(const taut_pattern_ground *ground, const cha
     const taut_carrier *carrier = ground->carrier;
     double at[2] = {carrier->lo[0], carrier->lo[1]};
 
-    *trail = (taut_pattern_trail){.name = name};
+    *trail = (taut_pattern_trail){.name = name, .held = -1};
     if (curve_in_window(ground, name, &trail->curve) != TAUT_OK) {
         return taut_fail_memory(error);
     }
@@ -340,5 +341,52 @@ taut_status taut_pattern_trail_side(const taut_pattern_ground *ground,
     }
     memcpy(lath.segments[0].from.at, side->ends[0], sizeof side->ends[0]);
     memcpy(lath.segments[lath.count - 1].to.at, side->ends[1], sizeof side->ends[1]);
-    return taut_pattern_take_lath(ground->carrier, &lath, ground->arena, side, error);
+    return taut_pattern_take_lath(ground->carrier, &lath, trail->held, ground->arena, side, error);
+}
+
+taut_status taut_pattern_trail_line(const taut_pattern_ground *ground, int held, double value,
+                                    int backwards, taut_pattern_side *side, taut_error *error)
+{
+    const int along = 1 - held;
+    const double *breaks = taut_basis_breaks(ground->carrier->basis[along]);
+    const int spans = taut_basis_span_count(ground->carrier->basis[along]);
+    const size_t count = (size_t)spans + 1;
+    double *knots = taut_arena_take(ground->arena, count + 2, sizeof *knots);
+    double *points = taut_arena_take(ground->arena, count, 3 * sizeof *points);
+    taut_pattern_trail trail = {.name = "line", .is_window = 1, .is_back = backwards, .held = held};
+    taut_basis *basis = NULL;
+    taut_curve *curve = NULL;
+
+    if (knots == NULL || points == NULL) {
+        return taut_fail_memory(error);
+    }
+    for (size_t k = 0; k < count; k++) { /* of degree 1 */
+        knots[k + 1] = breaks[k];
+        points[3 * k + (size_t)held] = value;
+        points[3 * k + (size_t)along] = breaks[k];
+    }
+    knots[0] = breaks[0];
+    knots[count + 1] = breaks[spans];
+    const taut_basis_spec spec = {
+        .type = "bspline", .degree = 1, .knot_count = (int)count + 2, .knots = knots};
+    taut_status status = taut_basis_new(&spec, (int)count, &basis, error);
+    if (status == TAUT_OK) {
+        status = taut_curve_new(NULL, basis, points, NULL, &curve, error);
+    }
+    taut_basis_free(basis);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    if (!taut_keep_curve(ground->arena, curve)) {
+        return taut_fail_memory(error);
+    }
+    trail.curve = curve;
+    trail.lo = breaks[0];
+    trail.hi = breaks[spans];
+    for (int end = 0; end < 2; end++) {
+        side->ends[end][held] = value;
+        side->ends[end][along] = end == backwards ? breaks[0] : breaks[spans];
+    }
+    side->kind = TAUT_SIDE_LINE;
+    return taut_pattern_trail_side(ground, &trail, "/of", side, error);
 }

@@ -15,6 +15,7 @@ typedef struct taut_pattern_trail {
     const taut_curve *curve;
     int is_window; /* points (u, v, 0), and not in space */
     int is_back;   /* run against the curve */
+    int held;      /* of the window's: the coordinate that is the same all along, or -1 */
     double lo, hi;
     double ends[2][2];                         /* places of lo and hi */
     double places[TAUT_TRAIL_STATIONS + 1][2]; /* at equal steps from lo to hi */
@@ -28,5 +29,10 @@ taut_status taut_pattern_trail_find(const taut_pattern_ground *ground, const cha
 taut_status taut_pattern_trail_side(const taut_pattern_ground *ground,
                                     const taut_pattern_trail *trail, const char *where,
                                     taut_pattern_side *side, taut_error *error);
+
+/* The parameter line `held` (0: u, 1: v) = value, backwards or not, where it may run into a place without a normal: a side, its ends
+ * too. */
+taut_status taut_pattern_trail_line(const taut_pattern_ground *ground, int held, double value,
+                                    int backwards, taut_pattern_side *side, taut_error *error);
 
 #endif /* TAUT_CONSTRUCT_PATTERN_TRAIL_H */

@@ -38,8 +38,8 @@ static const char *const cloth_members[] = {"width", "material", "thread", "nap"
 static const char *const material_members[] = {"E", "nu", "G", NULL};
 static const char *const compensation_members[] = {"warp", "weft", "seam", NULL};
 
-static const char *const allowance_members[] = {"seam",  "border", "overlap",
-                                                "split", "corner", NULL};
+static const char *const allowance_members[] = {"seam", "border", "overlap", "split",
+                                                "butt", "corner", NULL};
 static const char *const corners[] = {"mitre", "square", "mirror", NULL};
 static const char *const hem_members[] = {"edge", "pocket", NULL};
 static const char *const mark_members[] = {"spacing", "notch", NULL};
@@ -499,6 +499,8 @@ static taut_status read_allowance(const taut_json *at, void *into, taut_error *e
     taut_reader_optional(&in, "border", read_left, &a->border);
     taut_reader_optional(&in, "overlap", read_left, &a->overlap);
     taut_reader_flag(&in, "split", &a->is_split);
+    taut_reader_optional(&in, "butt", read_left, &a->butt);
+    a->has_butt = taut_reader_has(&in, "butt");
     taut_reader_optional_word(&in, "corner", corners, &word);
     a->corner = (taut_pattern_corner)word;
     if (in.status == TAUT_OK && taut_reader_has(&in, "seam") && taut_reader_has(&in, "overlap")) {

@@ -7,6 +7,9 @@
 #include <math.h>
 #include <string.h>
 
+/* Of a pole, in s. */
+static const double next_to = 1e-6;
+
 /* The object of this name; NULL. */
 static const taut_record *named(const taut_record *list, const char *name)
 {
@@ -161,6 +164,11 @@ void taut_mounted_at(const taut_mounted *mounted, double s, double t, double poi
     memcpy(point, x[0], sizeof x[0]);
     taut_cross(along[0], along[1], normal);
     const double area = taut_norm(normal);
+    if (!(area > 0) && (s == 0 || s == 1)) { /* a pole: as next to it */
+        double near[3];
+        taut_mounted_at(mounted, s == 0 ? next_to : 1 - next_to, t, near, normal, strain);
+        return;
+    }
     for (int c = 0; c < 3; c++) {
         normal[c] = area > 0 ? normal[c] / area : (double)NAN;
     }

@@ -391,7 +391,7 @@ static int try_step(work *w, const double *matrix, double shift, double hold, in
 /* One step; *length: over the size. 0 where there is none. */
 static int newton_step(work *w, double *matrix, double *trial, double *length)
 {
-    const int held = unknown(w, w->lines[0].count - 1, 0, 1);
+    const int held = unknown(w, w->options->is_point[1] ? 0 : w->lines[0].count - 1, 0, 1);
     double most = 0, part = 1, shift = 0;
     int done = 0;
 
@@ -582,6 +582,13 @@ static void turn_start(work *w)
         w->y[i + 1] = (taut_sin(angle) * x + taut_cos(angle) * y) * w->stretch[1];
         w->size = fmax(w->size, fmax(fabs(w->y[i]), fabs(w->y[i + 1])));
     }
+    for (int end = 0; end < 2; end++) { /* which are one up to rounding */
+        for (int k = 1; w->options->is_point[end] && k < w->lines[1].count; k++) {
+            for (int d = 0; d < 2; d++) {
+                w->y[unknown(w, end * last, k, d)] = w->y[unknown(w, end * last, 0, d)];
+            }
+        }
+    }
     if (!w->is_turning) {
         const double end = w->y[unknown(w, last, 0, 0)];
         double mean = 0;
@@ -640,7 +647,8 @@ static taut_status unroll(work *w)
         }
         before = s;
         w->strip->metric(w->strip->context, s, 0.5, g);
-        const double turn = angle + taut_atan2(sqrt(g[0] * g[2] - g[1] * g[1]), g[1]);
+        /* at a point rounding may leave less than nothing */
+        const double turn = angle + taut_atan2(sqrt(fmax(g[0] * g[2] - g[1] * g[1], 0)), g[1]);
         for (int j = 0; j < nt; j++) {
             const double reach = cross_length(w, s, taut_flat_greville(w->lines[1].spans, j));
             w->y[unknown(w, i, j, 0)] = place[0] + reach * taut_cos(turn);
@@ -807,7 +815,10 @@ static taut_status prepare(work *w)
     for (int k = 0; o->straight && k < w->lines[1].count; k++) {
         w->pinned[unknown(w, 0, k, 0)] = 1;
     }
-    w->pinned[unknown(w, 0, 0, 0)] = w->pinned[unknown(w, 0, 0, 1)] = 1;
+    const int fixed = o->is_point[1] ? w->lines[0].count - 1 : 0;
+    for (int k = 0; k < (o->is_point[0] || o->is_point[1] ? w->lines[1].count : 1); k++) {
+        w->pinned[unknown(w, fixed, k, 0)] = w->pinned[unknown(w, fixed, k, 1)] = 1;
+    }
     w->stretch[0] = 1 - o->warp;
     w->stretch[1] = 1 - o->weft;
     return TAUT_OK;

@@ -43,6 +43,8 @@ typedef struct taut_flat_options {
     double warp, weft; /* compensation */
     double thread;     /* radians */
     int straight;      /* nonzero: start and end straight and square to y_1 */
+    int is_point
+        [2]; /* nonzero: start, or end, has no length, and is one place; not both, not straight */
     /* |y_s| / |X_s| at the edge's Gauss points, [spans][TAUT_FLAT_GAUSS] as s (or t) grows; NULL: free */
     const double *held[TAUT_FLAT_EDGES];
 } taut_flat_options;

@@ -117,7 +117,7 @@ static void test_moved(void)
     cloth_free(&made);
 }
 
-/* A copy of details in which a text is another one, or a member of `domain` is left out. */
+/* A copy of details in which a text is another one; with the key "part" a number, wherever it is. */
 static taut_record *edited(const taut_record *from, const char *key, const char *old,
                            const char *new)
 {
@@ -128,9 +128,12 @@ static taut_record *edited(const taut_record *from, const char *key, const char 
         const taut_record *item = taut_record_at(from, k);
         const char *name = is_list ? NULL : taut_record_key(from, k);
         switch (taut_record_kind_of(item)) {
-        case TAUT_RECORD_NUMBER:
-            taut_record_add_number(to, name, taut_record_number(item));
+        case TAUT_RECORD_NUMBER: {
+            const double value = taut_record_number(item);
+            const int is_it = strcmp(key, "part") == 0 && value == atof(old);
+            taut_record_add_number(to, name, is_it ? atof(new) : value);
             break;
+        }
         case TAUT_RECORD_BOOL:
             taut_record_add_bool(to, name, taut_record_bool(item));
             break;
@@ -168,6 +171,44 @@ static void test_told(void)
         CHECK(judge(&made, &none, other, "cover") == TAUT_FALSE, "%s %s", rows[k][0], rows[k][1]);
         taut_record_free(other);
     }
+    cloth_free(&made);
+}
+
+/* Pieces that meet on a seam: parts that leave a gap or lie over each other tile nothing; one of two that is longer is told; and a
+ * parameter line that nobody asked for. */
+static void test_joints(void)
+{
+    static const change none = {"", {0, 0, 0}, 0, 0, 0};
+    static const change longer = {"P2-2.left", {0, 0, 0}, 1 + 1e-7, 0, 0};
+    static const char butts[] = "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 3 }, { "
+                                "\"butt\": \"P2\", \"at\": 0.375 }]";
+    static const char *const rows[][3] = {{"part", "0.375", "0.36"}, /* the butt is elsewhere */
+                                          {"seam", "S3", "S2"}, /* one hand of a seam, once more */
+                                          {"kind", "geodesic", "line"}};
+    made_cloth made = cloth_make(SADDLE, butts);
+    CHECK(made.status == TAUT_OK, "%s", made.error.message);
+    CHECK(judge(&made, &none, NULL, "cover") == TAUT_TRUE, "as it is");
+    CHECK(judge(&made, &longer, NULL, "seams") == TAUT_FALSE, "one part is longer");
+    for (size_t k = 0; k < sizeof rows / sizeof rows[0]; k++) {
+        taut_record *other =
+            edited(taut_model_details(made.model), rows[k][0], rows[k][1], rows[k][2]);
+        CHECK(judge(&made, &none, other, "cover") == TAUT_FALSE, "%s %s", rows[k][0], rows[k][1]);
+        taut_record_free(other);
+    }
+    cloth_free(&made);
+}
+
+/* Next to a tip det J is 0: what is proved is how it grows. A tip that is pulled apart is none, and then it folds. */
+static void test_tips(void)
+{
+    static const change none = {"", {0, 0, 0}, 0, 0, 0};
+    static const change turned = {"P1", {0, 0, 0}, 0, 6, 0};
+    made_cloth made = cloth_make(SADDLE, "\"seams\": [{ \"geodesic\": [[0, 0], [0.6, 1]] }]");
+    CHECK(made.status == TAUT_OK, "%s", made.error.message);
+    CHECK(judge(&made, &none, NULL, "no-fold") == TAUT_TRUE, "as it is");
+    CHECK(judge(&made, &none, NULL, "stationary") == TAUT_TRUE, "as it is");
+    CHECK(judge(&made, &none, NULL, "stable") == TAUT_TRUE, "as it is");
+    CHECK(judge(&made, &turned, NULL, "no-fold") == TAUT_FALSE, "turned over");
     cloth_free(&made);
 }
 
@@ -247,6 +288,8 @@ int main(void)
     test_allowance();
     test_moved();
     test_told();
+    test_joints();
+    test_tips();
     test_true_length();
     test_held();
     test_isometric();
