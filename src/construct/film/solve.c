@@ -291,7 +291,7 @@ static int may_be_askew(const taut_film_work *w, const taut_error *found)
 
     return problem->method == TAUT_FILM_FULL && !taut_film_has_density(problem) &&
            !problem->accepts_stationary && w->region.iterations < w->region.max_iterations &&
-           (found->status == TAUT_NOT_CONVERGED ||
+           (found->status == TAUT_NOT_CONVERGED || strcmp(found->reason, "cable-too-weak") == 0 ||
             (w->space->around != NULL && (strcmp(found->reason, "collapses") == 0 ||
                                           strcmp(found->reason, "slides-away") == 0)));
 }
@@ -321,14 +321,17 @@ static taut_status find_film(taut_film_work *w, taut_film_space *plain, taut_fil
         w->space = plain;
         memcpy(w->net, whole->start, 3 * whole->count * sizeof(double));
         taut_film_memory_clear(&w->memory);
-        second.status = first.status == TAUT_NOT_CONVERGED ? find_net(w, arena, &second)
-                                                           : begin_anew(w, &second);
+        const int weak = strcmp(first.reason, "cable-too-weak") == 0;
+        second.status = weak || first.status == TAUT_NOT_CONVERGED ? find_net(w, arena, &second)
+                                                                   : begin_anew(w, &second);
         if (second.status == TAUT_OK || second.status == TAUT_NO_MEMORY ||
             second.status == TAUT_INTERRUPTED) {
             return second.status == TAUT_OK ? TAUT_OK : taut_film_pass_on(&second, error);
         }
         w->space = whole;
-        if (first.status == TAUT_NOT_CONVERGED && second.status == TAUT_NO_SOLUTION) {
+        const int nearer = weak && strcmp(second.reason, "cable-too-weak") == 0 &&
+                           fabs(second.limit - second.found) < fabs(first.limit - first.found);
+        if (nearer || (first.status == TAUT_NOT_CONVERGED && second.status == TAUT_NO_SOLUTION)) {
             return taut_film_pass_on(&second, error); /* why there is none */
         }
     }

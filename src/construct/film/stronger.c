@@ -1,7 +1,7 @@
 /* stronger.c -- where a film with the forces that are asked for is not found.
  *
  *     factor = 2, 4, ..: the start solved with all forces so many times, until one succeeds
- *     lower it, from film to film, by steps that are halved where one fails
+ *     lower it, from film to film, or from the start anew, by steps that are halved where both fail
  *     1 is reached: done; no step is left: cable-too-weak, the last factor told
  *
  * Cables of given length are so much stronger by less excess over their chords, elastic ones by less length
@@ -16,7 +16,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { DOUBLINGS = 8, LOWERINGS = 64 };
+enum { DOUBLINGS = 8, LOWERINGS = 64, ANEW = 6 };
 
 static const double step_least = 0x1p-10; /* of the logarithm of the factor of all forces */
 
@@ -56,6 +56,14 @@ static taut_status refuse_weak(const taut_film_work *w, double least, taut_error
         least, strong);
 }
 
+/* net: the film with all forces so many times that the start leads to. */
+static taut_status start_anew(taut_film_work *w, double factor, taut_error *error)
+{
+    memcpy(w->net, w->space->start, 3 * w->space->count * sizeof(double));
+    const taut_status begun = taut_film_begin_coarse(w, factor);
+    return begun == TAUT_OK ? taut_film_rest(w, factor, error) : taut_fail_status(error, begun);
+}
+
 /* net: a film with all forces *factor times, from the start. */
 static taut_status find_strong(taut_film_work *w, double *factor, taut_error *error)
 {
@@ -63,12 +71,7 @@ static taut_status find_strong(taut_film_work *w, double *factor, taut_error *er
     *factor = 1;
     for (int k = 0; inner.status == TAUT_NOT_CONVERGED && k < DOUBLINGS; k++) {
         *factor *= 2;
-        memcpy(w->net, w->space->start, 3 * w->space->count * sizeof(double));
-        const taut_status begun = taut_film_begin_coarse(w, *factor);
-        if (begun != TAUT_OK) {
-            return taut_fail_status(error, begun);
-        }
-        inner.status = taut_film_rest(w, *factor, &inner);
+        inner.status = start_anew(w, *factor, &inner);
     }
     return inner.status == TAUT_OK ? TAUT_OK : taut_film_pass_on(&inner, error);
 }
@@ -91,6 +94,9 @@ static taut_status come_down(taut_film_work *w, double factor, double *saved, ta
         const double next = fmax(1, factor * (1 - step));
         memcpy(saved, w->net, bytes);
         inner.status = taut_film_rest(w, next, &inner);
+        if (inner.status == TAUT_NOT_CONVERGED && k < ANEW) {
+            inner.status = start_anew(w, next, &inner); /* from there, what is nearer may be lost */
+        }
         if (inner.status == TAUT_OK) {
             factor = next;
             continue;
