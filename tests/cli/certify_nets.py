@@ -1,8 +1,10 @@
 """certify_nets.py -- models of nets and patterns, each changed where no claim looked once: what is cut is no number, another shape,
-or of another line. The model as it was made holds; the changed one does not, by the claim named."""
+or of another line; curves that are left out, twice or not asked for; lengths and places that are not the curves'. The model as
+it was made holds; the changed one does not, by the claim named."""
 
 import copy
 import json
+import re
 
 from program import complain, example, finish, load, run, save
 
@@ -38,6 +40,76 @@ def scale_cut(model, share):
             curve["points"] = [[share * x for x in point] for point in curve["points"]]
 
 
+def drop(model, name):
+    """Without a curve, and all that is said of it."""
+    details = model["details"]
+    model["curves"] = [c for c in model["curves"] if c["name"] != name]
+    for key in ["laths", "domain"]:
+        details[key] = [x for x in details[key] if x["name"] != name]
+    details["nodes"] = [x for x in details["nodes"] if name not in re.findall("[A-Z][0-9]+", x["node"])]
+    details["pieces"] = [x for x in details.get("pieces", []) if x["lath"] != name]
+    if not details["pieces"]:
+        del details["pieces"]
+
+
+def other(name, change):
+    """The problem, changed, as a file."""
+    document = example(name)
+    change(document)
+    save("other.json", document)
+    return "other.json"
+
+
+def seed(k, **members):
+    return lambda document: document["seeds"][k].update(members)
+
+
+def laths(**members):
+    return lambda document: document["laths"].update(members)
+
+
+def curves():
+    for name in ["trace-carried", "trace-torus", "trace-geodesics", "trace-planks"]:
+        given = name + ".problem.json"
+        model = model_of(name)
+        drop(model, "A3" if name in ("trace-carried", "trace-torus") else "G3")
+        judge("a curve left out", model, name, "spacing", given)
+        for curve in list(model["curves"])[1:]:
+            drop(model, curve["name"])
+        judge("one curve alone", model, name, "spacing", given)
+    for name, change, false in [
+            ("trace-carried", seed(0, at=[0.31, 0.22]), "spacing"),
+            ("trace-planks", seed(4, at=[0.5, 0.9]), "spacing"),
+            ("trace-planks", seed(0, to=[1.6, 0.8]), "spacing"),
+            ("trace-geodesics", seed(0, direction=[1, 0]), "spacing"),
+            ("trace-geodesics", seed(0, direction=[-0.38883256419833123, 0.9213084375055678]), "spacing"),
+            ("trace-torus", seed(0, count=22), "spacing"),
+            ("trace-torus", lambda d: d.update(families=["-"]), "identity"),
+            ("trace-bonnet", laths(width=0.3), "pattern"),
+            ("trace-bonnet", laths(thickness=0.003), "pattern"),
+            ("trace-planks", laths(strip="standing"), "pattern")]:
+        judge(f"{false} of another document", model_of(name), name, false, other(name, change))
+    model = model_of("trace-torus")
+    for things in [model["curves"], model["details"]["domain"]]:
+        things += [dict(copy.deepcopy(x), name="A99") for x in things if x["name"] == "A1"]
+    judge("a curve twice", model, "trace-torus", "identity", "trace-torus.problem.json")
+
+
+def details():
+    model = model_of("trace-principal")
+    model["details"]["laths"][2]["length"] *= 1 + 1e-8
+    judge("another length", model, "trace-principal", "length")
+    for key, value in [("at", [0.1, 0.1]), ("point", [9, 9, 9]), ("normal", [0, 0.6, 0.8])]:
+        model = model_of("trace-principal")
+        model["details"]["nodes"][1][key] = value
+        judge(f"another {key} of a node", model, "trace-principal", "nodes")
+    for name in ["trace-bonnet", "trace-planks"]:
+        model = model_of(name)
+        for k, piece in enumerate(model["details"]["pieces"]):
+            piece["outline"] = [[k * 1e-3, 0], [k * 1e-3 + 1e-4, 0], [k * 1e-3, 1e-4]]
+        judge("small triangles", model, name, "pattern")
+
+
 def outlines():
     for name in ["trace-bonnet", "trace-planks"]:
         model = model_of(name)
@@ -58,6 +130,8 @@ def cloth():
         judge("cut along half the lines", model, name, "edges")
 
 
+curves()
+details()
 outlines()
 cloth()
 finish()

@@ -1,13 +1,20 @@
 #include "certify/trace/pieces.h"
 
 #include "certify/common/verdict.h"
+#include "certify/trace/laths.h"
+#include "core/elementary/elementary.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
+/* Of areas; of lengths around them, as ends of strips that only bend are on rulings; and of polylines, over the size: twice the
+ * tolerance that they are drawn to. */
+static const double same_area = 1e-6, askew = 0.25, polyline = 2;
+
 typedef struct box {
     double low[2], high[2], sheet; /* sheet 0: no outline */
+    double area, way;              /* of the outline, and how long it is */
     const char *lath, *name;
 } box;
 
@@ -27,6 +34,17 @@ static box box_of(const taut_record *piece)
             b.high[d] = taut_certify_max(b.high[d], x);
         }
     }
+    for (size_t k = 0; k < count; k++) {
+        const taut_record *from = taut_record_at(outline, k),
+                          *to = taut_record_at(outline, (k + 1) % count);
+        const double x = taut_record_number(taut_record_at(from, 0)) - b.low[0];
+        const double y = taut_record_number(taut_record_at(from, 1)) - b.low[1];
+        const double next_x = taut_record_number(taut_record_at(to, 0)) - b.low[0];
+        const double next_y = taut_record_number(taut_record_at(to, 1)) - b.low[1];
+        b.area += (x * next_y - next_x * y) / 2;
+        b.way += taut_hypot(next_x - x, next_y - y);
+    }
+    b.area = fabs(b.area);
     b.sheet = count >= 3 ? b.sheet : 0;
     return b;
 }
@@ -54,18 +72,30 @@ static int overlap(const box *a, const box *b)
            a->low[1] < b->high[1] && b->low[1] < a->high[1];
 }
 
-static int has_piece(const char *name, const box *boxes, size_t count)
+/* Are the pieces of a lath, one after the other, as long and as wide as it is said to be? Outlines of curved ones are polylines,
+ * `room` from the band; bands are as large as length times width, and go twice along the length and once more across at each end,
+ * which rulings may cross askew. */
+static int is_cut(const taut_record *lath, const box *boxes, size_t count, double room)
 {
+    const double length = taut_record_number(taut_record_get(lath, "cut_length"));
+    const double width = taut_record_number(taut_record_get(lath, "width"));
+    const char *name = taut_record_text(taut_record_get(lath, "name"));
+    double area = 0, way = 0, pieces = 0;
+
     for (size_t k = 0; k < count; k++) {
         if (strcmp(boxes[k].lath, name) == 0) {
-            return 1;
+            area += boxes[k].area;
+            way += boxes[k].way;
+            pieces++;
         }
     }
-    return 0;
+    const double off = fabs(area - length * width), edges = 2 * (length + pieces * width);
+    return off <= same_area * length * width + room * way && way >= (1 - askew) * edges &&
+           way <= (1 + askew) * edges;
 }
 
 taut_status taut_net_pieces_add(const taut_net_lines *lines, const taut_trace_problem *problem,
-                                taut_arena *arena, taut_certificate *certificate)
+                                double tolerance, taut_arena *arena, taut_certificate *certificate)
 {
     const taut_record *details = taut_model_details(lines->model);
     const taut_record *pieces = taut_record_get(details, "pieces");
@@ -94,7 +124,9 @@ taut_status taut_net_pieces_add(const taut_net_lines *lines, const taut_trace_pr
     }
     for (int k = 0; k < lines->count; k++) {
         const char *name = taut_curve_name(lines->lines[k].space);
-        const int is_wrong = !has_piece(name, boxes, count);
+        const taut_record *lath = taut_net_lath_of(lines, &lines->lines[k]);
+        const int is_wrong = !is_cut(lath, boxes, count, polyline * tolerance * lines->size) ||
+                             (laths != NULL && !taut_net_lath_is_asked(lath, laths));
         claim.residual += is_wrong;
         worst = is_wrong && worst[0] == '\0' ? name : worst;
     }

@@ -3,7 +3,9 @@
  *     the measure along the seed's line by Gauss's rule between the surface's breaks
  *     the measures at which curves of the family cross it, by their places in the window
  *     of each place that cuts it in equal parts: the nearest of them
- *     on curves that others are seeded on the measure along them, and the nodes at the lengths that details give
+ *     on curves that others are seeded on the measure along them, and the nodes at the lengths that details give, which the claim
+ *     `nodes` finds on both curves
+ *     of a place that a curve is seeded at the nearest curve of the family, in space; of geodesics its direction and its end too
  */
 #include "certify/trace/spacing.h"
 
@@ -17,10 +19,13 @@
 enum { PIECES = 16 /* between two breaks */, NODES = 8, HALVINGS = 60 };
 /* Over the window's sides: a place lies on the line. Of |k_n| and such, over R: the line runs along the family. */
 static const double on_line = 1e-12, along = 1e-5;
+/* Over the size: a curve begins or ends at a place; and the sine of a geodesic's angle to where it is sent. */
+static const double at_end = 1e-9, same_way = 1e-6;
+static const taut_trace_seed as_default = {.kind = TAUT_TRACE_CELLS, .count = 8};
 
 typedef struct line {
     taut_net_cells *cells;
-    int on; /* which surface */
+    int on; /* the surface that it lies on */
     const taut_surface *surface;
     taut_trace_net net;
     taut_trace_by by;
@@ -171,30 +176,22 @@ static double beside(const line *l, const double at[2], double *t)
     return (l->way[0] * y - l->way[1] * x) / square;
 }
 
-static void window_at(const taut_curve *window, double t, double at[2])
+/* Adds the measures at which a stretch of a curve in the window crosses the line. */
+static void add_crossings(const line *l, const taut_curve *stretch, double *crossings, int *count)
 {
-    double point[3];
-    taut_curve_eval(window, t, 0, point);
-    at[0] = point[0];
-    at[1] = point[1];
-}
-
-/* Adds the measures at which a stretch of a curve in the line's window crosses it. */
-static void add_crossings(const line *l, const taut_curve *window, double *crossings, int *count)
-{
-    const taut_basis *basis = taut_curve_t(window);
+    const taut_basis *basis = taut_curve_t(stretch);
     const double *breaks = taut_basis_breaks(basis);
-    double at[2], t = 0, before = 0;
+    double at[3], t = 0, before = 0;
 
     for (int k = 0; k <= taut_basis_span_count(basis); k++) {
-        window_at(window, breaks[k], at);
+        taut_curve_eval(stretch, breaks[k], 0, at);
         const double here = beside(l, at, &t);
         int crosses = fabs(here) <= on_line;
         if (!crosses && k > 0 && fabs(before) > on_line && (here > 0) != (before > 0)) {
             double low = breaks[k - 1], high = breaks[k];
             for (int round = 0; round < HALVINGS; round++) {
                 const double middle = (low + high) / 2;
-                window_at(window, middle, at);
+                taut_curve_eval(stretch, middle, 0, at);
                 *((beside(l, at, &t) > 0) == (before > 0) ? &low : &high) = middle;
             }
             crosses = 1;
@@ -212,8 +209,9 @@ static double *find_crossings(const line *l, const taut_net_lines *lines, int fa
 {
     size_t most = 1;
     for (int i = 0; i < lines->count; i++) {
-        for (int k = 0; k < lines->lines[i].count; k++) {
-            most += (size_t)taut_basis_span_count(taut_curve_t(lines->lines[i].window[k])) + 1;
+        const taut_net_line *curve = &lines->lines[i];
+        for (int k = 0; k < curve->count; k++) {
+            most += (size_t)taut_basis_span_count(taut_curve_t(curve->window[k])) + 1;
         }
     }
     double *crossings = taut_arena_take_raw(arena, most, sizeof *crossings);
@@ -229,47 +227,64 @@ static double *find_crossings(const line *l, const taut_net_lines *lines, int fa
     return crossings;
 }
 
+/* Are both ends of the line one place in space, as where the window closes? */
+static int is_closed(const line *l)
+{
+    double at[2], x[2][3];
+    for (int end = 0; end < 2; end++) {
+        place_on(l, end, at);
+        if (taut_surface_eval(l->surface, at[0], at[1], 0, x[end]) != TAUT_OK) {
+            return 0;
+        }
+    }
+    return taut_distance(x[0], x[1]) <= at_end;
+}
+
 static taut_status judge(const line *l, const taut_net_lines *lines, int family,
                          const taut_trace_seed *seed, taut_arena *arena, double *worst)
 {
     const double whole = l->sum[l->count], part = whole / (seed->count + 1);
     int count = 0;
     const double *crossings = find_crossings(l, lines, family, arena, &count);
+    const int closes = is_closed(l), last = seed->count + 1;
 
     *worst = 0;
     if (crossings == NULL) {
         return TAUT_NO_MEMORY;
     }
     for (int k = seed->ends ? 0 : 1; k <= seed->count + (seed->ends ? 1 : 0); k++) {
+        const int is_end = k == 0 || k == last;
         double best = INFINITY;
-        if (!(part > 0) || !is_wanted(l, family, reach(l, k * part))) {
+        if (!(part > 0) || !is_wanted(l, family, reach(l, k * part)) ||
+            (is_end && lines->surface_count > 1)) { /* it may lie on the next surface */
             continue;
         }
         for (int i = 0; i < count; i++) {
             best = fmin(best, fabs(crossings[i] - k * part));
+            best = is_end && closes ? fmin(best, fabs(crossings[i] - (last - k) * part)) : best;
         }
         *worst = fmax(*worst, best / part);
     }
     return TAUT_OK;
 }
 
-/* The surface that a seed lies on: the one that it names, or the problem's. */
-static int surface_of(const taut_net_cells *cells, int several, const taut_trace_problem *problem,
+/* The surface that a seed lies on. */
+static int surface_of(const taut_net_lines *lines, const taut_trace_problem *problem,
                       const taut_trace_seed *seed)
 {
     const char *name = seed->surface != NULL ? seed->surface : problem->surface;
-    for (int k = 0; name != NULL && k < several; k++) {
-        if (strcmp(taut_surface_name(cells->surfaces[k]), name) == 0) {
+    for (int k = 0; name != NULL && lines->surface_count > 1 && k < lines->surface_count; k++) {
+        if (strcmp(taut_surface_name(taut_model_surface(lines->model, k)), name) == 0) {
             return k;
         }
     }
     return 0;
 }
 
-static line line_of(taut_net_cells *cells, int several, const taut_trace_problem *problem,
-                    const taut_trace_seed *seed)
+static line line_of(const taut_net_lines *lines, taut_net_cells *cells,
+                    const taut_trace_problem *problem, const taut_trace_seed *seed)
 {
-    const int on = surface_of(cells, several, problem, seed);
+    const int on = surface_of(lines, problem, seed);
     const taut_surface *surface = cells->surfaces[on];
     const taut_basis *bu = taut_surface_u(surface), *bv = taut_surface_v(surface);
     const double lo[2] = {taut_basis_lo(bu), taut_basis_lo(bv)};
@@ -310,8 +325,8 @@ static int forms_on(const parted *p, double t, taut_forms *f)
     if (!taut_net_line_window(p->curve, t, at, &on)) {
         return 0;
     }
+    const taut_surface *surface = p->l->cells->surfaces[on];
     for (int d = 0; d < 2; d++) {
-        const taut_surface *surface = p->l->cells->surfaces[on];
         const taut_basis *basis = d == 0 ? taut_surface_u(surface) : taut_surface_v(surface);
         at[d] = fmin(fmax(at[d], taut_basis_lo(basis)), taut_basis_hi(basis));
     }
@@ -449,27 +464,34 @@ static taut_status judge_lath(const taut_net_lines *lines, const line *l,
     return TAUT_OK;
 }
 
+/* Is a curve at s where the seed is, in the window? */
+static int is_there(const line *l, const taut_net_line *curve, double s, const double at[2])
+{
+    double there[2];
+    int on = 0, is_near = taut_net_line_window(curve, s, there, &on) && on == l->on;
+    for (int d = 0; is_near && d < 2; d++) {
+        const taut_basis *basis = d == 0 ? taut_surface_u(l->surface) : taut_surface_v(l->surface);
+        is_near = fabs(there[d] - at[d]) <= 1e-9 * (taut_basis_hi(basis) - taut_basis_lo(basis));
+    }
+    return is_near;
+}
+
 /* The two curves that cross at a place, and the length of the first and the second there; 0: none do. */
-static int crossing_at(const taut_net_lines *lines, const taut_surface *surface, const double at[2],
+static int crossing_at(const taut_net_lines *lines, const line *l, const double at[2],
                        const taut_net_line *through[2], double s[2])
 {
     const taut_record *nodes = taut_record_get(taut_model_details(lines->model), "nodes");
     for (size_t k = 0; k < taut_record_count(nodes); k++) {
-        const taut_record *node = taut_record_at(nodes, k), *there = taut_record_get(node, "at");
+        const taut_record *node = taut_record_at(nodes, k);
         const char *name = taut_record_text(taut_record_get(node, "node"));
-        int is_near =
-            lines->surface_count == 1 || strcmp(taut_record_text(taut_record_get(node, "surface")),
-                                                taut_surface_name(surface)) == 0;
         for (size_t d = 0; d < 2; d++) {
-            const taut_basis *basis = d == 0 ? taut_surface_u(surface) : taut_surface_v(surface);
-            const double room = 1e-9 * (taut_basis_hi(basis) - taut_basis_lo(basis));
-            is_near &= fabs(taut_record_number(taut_record_at(there, d)) - at[d]) <= room;
             s[d] = taut_record_number(taut_record_at(taut_record_get(node, "s"), d));
         }
         through[0] = through[1] = NULL;
-        for (int i = 0; is_near && i < lines->count; i++) {
+        for (int i = 0; i < lines->count; i++) {
             const taut_net_line *one = &lines->lines[i];
-            if (is_of(name, taut_curve_name(one->space), one->family)) {
+            if (is_of(name, taut_curve_name(one->space), one->family) &&
+                is_there(l, one, s[one->family], at)) {
                 through[one->family] = one;
             }
         }
@@ -499,7 +521,7 @@ static taut_status judge_cells(const taut_net_lines *lines, const line *l,
         return TAUT_OK;
     }
     *worst = INFINITY;
-    if (!crossing_at(lines, l->surface, at, through, s)) {
+    if (!crossing_at(lines, l, at, through, s)) {
         return TAUT_OK;
     }
     for (int f = 0; f < 2; f++) {
@@ -521,51 +543,173 @@ static taut_status judge_cells(const taut_net_lines *lines, const line *l,
     return TAUT_OK;
 }
 
-taut_status taut_net_spacing(const taut_net_lines *lines, taut_net_cells *cells,
+/* ---- at places ---- */
+
+/* A place of the surface, over the size of the surface, and the way that the curve is sent. */
+typedef struct target {
+    double x[3], way[3];
+} target;
+
+static int target_of(const line *l, const double at[2], const double way[2], target *t)
+{
+    double s[3][3];
+    if (taut_surface_eval(l->surface, at[0], at[1], 1, s[0]) != TAUT_OK) {
+        return 0;
+    }
+    for (int c = 0; c < 3; c++) {
+        t->x[c] = s[0][c];
+        t->way[c] = way[0] * s[1][c] + way[1] * s[2][c];
+    }
+    return 1;
+}
+
+/* The place of a curve nearest to a point, and how far it is; unit: of the surfaces. */
+static double nearest(const taut_curve *curve, int unit, const double x[3], double *t)
+{
+    enum { LOOK = 4, ROUNDS = 12 };
+    const taut_basis *basis = taut_curve_t(curve);
+    const double *breaks = taut_basis_breaks(basis);
+    const int spans = taut_basis_span_count(basis);
+    const double scale = ldexp(1, -unit);
+    double best = INFINITY, c[2][3], away[3];
+
+    for (int i = 0; i <= LOOK * spans; i++) {
+        const int k = i / LOOK, j = i % LOOK;
+        const double here = j == 0 ? breaks[k] : breaks[k] + (breaks[k + 1] - breaks[k]) * j / LOOK;
+        taut_curve_eval(curve, here, 0, c[0]);
+        for (int d = 0; d < 3; d++) {
+            away[d] = scale * c[0][d] - x[d];
+        }
+        const double distance = taut_length(away);
+        *t = distance < best ? here : *t;
+        best = fmin(best, distance);
+    }
+    for (int round = 0; round < ROUNDS; round++) {
+        double along_it = 0, square = 0;
+        taut_curve_eval(curve, *t, 1, c[0]);
+        for (int d = 0; d < 3; d++) {
+            away[d] = scale * c[0][d] - x[d];
+            along_it += away[d] * scale * c[1][d];
+            square += scale * c[1][d] * scale * c[1][d];
+        }
+        best = fmin(best, taut_length(away));
+        *t = fmin(fmax(*t - along_it / square, breaks[0]), breaks[spans]);
+    }
+    return best;
+}
+
+/* Does a geodesic that passes through its seed at t go where it is sent? */
+static int goes(const line *l, const taut_net_line *curve, const taut_trace_seed *seed,
+                const target *from, double t, int unit, double size)
+{
+    static const double none[2] = {0, 0};
+    const double lo = taut_basis_lo(taut_curve_t(curve->space));
+    const double hi = taut_basis_hi(taut_curve_t(curve->space));
+    double c[2][3], across[3], end = 0;
+    target to;
+
+    if ((seed->has_to || !seed->both) && !(ldexp(t - lo, -unit) <= at_end * size)) {
+        return 0;
+    }
+    if (seed->has_to) {
+        return target_of(l, seed->to, none, &to) &&
+               nearest(curve->space, unit, to.x, &end) <= at_end * size &&
+               ldexp(hi - end, -unit) <= at_end * size;
+    }
+    taut_curve_eval(curve->space, t, 1, c[0]);
+    taut_cross(c[1], from->way, across);
+    const double lengths = taut_length(c[1]) * taut_length(from->way);
+    return taut_length(across) <= same_way * lengths &&
+           (seed->both || taut_dot(c[1], from->way) > 0);
+}
+
+/* How far the nearest curve of a family is from its seed, over the size; 0 where there is none to be. */
+static double judge_at(const taut_net_lines *lines, const line *l, int unit, int family,
+                       const taut_trace_seed *seed)
+{
+    const double size = ldexp(lines->size, -unit);
+    double best = INFINITY, t = 0;
+    target from;
+    taut_forms f;
+
+    if (!target_of(l, seed->at, seed->direction, &from) ||
+        !taut_net_cells_look(l->cells, l->on, seed->at, NULL, &f) || !f.regular) {
+        return 0;
+    }
+    const double square = f.mean * f.mean - f.gaussian;
+    if ((l->net == TAUT_TRACE_ASYMPTOTIC && !(-f.gaussian > 1e-9 * square)) ||
+        (l->net == TAUT_TRACE_PRINCIPAL && !(square > 0))) {
+        return 0;
+    }
+    for (int i = 0; i < lines->count; i++) {
+        const taut_net_line *curve = &lines->lines[i];
+        if (curve->family != family) {
+            continue;
+        }
+        const double away = nearest(curve->space, unit, from.x, &t) / size;
+        if (away < best && (l->net != TAUT_TRACE_GEODESIC || away > at_end ||
+                            goes(l, curve, seed, &from, t, unit, size))) {
+            best = away;
+        }
+    }
+    return best;
+}
+
+/* How far a seed is from being met: the worst of its families; -1 where that is not known. */
+static taut_status judge_seed(const taut_net_lines *lines, taut_net_cells *cells, int unit,
+                              const taut_trace_problem *problem, const taut_trace_seed *seed,
+                              taut_arena *arena, double *worst)
+{
+    int families = seed->family != 0 ? seed->family : 3;
+    line l = line_of(lines, cells, problem, seed);
+
+    families &= problem->families != 0 ? problem->families : 3;
+    families = problem->net == TAUT_TRACE_GEODESIC ? 1 : families;
+    *worst = -1;
+    if (problem->net == TAUT_TRACE_GEODESIC && seed->kind != TAUT_TRACE_AT) {
+        return TAUT_OK;
+    }
+    if (seed->kind == TAUT_TRACE_LATH) {
+        return judge_lath(lines, &l, seed, arena, worst);
+    }
+    if (seed->kind == TAUT_TRACE_CELL || seed->kind == TAUT_TRACE_CELLS) {
+        return judge_cells(lines, &l, seed, families, arena, worst);
+    }
+    if (seed->kind != TAUT_TRACE_AT && measure_line(arena, &l) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    for (int family = 0; family < 2; family++) {
+        double here = -1;
+        if (!(families & (1 << family))) {
+            continue;
+        }
+        if (seed->kind == TAUT_TRACE_AT) {
+            here = judge_at(lines, &l, unit, family, seed);
+        } else if (judge(&l, lines, family, seed, arena, &here) != TAUT_OK) {
+            return TAUT_NO_MEMORY;
+        }
+        *worst = fmax(*worst, here);
+    }
+    return TAUT_OK;
+}
+
+taut_status taut_net_spacing(const taut_net_lines *lines, taut_net_cells *cells, int unit,
                              const taut_trace_problem *problem, taut_arena *arena, double *residual,
                              int *where)
 {
+    const int count = problem == NULL ? 0 : problem->seed_count > 0 ? problem->seed_count : 1;
+
     *residual = -1;
-    for (int i = 0; i < lines->count; i++) {
-        if (lines->lines[i].count != 1 && lines->surface_count == 1) {
-            return TAUT_OK; /* across a seam of one surface, where two edges are one line */
+    for (int k = 0; k < count; k++) {
+        const taut_trace_seed *seed = problem->seed_count > 0 ? &problem->seeds[k] : &as_default;
+        double here = -1;
+        const taut_status status = judge_seed(lines, cells, unit, problem, seed, arena, &here);
+        if (status != TAUT_OK) {
+            return status;
         }
-    }
-    for (int k = 0; problem != NULL && k < problem->seed_count; k++) {
-        const taut_trace_seed *seed = &problem->seeds[k];
-        int families = seed->family != 0 ? seed->family : 3;
-        families &= problem->families != 0 ? problem->families : 3;
-        line l = line_of(cells, lines->surface_count, problem, seed);
-        if (seed->kind == TAUT_TRACE_AT || problem->net == TAUT_TRACE_GEODESIC) {
-            continue;
-        }
-        if (seed->kind != TAUT_TRACE_EDGE && seed->kind != TAUT_TRACE_LINE) {
-            double here = -1;
-            const taut_status status = seed->kind == TAUT_TRACE_LATH
-                                           ? judge_lath(lines, &l, seed, arena, &here)
-                                           : judge_cells(lines, &l, seed, families, arena, &here);
-            if (status != TAUT_OK) {
-                return status;
-            }
-            if (here > *residual) {
-                *residual = here;
-                *where = k;
-            }
-            continue;
-        }
-        if (measure_line(arena, &l) != TAUT_OK) {
-            return TAUT_NO_MEMORY;
-        }
-        for (int family = 0; family < 2; family++) {
-            double here = -1;
-            if (families & (1 << family) &&
-                judge(&l, lines, family, seed, arena, &here) != TAUT_OK) {
-                return TAUT_NO_MEMORY;
-            }
-            if (here > *residual) {
-                *residual = here;
-                *where = k;
-            }
+        if (!(here <= *residual)) {
+            *residual = here;
+            *where = k;
         }
     }
     return TAUT_OK;

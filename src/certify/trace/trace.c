@@ -12,15 +12,16 @@
  *   principal     |tau_g| / R; its family by k_n >= H or not
  *   geodesic      int |k_g| ds by the curve's own second derivative
  *   isoparametric sine of the angle to the parameter line
- *   length        |int |C'| ds - range| / range, Gauss 16 a span
+ *   length        |int |C'| ds - range| / range, Gauss 16 a span, and that of details
  *   ends          distance of the ends from the nearest place where a curve of this net may end,
  *                 over the size: border, the other end, K = 0, R = 0, or the length asked for
  *   seams         where curves go on to another surface: how far its place and normal are from those of the
  *                 first one (certify/trace/seams.h)
- *   nodes         largest distance of the two curves of a node of details at their lengths
+ *   nodes         largest distance of the two curves of a node of details at their lengths, and of its point and
+ *                 place from them; difference of its normal
  *   right-angled  |H| / R at the nodes of details, where the surface is minimal
- *   spacing       with the problem: how unequal the parts are that curves cut edges and lines in
- *                 (certify/trace/spacing.h)
+ *   spacing       with the problem: how unequal the parts are that curves cut edges and lines in, and how far
+ *                 curves are from the places that they are seeded at (certify/trace/spacing.h)
  *   complete      nodes missing or too many, by how the ends separate each other on the border
  *                 (certify/trace/complete.h); left out where that does not say
  *   isometric     with the problem: relative difference of the edges that strips which only bend are told to
@@ -39,6 +40,7 @@
 #include "certify/trace/compose.h"
 #include "certify/trace/everywhere.h"
 #include "certify/trace/isometric.h"
+#include "certify/trace/laths.h"
 #include "certify/trace/lines.h"
 #include "certify/trace/pieces.h"
 #include "certify/trace/seams.h"
@@ -61,6 +63,8 @@ static const double tolerance_default = 1e-6, net_limit = 1e-6, length_limit = 1
                     isometric_limit = 1e-9;
 /* So near to an end without a border, over the size, the net may be anything. */
 static const double near_end = 1e-3;
+/* Ends and middles of curves that are one, over their length. */
+static const double one_curve = 1e-9;
 /* |H| / R of a surface that is seen to be minimal. */
 static const double minimal = 1e-9;
 
@@ -377,6 +381,7 @@ static void look_at_line(const request *r, const taut_net_line *line, found *f)
     }
     take(&f->length, fabs(length - line->length) / line->length, taut_curve_name(line->space),
          breaks[0]);
+    take(&f->length, taut_net_lath_off(&r->lines, line), taut_curve_name(line->space), breaks[0]);
     if (is_geodesic) {
         take(&f->net, turn, taut_curve_name(line->space), breaks[0]);
     }
@@ -592,6 +597,41 @@ static int lines_of_node(const request *r, const char *name, const taut_net_line
     return lines[0] != NULL && lines[1] != NULL && lines[0] != lines[1];
 }
 
+/* The surface of this name, where there are several. */
+static int surface_named(const request *r, const taut_record *name)
+{
+    for (int k = 1; k < r->lines.surface_count; k++) {
+        if (strcmp(taut_surface_name(r->surfaces[k]), taut_record_text(name)) == 0) {
+            return k;
+        }
+    }
+    return 0;
+}
+
+/* How far what is written down of a node is from the curves' place, over the size: its point, its place in the window,
+ * and its normal. */
+static double node_off(const request *r, const taut_record *node, const double x[3])
+{
+    const taut_record *at = taut_record_get(node, "at");
+    const double u = taut_record_number(taut_record_at(at, 0));
+    const double v = taut_record_number(taut_record_at(at, 1));
+    const int on = surface_named(r, taut_record_get(node, "surface"));
+    double point[3], normal[3], there[3], away = 0;
+    taut_forms forms;
+
+    if (taut_surface_eval(r->surfaces[on], u, v, 0, there) != TAUT_OK ||
+        taut_surface_forms_points(r->surfaces[on], 1, &u, &v, 1, &forms) != TAUT_OK) {
+        return INFINITY;
+    }
+    for (size_t c = 0; c < 3; c++) {
+        point[c] =
+            ldexp(taut_record_number(taut_record_at(taut_record_get(node, "point"), c)), -r->unit);
+        normal[c] = taut_record_number(taut_record_at(taut_record_get(node, "normal"), c));
+    }
+    away = taut_certify_max(taut_distance(point, x), taut_distance(there, x)) / r->size;
+    return forms.regular ? taut_certify_max(away, taut_distance(normal, forms.normal)) : away;
+}
+
 static taut_status add_nodes(const request *r, taut_certificate *certificate)
 {
     const taut_record *nodes = taut_record_get(taut_model_details(r->lines.model), "nodes");
@@ -616,6 +656,11 @@ static taut_status add_nodes(const request *r, taut_certificate *certificate)
             }
             residual =
                 status == TAUT_OK ? ldexp(taut_distance(x[0], x[1]), -r->unit) / r->size : INFINITY;
+            for (int c = 0; c < 3; c++) {
+                x[0][c] = ldexp(x[0][c], -r->unit);
+            }
+            residual = residual < INFINITY ? taut_certify_max(residual, node_off(r, node, x[0]))
+                                           : residual;
         }
         take(&w, residual, name, taut_record_number(taut_record_at(s, 0)));
     }
@@ -630,17 +675,6 @@ static int makes_right_angles(const request *r)
     return (r->problem != NULL && r->problem->of != NULL &&
             strcmp(taut_problem_construction(r->problem->of), "bonnet") == 0) ||
            r->is_minimal;
-}
-
-/* The surface of this name, where there are several. */
-static int surface_named(const request *r, const taut_record *name)
-{
-    for (int k = 1; k < r->lines.surface_count; k++) {
-        if (strcmp(taut_surface_name(r->surfaces[k]), taut_record_text(name)) == 0) {
-            return k;
-        }
-    }
-    return 0;
 }
 
 /* |H| / R at the nodes of an asymptotic net of a minimal surface: the cosine of the angle there. */
@@ -675,7 +709,7 @@ static taut_status add_spacing(const request *r, taut_arena *arena, taut_certifi
     worst w = {0, ""};
     int seed = 0;
     const taut_status status =
-        taut_net_spacing(&r->lines, r->cells, r->problem, arena, &w.residual, &seed);
+        taut_net_spacing(&r->lines, r->cells, r->unit, r->problem, arena, &w.residual, &seed);
     if (status != TAUT_OK || w.residual < 0) {
         return status;
     }
@@ -870,7 +904,7 @@ static taut_status prove(const request *r, taut_arena *arena, taut_certificate *
         status = add_isometric(r, certificate);
     }
     if (status == TAUT_OK) {
-        status = taut_net_pieces_add(&r->lines, r->problem, arena, certificate);
+        status = taut_net_pieces_add(&r->lines, r->problem, r->tolerance, arena, certificate);
     }
     return status == TAUT_OK ? add_figures(r, certificate) : status;
 }
@@ -943,6 +977,81 @@ static taut_status certify(const taut_model *model, const void *data, const taut
     return status;
 }
 
+/* ---- which curves ---- */
+
+static const taut_curve *curve_of(const taut_model *model, const char *name, int *index)
+{
+    *index = -1;
+    for (int k = 0; k < taut_model_curve_count(model); k++) {
+        if (strcmp(taut_curve_name(taut_model_curve(model, k)), name) == 0) {
+            *index = k;
+            return taut_model_curve(model, k);
+        }
+    }
+    return NULL;
+}
+
+/* Ends and middle of a curve in space, either way around. */
+static int are_one_curve(const taut_curve *a, const taut_curve *b)
+{
+    double x[2][3][3], length[2];
+    for (int k = 0; k < 2; k++) {
+        const taut_basis *basis = taut_curve_t(k == 0 ? a : b);
+        const double lo = taut_basis_lo(basis), hi = taut_basis_hi(basis);
+        length[k] = hi - lo;
+        for (int i = 0; i < 3; i++) {
+            taut_curve_eval(k == 0 ? a : b, lo + (hi - lo) * i / 2, 0, x[k][i]);
+        }
+    }
+    const double room = one_curve * length[0];
+    const int same =
+        taut_distance(x[0][0], x[1][0]) <= room && taut_distance(x[0][2], x[1][2]) <= room;
+    const int turned =
+        taut_distance(x[0][0], x[1][2]) <= room && taut_distance(x[0][2], x[1][0]) <= room;
+    return (same || turned) && taut_distance(x[0][1], x[1][1]) <= room &&
+           fabs(length[0] - length[1]) <= room;
+}
+
+/* How many curves of a family the seeds of the document may make. */
+static int most_of(const taut_trace_problem *problem, int family)
+{
+    int most = 0;
+    for (int k = 0; k < problem->seed_count; k++) {
+        const taut_trace_seed *seed = &problem->seeds[k];
+        int families = seed->family != 0 ? seed->family : 3;
+        families &= problem->families != 0 ? problem->families : 3;
+        const int is_parted = seed->kind == TAUT_TRACE_EDGE || seed->kind == TAUT_TRACE_LINE ||
+                              seed->kind == TAUT_TRACE_LATH;
+        if (problem->net != TAUT_TRACE_GEODESIC && !(families & (1 << family))) {
+            continue;
+        }
+        if (!is_parted && seed->kind != TAUT_TRACE_AT) {
+            return TAUT_TRACE_LATHS_MAX;
+        }
+        most += is_parted ? seed->count + 2 * (seed->ends != 0) : 1;
+    }
+    return problem->seed_count > 0                                       ? most
+           : problem->families == 0 || problem->families & (1 << family) ? TAUT_TRACE_LATHS_MAX
+                                                                         : 0;
+}
+
+/* With the document: a curve that its seeds can make, and that is not there already. */
+static int is_asked(const taut_model *model, const taut_trace_problem *problem, const char *name,
+                    int counts[2])
+{
+    const int family = name[0] == 'B';
+    int index = -1;
+    const taut_curve *curve = problem != NULL ? curve_of(model, name, &index) : NULL;
+    for (int k = 0; curve != NULL && k < index; k++) {
+        const taut_curve *before = taut_model_curve(model, k);
+        if ((taut_curve_name(before)[0] == 'B') == family && are_one_curve(before, curve)) {
+            return 0;
+        }
+    }
+    counts[family]++;
+    return problem == NULL || counts[family] <= most_of(problem, family);
+}
+
 /* The first surface, or all where curves go on from one to the next, and the curves A1, A2, ..., B1, ... in any order: those of details.domain. */
 static void identify(const taut_model *model, const void *data, taut_identity *identity)
 {
@@ -953,6 +1062,7 @@ static void identify(const taut_model *model, const void *data, taut_identity *i
                                     : NULL;
     const char *name = given != NULL ? taut_surface_name(given) : NULL;
     const char *before = "";
+    int counts[2] = {0, 0};
 
     const int is_carried = problem != NULL
                                ? problem->carry
@@ -964,7 +1074,7 @@ static void identify(const taut_model *model, const void *data, taut_identity *i
     }
     for (size_t k = 0; k < taut_record_count(domain); k++) {
         const char *curve = taut_record_text(taut_record_get(taut_record_at(domain, k), "name"));
-        if (strcmp(curve, before) != 0) {
+        if (strcmp(curve, before) != 0 && is_asked(model, problem, curve, counts)) {
             taut_identity_curve(identity, taut_identity_find_curve(identity, curve), curve, NULL);
         }
         before = curve;
