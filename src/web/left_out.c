@@ -13,8 +13,8 @@
 #include "io/problem/film_along.h"
 #include "io/problem/film_curves.h"
 #include "io/problem/film_patches.h"
+#include "io/step/assembly.h"
 #include "mesh/parts.h"
-#include "shell/thick/thick.h"
 
 static taut_status write_nothing(const taut_model *model, const taut_write_options *options,
                                  FILE *out, taut_error *error)
@@ -47,13 +47,81 @@ taut_status taut_mesh_thicken(const taut_mesh *thin, const taut_model *model, do
         "surfaces are not made thick in the browser: let the program `taut convert` do it");
 }
 
-taut_status taut_thick_new(const taut_model *nurbs, const taut_thick_request *request,
-                           taut_arena *arena, taut_thick *sheet, taut_error *error)
+taut_status taut_cad_make_sheets(const taut_write_options *options, double tolerance,
+                                 taut_arena *arena, taut_model **nurbs, taut_cad_facts *facts,
+                                 taut_error *error)
 {
-    (void)request;
+    (void)tolerance;
     (void)arena;
-    (void)sheet;
-    return taut_mesh_thicken(NULL, nurbs, 0, 0, NULL, error);
+    (void)nurbs;
+    (void)facts;
+    return taut_mesh_thicken(NULL, NULL, options->thickness, 0, NULL, error);
+}
+
+/* All as one part. */
+taut_status taut_step_list_parts(const taut_model *nurbs, const taut_cad_facts *facts,
+                                 taut_arena *arena, int *count, taut_step_part **parts,
+                                 double *moved)
+{
+    *parts = taut_arena_take(arena, 1, sizeof **parts);
+    *count = 1;
+    *moved = 0;
+    if (*parts == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    **parts = (taut_step_part){.name = facts->name, .model = nurbs};
+    return TAUT_OK;
+}
+
+void taut_step_put_places(taut_part21 *out, int count, taut_step_part *parts, size_t *places)
+{
+    (void)out;
+    (void)count;
+    (void)parts;
+    (void)places;
+}
+
+void taut_step_put_uses(taut_part21 *out, int count, const taut_step_part *parts,
+                        const taut_step_spaces *spaces)
+{
+    (void)out;
+    (void)count;
+    (void)parts;
+    (void)spaces;
+}
+
+taut_status taut_step_check_bodies(const taut_model *nurbs, const taut_shells *shells,
+                                   taut_error *error)
+{
+    (void)nurbs;
+    (void)shells;
+    (void)error;
+    return TAUT_OK;
+}
+
+taut_status taut_step_find_hollows(const taut_cad_facts *facts, const taut_shells *shells,
+                                   taut_arena *arena, int **outside)
+{
+    (void)facts;
+    *outside = taut_arena_take(arena, (size_t)shells->face_count, sizeof **outside);
+    for (int f = 0; *outside != NULL && f < shells->face_count; f++) {
+        (*outside)[f] = -1;
+    }
+    return *outside != NULL ? TAUT_OK : TAUT_NO_MEMORY;
+}
+
+/* No model here was read from such a file. */
+taut_status taut_cad_keep_looks(const taut_model *model, const taut_write_options *options,
+                                taut_arena *arena, taut_model *nurbs, taut_cad_facts *facts,
+                                taut_error *error)
+{
+    (void)model;
+    (void)options;
+    (void)arena;
+    (void)nurbs;
+    (void)facts;
+    (void)error;
+    return TAUT_OK;
 }
 
 static void refuse_file(taut_reader *document)

@@ -50,7 +50,9 @@ if command -v freecadcmd > /dev/null; then
     "$TAUT" measure trace-enneper.json --json > measured.json
     cat > look.py <<PY
 import FreeCAD, importDXF, json
-FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/Draft").SetBool("dxfShowDialog", False)
+draft = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/Draft")
+draft.SetBool("dxfShowDialog", False)
+draft.SetBool("dxfUseLegacyImporter", True) # which gives an object for each curve, whatever was set last
 importDXF.open("$PWD/trace-enneper.dxf")
 objects = [o for o in FreeCAD.ActiveDocument.Objects if hasattr(o, "Shape")]
 length = sum(o.Shape.Length for o in objects)

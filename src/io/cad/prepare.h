@@ -36,4 +36,15 @@ taut_status taut_cad_prepare(const taut_model *model, const taut_write_options *
 /* facts->exact, of facts->bound and what was measured. */
 void taut_cad_say_bound(const char *unit, taut_cad_facts *facts);
 
+/* looks.c: details.colours of what comes from `model`, and the parts of facts. TAUT_NO_MEMORY. */
+taut_status taut_cad_keep_looks(const taut_model *model, const taut_write_options *options,
+                                taut_arena *arena, taut_model *nurbs, taut_cad_facts *facts,
+                                taut_error *error);
+
+/* sheets.c: puts the sheets of the surfaces in their place, within `tolerance`, a length. TAUT_NO_SOLUTION: there are no surfaces;
+ * else as taut_thick_new. */
+taut_status taut_cad_make_sheets(const taut_write_options *options, double tolerance,
+                                 taut_arena *arena, taut_model **nurbs, taut_cad_facts *facts,
+                                 taut_error *error);
+
 #endif /* TAUT_IO_CAD_PREPARE_H */

@@ -217,3 +217,54 @@ taut_status taut_step_list_parts(const taut_model *nurbs, const taut_cad_facts *
     }
     return TAUT_OK;
 }
+
+/* A placement; A is a rotation. */
+static size_t put_place(taut_part21 *out, const double place[12])
+{
+    const double origin[3] = {place[3], place[7], place[11]};
+    const double axis[3] = {place[2], place[6], place[10]};
+    const double ahead[3] = {place[0], place[4], place[8]};
+    const size_t point = TAUT_NEW(out, "CARTESIAN_POINT('',%)", TAUT_REALS(3, origin, 1));
+    const size_t up = taut_step_put_direction(out, 3, axis),
+                 right = taut_step_put_direction(out, 3, ahead);
+    return TAUT_NEW(out, "AXIS2_PLACEMENT_3D('',%,%,%)", TAUT_REF(point), TAUT_REF(up),
+                    TAUT_REF(right));
+}
+
+/* A use of a part, at a placement. */
+static void put_use(taut_part21 *out, size_t number, const char *name, size_t at,
+                    const taut_step_spaces *spaces, const taut_step_product *whole,
+                    const taut_step_product *part)
+{
+    const size_t use =
+        TAUT_NEW(out, "NEXT_ASSEMBLY_USAGE_OCCURRENCE('%',%,'',%,%,$)", TAUT_NUMBER(number),
+                 TAUT_TEXT(name), TAUT_REF(whole->definition), TAUT_REF(part->definition));
+    const size_t form = TAUT_NEW(out, "PRODUCT_DEFINITION_SHAPE('','',%)", TAUT_REF(use));
+    const size_t place = TAUT_NEW(out, "ITEM_DEFINED_TRANSFORMATION('','',%,%)",
+                                  TAUT_REF(spaces->placement), TAUT_REF(at));
+    const size_t relation = TAUT_NEW(
+        out,
+        "(REPRESENTATION_RELATIONSHIP('','',%,%)REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION(%)"
+        "\nSHAPE_REPRESENTATION_RELATIONSHIP())",
+        TAUT_REF(part->shape), TAUT_REF(whole->shape), TAUT_REF(place));
+    TAUT_NEW(out, "CONTEXT_DEPENDENT_SHAPE_REPRESENTATION(%,%)", TAUT_REF(relation),
+             TAUT_REF(form));
+}
+
+void taut_step_put_places(taut_part21 *out, int count, taut_step_part *parts, size_t *places)
+{
+    for (int i = 1; i < count; i++) {
+        places[i] = put_place(out, parts[i].place);
+    }
+    parts[0].content.place_count = (size_t)count - 1;
+    parts[0].content.places = places;
+}
+
+void taut_step_put_uses(taut_part21 *out, int count, const taut_step_part *parts,
+                        const taut_step_spaces *spaces)
+{
+    for (int i = 1; i < count; i++) {
+        put_use(out, (size_t)i, parts[i].name, parts[0].content.places[i], spaces,
+                &parts[0].product, &parts[parts[i].of].product);
+    }
+}

@@ -25,4 +25,16 @@ taut_status taut_step_list_parts(const taut_model *nurbs, const taut_cad_facts *
                                  taut_arena *arena, int *count, taut_step_part **parts,
                                  double *moved);
 
+/* The placements of parts, into places[count] and the content of the whole; and, after all products, their uses. */
+void taut_step_put_places(taut_part21 *out, int count, taut_step_part *parts, size_t *places);
+void taut_step_put_uses(taut_part21 *out, int count, const taut_step_part *parts,
+                        const taut_step_spaces *spaces);
+
+/* bodies.c: sheets are bodies, every one: else TAUT_NO_SOLUTION, "sheet". */
+taut_status taut_step_check_bodies(const taut_model *nurbs, const taut_shells *shells,
+                                   taut_error *error);
+/* (*outside)[faces]: see taut_step_put_faces; from the arena. TAUT_NO_MEMORY. */
+taut_status taut_step_find_hollows(const taut_cad_facts *facts, const taut_shells *shells,
+                                   taut_arena *arena, int **outside);
+
 #endif /* TAUT_IO_STEP_ASSEMBLY_H */

@@ -33,11 +33,7 @@ typedef struct taut_step_product {
 } taut_step_product;
 void taut_step_put_product(taut_part21 *out, const char *name, const taut_step_spaces *spaces,
                            taut_step_content *content, taut_step_product *product);
-/* A placement, of the rows of (A | b), A a rotation; and a use of a part of an assembly there. */
-size_t taut_step_put_place(taut_part21 *out, const double place[12]);
-void taut_step_put_use(taut_part21 *out, size_t number, const char *name, size_t place,
-                       const taut_step_spaces *spaces, const taut_step_product *whole,
-                       const taut_step_product *part);
+size_t taut_step_put_direction(taut_part21 *out, size_t count, const double *direction);
 
 /* geometry.c: a surface, whose points have numbers from *points on, u slowest; a curve of its own;
  * the curve that is edge 0..3 of a surface, on the surface's points from `points` on, or, where that is 0,

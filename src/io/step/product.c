@@ -38,7 +38,7 @@ static size_t put_length(taut_part21 *out, const char *unit)
                     TAUT_TEXT(units[i].name), TAUT_REF(factor), TAUT_REF(exponents));
 }
 
-static size_t put_direction(taut_part21 *out, size_t count, const double *direction)
+size_t taut_step_put_direction(taut_part21 *out, size_t count, const double *direction)
 {
     return TAUT_NEW(out, "DIRECTION('',%)", TAUT_REALS(count, direction, 1));
 }
@@ -67,11 +67,12 @@ void taut_step_put_spaces(taut_part21 *out, const char *unit, double precision,
                         "PARAMETRIC_REPRESENTATION_CONTEXT()REPRESENTATION_CONTEXT('',''))",
                         NULL);
     for (int d = 0; d < 2; d++) {
-        const size_t direction = put_direction(out, 2, along[d]);
+        const size_t direction = taut_step_put_direction(out, 2, along[d]);
         spaces->along[d] = TAUT_NEW(out, "VECTOR('',%,1.)", TAUT_REF(direction));
     }
     const size_t point = TAUT_NEW(out, "CARTESIAN_POINT('',%)", TAUT_REALS(3, origin, 1));
-    const size_t up = put_direction(out, 3, axis), right = put_direction(out, 3, ahead);
+    const size_t up = taut_step_put_direction(out, 3, axis),
+                 right = taut_step_put_direction(out, 3, ahead);
     spaces->placement = TAUT_NEW(out, "AXIS2_PLACEMENT_3D('',%,%,%)", TAUT_REF(point), TAUT_REF(up),
                                  TAUT_REF(right));
 }
@@ -152,34 +153,4 @@ void taut_step_put_product(taut_part21 *out, const char *name, const taut_step_s
     const size_t form =
         TAUT_NEW(out, "PRODUCT_DEFINITION_SHAPE('','',%)", TAUT_REF(product->definition));
     TAUT_NEW(out, "SHAPE_DEFINITION_REPRESENTATION(%,%)", TAUT_REF(form), TAUT_REF(product->shape));
-}
-
-size_t taut_step_put_place(taut_part21 *out, const double place[12])
-{
-    const double origin[3] = {place[3], place[7], place[11]};
-    const double axis[3] = {place[2], place[6], place[10]};
-    const double ahead[3] = {place[0], place[4], place[8]};
-    const size_t point = TAUT_NEW(out, "CARTESIAN_POINT('',%)", TAUT_REALS(3, origin, 1));
-    const size_t up = put_direction(out, 3, axis), right = put_direction(out, 3, ahead);
-    return TAUT_NEW(out, "AXIS2_PLACEMENT_3D('',%,%,%)", TAUT_REF(point), TAUT_REF(up),
-                    TAUT_REF(right));
-}
-
-void taut_step_put_use(taut_part21 *out, size_t number, const char *name, size_t at,
-                       const taut_step_spaces *spaces, const taut_step_product *whole,
-                       const taut_step_product *part)
-{
-    const size_t use =
-        TAUT_NEW(out, "NEXT_ASSEMBLY_USAGE_OCCURRENCE('%',%,'',%,%,$)", TAUT_NUMBER(number),
-                 TAUT_TEXT(name), TAUT_REF(whole->definition), TAUT_REF(part->definition));
-    const size_t form = TAUT_NEW(out, "PRODUCT_DEFINITION_SHAPE('','',%)", TAUT_REF(use));
-    const size_t place = TAUT_NEW(out, "ITEM_DEFINED_TRANSFORMATION('','',%,%)",
-                                  TAUT_REF(spaces->placement), TAUT_REF(at));
-    const size_t relation = TAUT_NEW(
-        out,
-        "(REPRESENTATION_RELATIONSHIP('','',%,%)REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION(%)"
-        "\nSHAPE_REPRESENTATION_RELATIONSHIP())",
-        TAUT_REF(part->shape), TAUT_REF(whole->shape), TAUT_REF(place));
-    TAUT_NEW(out, "CONTEXT_DEPENDENT_SHAPE_REPRESENTATION(%,%)", TAUT_REF(relation),
-             TAUT_REF(form));
 }

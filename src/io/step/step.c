@@ -114,37 +114,6 @@ static double distance_of(const taut_model *nurbs, const taut_step_form *forms)
     return most;
 }
 
-/* Sheets are bodies, every one. */
-static taut_status check_bodies(const taut_model *nurbs, const taut_shells *shells,
-                                taut_error *error)
-{
-    int i = 0;
-    while (i < shells->shell_count && shells->shells[i].solid) {
-        i++;
-    }
-    return i == shells->shell_count
-               ? TAUT_OK
-               : taut_fail(
-                     error, TAUT_NO_SOLUTION, "sheet", NULL, taut_none, taut_none,
-                     "the sheet around \"%.60s\" does not close: surfaces meet three at an "
-                     "edge, or at a corner only, or their sides touch",
-                     taut_surface_name(taut_model_surface(nurbs, shells->shells[i].faces[0])));
-}
-
-/* The face that is the other side of a body's, for each face of a hollow's inside; -1 for all else. Sides come one after the
- * other; those of a sheet with an outline are in one shell. */
-static taut_status find_hollows(const taut_cad_facts *facts, const taut_shells *shells,
-                                taut_arena *arena, int **outside)
-{
-    *outside = taut_arena_take(arena, (size_t)shells->face_count, sizeof **outside);
-    for (int f = 0; *outside != NULL && f < shells->face_count; f++) {
-        const int apart = facts->from != NULL && f > 0 && facts->from[f] == facts->from[f - 1] &&
-                          shells->faces[f].shell != shells->faces[f - 1].shell;
-        (*outside)[f] = apart ? f - 1 : -1;
-    }
-    return *outside != NULL ? TAUT_OK : TAUT_NO_MEMORY;
-}
-
 static taut_status prepare_part(taut_step_part *p, const taut_cad_facts *facts, taut_arena *arena,
                                 taut_error *error)
 {
@@ -156,10 +125,11 @@ static taut_status prepare_part(taut_step_part *p, const taut_cad_facts *facts, 
         status = find_forms(p->model, &p->shells, arena, &p->forms);
     }
     if (status == TAUT_OK) {
-        status = find_hollows(facts, &p->shells, arena, &p->outside);
+        status = taut_step_find_hollows(facts, &p->shells, arena, &p->outside);
     }
-    return status == TAUT_OK && facts->thickness > 0 ? check_bodies(p->model, &p->shells, error)
-                                                     : status;
+    return status == TAUT_OK && facts->thickness > 0
+               ? taut_step_check_bodies(p->model, &p->shells, error)
+               : status;
 }
 
 /* What is looked at before the first byte: shells and forms, and how near all is. */
@@ -210,19 +180,14 @@ static taut_status put_data(taut_part21 *out, int count, taut_step_part *parts,
     }
     put_header(out, facts);
     taut_step_put_spaces(out, taut_model_unit(parts[0].model), facts->precision, &spaces);
-    for (int i = 1; i < count; i++) {
-        places[i] = taut_step_put_place(out, parts[i].place);
-    }
-    parts[0].content.place_count = (size_t)count - 1;
-    parts[0].content.places = places;
+    taut_step_put_places(out, count, parts, places);
     for (int i = 0; i < count && status == TAUT_OK; i++) {
         parts[i].product.field = i > 0 ? parts[0].product.field : 0;
         parts[i].product.stage = i > 0 ? parts[0].product.stage : 0;
         status = i == 0 || parts[i].of == i ? put_part(out, &spaces, arena, &parts[i]) : TAUT_OK;
     }
-    for (int i = 1; i < count && status == TAUT_OK; i++) {
-        taut_step_put_use(out, (size_t)i, parts[i].name, places[i], &spaces, &parts[0].product,
-                          &parts[parts[i].of].product);
+    if (status == TAUT_OK) {
+        taut_step_put_uses(out, count, parts, &spaces);
     }
     taut_part21_put(out, "ENDSEC;\nEND-ISO-10303-21;\n", NULL);
     return status;
