@@ -52,7 +52,8 @@ if command -v freecadcmd > /dev/null; then
 import FreeCAD, importDXF, json
 draft = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/Draft")
 draft.SetBool("dxfShowDialog", False)
-draft.SetBool("dxfUseLegacyImporter", True) # which gives an object for each curve, whatever was set last
+draft.SetBool("dxfUseLegacyImporter", False)
+draft.SetBool("groupLayers", False) # an object for each curve, whatever was set last
 importDXF.open("$PWD/trace-enneper.dxf")
 objects = [o for o in FreeCAD.ActiveDocument.Objects if hasattr(o, "Shape")]
 length = sum(o.Shape.Length for o in objects)
