@@ -26,7 +26,7 @@ static const double gain_enough =
     3e-10; /* of all coordinates: points that slide along themselves creep */
 static const double gain_held = 0.01; /* of the tolerance: of films whose edges do not slide */
 static const double residual_enough =
-    3e-7;                               /* of all coordinates there: the certificate allows 1e-6 */
+    3e-9;                               /* of all coordinates there: the certificate allows 1e-6 */
 static const double moved_near = 0.1;   /* 0.05 of the size: a start that lies at a film */
 static const double area_none = 1e-12;  /* of the size squared */
 static const double theta_least = 1e-6; /* of the metric operator in every step */
