@@ -103,6 +103,9 @@ def details():
         model = model_of("trace-principal")
         model["details"]["nodes"][1][key] = value
         judge(f"another {key} of a node", model, "trace-principal", "nodes")
+    model = model_of("trace-principal")
+    model["details"]["nodes"][1]["s"][1] *= 0.99
+    judge("another length of a node's second curve", model, "trace-principal", "nodes")
     for name in ["trace-bonnet", "trace-planks"]:
         model = model_of(name)
         for k, piece in enumerate(model["details"]["pieces"]):

@@ -6,12 +6,18 @@
 #include <string.h>
 #include <time.h>
 
+/* There is a C library that knows no date from the year 3001 on. */
+static const int64_t end_of_some = 32535216000;
+
 static void compare(int64_t seconds)
 {
     const time_t date = (time_t)seconds;
     const struct tm *parts = gmtime(&date);
     char found[TAUT_DATE_ROOM], expected[TAUT_DATE_ROOM] = "";
     taut_date_text(seconds, found);
+    if (parts == NULL && seconds >= end_of_some) {
+        return;
+    }
     CHECK(parts != NULL && strftime(expected, sizeof expected, "%Y-%m-%dT%H:%M:%S", parts) == 19,
           "second %.0f", (double)seconds);
     CHECK(strcmp(found, expected) == 0, "%s for %s", found, expected);
