@@ -168,7 +168,7 @@ def test_rings():
         found = taut.film_gradient(ring(0), made, of)
         assert not any(corner.any() for corner in found.corners.values()) and set(found.cables) == {"v1"}
         terms = (found.points * edge).sum() - 0.5 * found.cables["v1"]
-        assert abs(terms - slope([m.certificate.figures[of] for m in moved])) < 1e-8 * (1 + abs(terms))
+        assert abs(terms - slope([m.certificate.figures[of] for m in moved])) < 3e-8 * (1 + abs(terms))  # all coordinates are at rest to 1e-8
 
 
 def test_films_refused(examples):

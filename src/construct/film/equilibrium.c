@@ -52,7 +52,7 @@ static const double energy_agreement = 1e-13; /* share: two rules that agree */
 static const double energy_near = 1e-9;       /* share: a few steps lead from one to the next */
 static const double residual_agreement = 0.1; /* of the tolerance */
 static const double residual_settled = 0.01;  /* of the tolerance: no step more is worth its cost */
-static const double residual_any = 2e-9;      /* of all coordinates: the certificate allows 1e-6 */
+static const double residual_any = 1e-8;      /* of all coordinates: the certificate allows 1e-6 */
 static const double residual_held = 1e-7;     /* the same where no line slides along itself */
 static const double residual_rough = 1e-3;    /* of all coordinates, by the method `normal` */
 /* Of given lengths: share. Rounding is 1e-15, the certificate's limit 1e-10. */
