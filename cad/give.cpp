@@ -12,12 +12,9 @@
 #include <Geom_OffsetSurface.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
 #include <Geom_TrimmedCurve.hxx>
-#include <Interface_Check.hxx>
-#include <Interface_ReportEntity.hxx>
 #include <Standard_Failure.hxx>
 #include <Standard_OutOfMemory.hxx>
 #include <TColStd_Array1OfReal.hxx>
-#include <TCollection_HAsciiString.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
@@ -34,27 +31,6 @@
 #include <cmath>
 #include <utility>
 #include <vector>
-
-void occt_check_loaded(const Handle(Interface_InterfaceModel) & model,
-                       const Handle(Standard_Type) & needed)
-{
-    Handle(Interface_Check) check = model->GlobalCheck();
-    if (check->HasFailed()) {
-        throw occt_failure(TAUT_BAD_INPUT, "broken",
-                           std::string("the file is broken: ") + check->CFail(1));
-    }
-    for (int i = 1; i <= model->NbEntities(); i++) {
-        if (model->IsReportEntity(i) && model->Value(i)->IsKind(needed)) {
-            check = model->ReportEntity(i)->Check();
-            if (check->HasFailed()) {
-                throw occt_failure(
-                    TAUT_BAD_INPUT, "broken",
-                    "entity " + std::string(model->StringLabel(model->Value(i))->ToCString()) +
-                        " is broken: " + check->CFail(1));
-            }
-        }
-    }
-}
 
 /* The geometry a face or an edge hangs on, where it is not moved: what names are kept by. */
 static const void *geometry_of(const TopoDS_Shape &shape)
@@ -260,6 +236,9 @@ static Handle(Geom_BSplineSurface) convert_surface(const TopoDS_Face &face, int 
         whole = whole && (BRep_Tool::NaturalRestriction(face) || cut_to(made, box));
     } else {
         notes |= surface->IsKind(STANDARD_TYPE(Geom_OffsetSurface)) ? TAUT_CAD_APPROXIMATE : 0;
+        made = occt_round(surface, box.lo, box.hi);
+    }
+    if (made.IsNull()) {
         made = GeomConvert::SurfaceToBSplineSurface(new Geom_RectangularTrimmedSurface(
             surface, box.lo[0], box.hi[0], box.lo[1], box.hi[1]));
         clamp(made);

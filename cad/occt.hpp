@@ -8,6 +8,7 @@
 #include <Interface_InterfaceModel.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
+#include <Transfer_TransientProcess.hxx>
 
 #include <map>
 #include <stdexcept>
@@ -65,9 +66,26 @@ TopoDS_Shape occt_read_iges(const taut_cad_job &job, const occt_sink &sink, occt
 void occt_check_loaded(const Handle(Interface_InterfaceModel) & model,
                        const Handle(Standard_Type) & needed);
 
+/* Faces of a STEP file that are left out, each with the reason. */
+using occt_faults = std::map<const void *, std::string>;
+
+/* The same for STEP, whose faces are worth having without those that are broken: these get no surface. TAUT_BAD_INPUT where
+ * what is broken is a part of no face. */
+void occt_leave_out_broken(const Handle(Interface_InterfaceModel) & model, occt_faults &faults);
+
+/* Names all faces that the library made nothing of; how many they are. */
+int occt_name_left_out(const Handle(Interface_InterfaceModel) & model,
+                       const Handle(Transfer_TransientProcess) & process, const occt_faults &faults,
+                       const occt_sink &sink);
+
 /* A plane within one circle, or between two about one centre, as a surface; null where the face is no such one. */
 Handle(Geom_BSplineSurface)
     occt_disc(const TopoDS_Face &face, const Handle(Geom_Surface) & surface);
+
+/* A cylinder, cone, sphere, torus or surface of revolution over a range of its parameters, in arcs of a quarter turn at most;
+ * null for surfaces of another kind. */
+Handle(Geom_BSplineSurface)
+    occt_round(const Handle(Geom_Surface) & surface, const double lo[2], const double hi[2]);
 
 /* Every face and every edge that bounds no face, as items, in the order of the shape; with `edges` faces that are trimmed as
  * their edges, after all else: "FACE.1", "FACE.2", ..., the outer ones first, around. */

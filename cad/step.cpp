@@ -64,6 +64,9 @@ static const char *unit_of(const TCollection_AsciiString &name)
 static int size_of(const TopoDS_Shape &shape)
 {
     TopTools_IndexedMapOfShape parts;
+    if (shape.IsNull()) {
+        return 0;
+    }
     TopExp::MapShapes(shape, TopAbs_FACE, parts);
     TopExp::MapShapes(shape, TopAbs_EDGE, parts);
     return parts.Extent();
@@ -154,12 +157,13 @@ TopoDS_Shape occt_read_step(const taut_cad_job &job, const occt_sink &sink, occt
     STEPControl_Reader reader;
     TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
     const char *unit = "mm";
+    occt_faults faults;
 
     occt_keep_closed();
     if (reader.ReadFile(job.path) != IFSelect_RetDone) {
         throw occt_failure(TAUT_BAD_INPUT, "broken", "this is no STEP file, or a broken one");
     }
-    occt_check_loaded(reader.Model(), STANDARD_TYPE(StepRepr_RepresentationItem));
+    occt_leave_out_broken(reader.Model(), faults);
     reader.FileUnits(lengths, angles, solid_angles);
     if (lengths.Length() > 0 && unit_of(lengths.First()) != nullptr) {
         unit = unit_of(lengths.First());
@@ -186,5 +190,13 @@ TopoDS_Shape occt_read_step(const taut_cad_job &job, const occt_sink &sink, occt
     }
     add_products(process, names);
     add_colours(reader.WS(), process, names);
-    return reader.OneShape();
+    const TopoDS_Shape shape = reader.OneShape();
+    const int left_out = occt_name_left_out(reader.Model(), process, faults, sink);
+    if (left_out > 0 && size_of(shape) == 0) {
+        throw occt_failure(TAUT_BAD_INPUT, "broken",
+                           faults.empty()
+                               ? "none of its " + std::to_string(left_out) + " faces can be read"
+                               : faults.begin()->second);
+    }
+    return shape;
 }

@@ -88,6 +88,40 @@ PY
     ! grep -q '^ *402 ' model.igs || complain "a group of one"
     run 0 convert pipe.igs -o back.json
     [ "$(grep -c '"name": "' back.json)" = 4 ] || complain "names out of a group: $(grep '"name"' back.json)"
+    # a face that cannot be had is named and left out, with what it is a part of only; the rest of the file is read
+    "$TAUT" example pipe-run-coil > problem.json
+    run 0 make problem.json --quiet -o coil.step
+    faces=$(grep -c '=ADVANCED_FACE(' coil.step)
+    sed 's/^\(#[0-9]*\)=PLANE(.*/\1=LEAF_SURFACE(1.);/' coil.step > kind.step
+    run 0 convert kind.step -o kind.json
+    contains err.txt 'face #[0-9]* of the file, "cap1", is left out: entity #[0-9]* is broken: its surface is of a kind that OpenCASCADE does not know'
+    [ "$(grep -c 'is left out' err.txt)" = 2 ] || complain "planes: $(cat err.txt)"
+    sed '/"curves"/,$ d' kind.json | grep -c '"name"' > count.txt
+    [ "$(cat count.txt)" = $((faces - 2)) ] || complain "without planes: $(cat count.txt) of $faces surfaces"
+    python3 - <<'PY' || complain 'multiplicities: not set'
+import re
+text = open("coil.step").read()
+made, count = re.subn(r"(B_SPLINE_SURFACE_WITH_KNOTS\s*\(\()5,", r"\g<1>6,", text, count=1)
+open("often.step", "w").write(made)
+raise SystemExit(count != 1)
+PY
+    run 0 convert often.step -o often.json
+    contains err.txt 'is left out: OpenCASCADE makes no spline of entity #[0-9]*: its degrees, knots, multiplicities and points do not agree'
+    [ "$(grep -c 'is left out' err.txt)" = 1 ] || complain "multiplicities: $(cat err.txt)"
+    sed '/"curves"/,$ d' often.json | grep -c '"name"' > count.txt
+    [ "$(cat count.txt)" = $((faces - 1)) ] || complain "without one: $(cat count.txt) of $faces surfaces"
+    # what is a part of no face is none to be done without
+    sed 's/^\(#[0-9]*=MANIFOLD_SOLID_BREP([^,]*,\)#[0-9]*/\1#1/' coil.step > body.step
+    run 3 convert body.step -o body.json
+    contains err.txt 'taut help broken'
+    absent body.json
+    # the one product of a file keeps its name, in STEP, in IGES and by way of JSON
+    sed "s/=PRODUCT('pipe','pipe'/=PRODUCT('Leitung 7','Leitung 7'/" coil.step > named.step
+    run 0 convert named.step -o named.json
+    contains named.json '"product": "Leitung 7"'
+    run 0 convert named.json -o named2.step -o named.igs
+    contains named2.step "=PRODUCT.'Leitung 7'"
+    contains named.igs '9HLeitung 7'
     "$helper" --version | grep -q '^taut-cad, protocol 5, OpenCASCADE [0-9]' || complain "$helper says no version"
     "$helper" model.igs > /dev/null 2>&1 && complain "$helper takes an argument"
 fi

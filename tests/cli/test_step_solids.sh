@@ -51,6 +51,26 @@ if "$PROBE"; then
     near "$(sed -n 's/^walled.step.* volume \([-+.e0-9]*\) .*/\1/p' walled.txt)" "$material" 1e-10 'walled.step, OpenCASCADE'
     contains probe.txt '^open.step read 1 valid 1 closed 0 solids 0 shells 1 faces 3 .* free 2 colours 3 '
     contains probe.txt '^extension.step read 1 valid 1 closed 0 solids 0 shells 1 faces 2 '
+    # what is read and written again is the same body, of the same planes, cylinders and tori
+    "$TAUT" example pipe-run-arcs > arcs-problem.json
+    run 0 make arcs-problem.json --quiet -o bends.step
+    for name in capped ring walled bends open; do
+        run 0 convert $name.step -o again-$name.step
+        run 0 convert $name.step -o again-$name.igs
+        run 0 convert again-$name.igs -o twice-$name.step
+        "$PROBE" $name.step again-$name.step twice-$name.step | sed 's/^[^ ]* //' > same.txt
+        for file in again-$name twice-$name; do
+            for form in PLANE CYLINDRICAL_SURFACE TOROIDAL_SURFACE; do
+                [ "$(grep -c "=$form(" $name.step)" = "$(grep -c "=$form(" $file.step)" ] || complain "$file.step has other surfaces of $form"
+            done
+        done
+        [ "$(head -n 2 same.txt | sed 's/.* product //' | sort -u | wc -l)" = 1 ] || complain "another product: $(cat same.txt)"
+        [ "$(sed 's/ volume .*//' same.txt | sort -u | wc -l)" = 1 ] || complain "read and written again: $(cat same.txt)"
+        for line in 2 3; do
+            [ $name != open ] || continue # no volume
+            near "$(sed -n "$line s/.* volume \([-+.e0-9]*\).*/\1/p" same.txt)" "$(sed -n '1 s/.* volume \([-+.e0-9]*\).*/\1/p' same.txt)" 1e-6 "$name.step again, OpenCASCADE"
+        done
+    done
     run 0 convert capped.step -o back.json
     [ ! -s err.txt ] || complain "read back: $(cat err.txt)"
     for name in capped ring; do

@@ -144,6 +144,18 @@ static int has_products(const taut_record *products)
     return several;
 }
 
+/* The one product of a file, where it says more than the name of the first surface; else "". OpenCASCADE's own words for
+ * what has no name are none. */
+static const char *product_of(const taut_cad_result *result)
+{
+    static const char nameless[] = "Open CASCADE STEP translator";
+    const char *name = taut_record_text(taut_record_at(result->products, 0));
+    return strcmp(name, taut_surface_name(taut_model_surface(result->model, 0))) == 0 ||
+                   strncmp(name, nameless, sizeof nameless - 1) == 0
+               ? ""
+               : name;
+}
+
 /* Are there colours other than those that taut gives? */
 static int has_colours(const taut_record *colours, const taut_model *model)
 {
@@ -199,6 +211,9 @@ static taut_status finish_model(taut_cad_kind kind, taut_cad_result *result, tau
     taut_record_add_record(details, "notes", result->notes);
     if (has_products(result->products)) {
         taut_record_add_record(details, "products", result->products);
+        is_said = 1;
+    } else if (taut_record_count(result->products) > 0 && product_of(result)[0] != '\0') {
+        taut_record_add_text(details, "product", product_of(result));
         is_said = 1;
     }
     if (taut_record_count(result->uses) > 1) {

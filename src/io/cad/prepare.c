@@ -92,11 +92,17 @@ void taut_cad_say_bound(const char *unit, taut_cad_facts *facts)
     }
 }
 
-/* What the whole is called: its construction, else its first part, but for an assembly of several. */
+/* What the whole is called: its construction, else the product that it was read from, else its first part, but for an
+ * assembly of several. */
 static const char *name_of(const taut_model *model, const taut_model *nurbs, int parts)
 {
     const taut_certificate *certificate = taut_model_certificate(model);
+    const char *product =
+        taut_record_text(taut_record_get(taut_model_details(model), "product"));
     const char *name = certificate != NULL ? taut_certificate_construct(certificate) : "";
+    if (name[0] == '\0' && product != NULL) {
+        name = product;
+    }
     if (name[0] == '\0' && parts > 0) {
         return "assembly";
     }
