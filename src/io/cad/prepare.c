@@ -97,8 +97,7 @@ void taut_cad_say_bound(const char *unit, taut_cad_facts *facts)
 static const char *name_of(const taut_model *model, const taut_model *nurbs, int parts)
 {
     const taut_certificate *certificate = taut_model_certificate(model);
-    const char *product =
-        taut_record_text(taut_record_get(taut_model_details(model), "product"));
+    const char *product = taut_record_text(taut_record_get(taut_model_details(model), "product"));
     const char *name = certificate != NULL ? taut_certificate_construct(certificate) : "";
     if (name[0] == '\0' && product != NULL) {
         name = product;
