@@ -8,7 +8,7 @@
  *   stable       the lowest eigenvalue on the constraints over the largest of the diagonal; of these (check)
  *   isometric    largest strain of pieces that are told to have none (check)
  *   strain       largest principal strain, where one is asked for (check)
- *   exhausts     areas of the pieces against that of the surface (check)
+ *   exhausts     certify/pattern/area.h
  *   roll         pieces that are not proved apart on the roll, or leave it (certify/pattern/roll.h)
  */
 #include "taut/pattern.h"
@@ -16,6 +16,7 @@
 #include "certify/certify_ops.h"
 #include "certify/common/of.h"
 #include "certify/pattern/allowance.h"
+#include "certify/pattern/area.h"
 #include "certify/pattern/energy.h"
 #include "certify/pattern/fold.h"
 #include "certify/pattern/roll.h"
@@ -23,17 +24,10 @@
 #include "certify/pattern/unavoidable.h"
 #include "certify/pattern/worst.h"
 #include "core/fail.h"
-#include "numeric/quadrature.h"
-#include "taut/measure.h"
 
 #include <string.h>
 
-static const double tolerance_default = 1e-6, stationary_limit = 1e-9, isometric_limit = 1e-11,
-                    area_limit = 1e-10, area_error_most = 1e-6, area_doubt = 1e-11;
-/* Knots of the surface run across cells anyhow, so that two sums may be nearer to each other than to the area. */
-static const double area_share = 4;
-/* Cells of a piece each way, at first and at the most. */
-enum { AREA_CELLS = 2, AREA_CELLS_MOST = 16 };
+static const double tolerance_default = 1e-6, stationary_limit = 1e-9, isometric_limit = 1e-11;
 /* Of a piece for the pulse: operations, roughly. */
 static const double work_of_piece = 5e7;
 
@@ -124,51 +118,6 @@ static taut_status add_states(const taut_cloth *cloth, const taut_cloth_state *l
     return status;
 }
 
-/* ---- areas ---- */
-
-/* The area of a piece by eight places in each of so many cells each way. */
-static double area_of(const taut_cloth *cloth, const taut_cloth_piece *piece, int cells)
-{
-    enum { NODES = 8 };
-    double nodes[NODES], weights[NODES], sum = 0;
-    taut_gauss_rule(NODES, nodes, weights);
-    for (int i = 0; i < cells * NODES; i++) {
-        for (int k = 0; k < cells * NODES; k++) {
-            const double s = (i / NODES + (1 + nodes[i % NODES]) / 2) / cells;
-            const double t = (k / NODES + (1 + nodes[k % NODES]) / 2) / cells;
-            double g[3];
-            sum += taut_cloth_metric(cloth, piece, s, t, g)
-                       ? weights[i % NODES] * weights[k % NODES] / (4.0 * cells * cells) *
-                             sqrt(g[0] * g[2] - g[1] * g[1])
-                       : (double)NAN;
-        }
-    }
-    return sum;
-}
-
-static taut_status add_exhausts(const taut_cloth *cloth, double *area,
-                                taut_certificate *certificate)
-{
-    double whole = 0, error = 0, sum = 0, doubt = INFINITY;
-    taut_worst w = {0, "the whole"};
-
-    if (taut_surface_area(cloth->surface, &whole, &error) != TAUT_OK) {
-        return TAUT_NO_MEMORY;
-    }
-    for (int cells = 2 * AREA_CELLS; cells <= AREA_CELLS_MOST && doubt > area_doubt; cells *= 2) {
-        sum = doubt = 0;
-        for (int k = 0; k < cloth->piece_count; k++) {
-            const double fine = area_of(cloth, &cloth->pieces[k], cells);
-            doubt += fabs(fine - area_of(cloth, &cloth->pieces[k], cells / 2)) / whole;
-            sum += fine;
-        }
-    }
-    *area = sum;
-    w.residual = fabs(sum - whole) / whole;
-    return taut_worst_add(&w, "exhausts", TAUT_CHECK,
-                          fmin(fmax(area_limit, area_share * doubt), area_error_most), certificate);
-}
-
 /* ---- figures ---- */
 
 static taut_status add_figures(const taut_cloth *cloth, const taut_cloth_state *list,
@@ -247,7 +196,7 @@ static taut_status prove(const taut_cloth *cloth, taut_arena *arena, taut_certif
         status = add_states(cloth, list, certificate);
     }
     if (status == TAUT_OK) {
-        status = add_exhausts(cloth, &area, certificate);
+        status = taut_cloth_add_exhausts(cloth, &area, certificate);
     }
     if (status == TAUT_OK) {
         status = taut_cloth_add_roll(cloth, arena, certificate);

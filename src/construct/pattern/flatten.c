@@ -258,6 +258,7 @@ static taut_flat_strip strip_of(const taut_pattern_piece *piece)
 static taut_flat_options options_of(const pass *p, const taut_pattern_piece *piece)
 {
     taut_flat_options own = p->options;
+    memcpy(own.spans, piece->spans, sizeof own.spans);
     own.is_point[0] = piece->bounds[TAUT_FLAT_START].is_point;
     own.is_point[1] = piece->bounds[TAUT_FLAT_END].is_point;
     return own;
@@ -323,8 +324,6 @@ static taut_status hold_piece(const pass *p, int index, taut_arena *scratch, tau
     taut_flat_options own = options_of(p, piece);
     int is_natural = 1, is_same = 1;
 
-    own.spans[0] = piece->is_developable ? ALONG : piece->alone.spans[0];
-    own.spans[1] = piece->is_developable ? ACROSS : piece->alone.spans[1];
     for (int e = 0; e < TAUT_FLAT_EDGES; e++) {
         const int spans = own.spans[e == TAUT_FLAT_START || e == TAUT_FLAT_END];
         double *stretch = taut_arena_take(scratch, (size_t)spans * TAUT_FLAT_GAUSS, sizeof(double));
@@ -405,8 +404,7 @@ taut_status taut_pattern_flatten(taut_pattern_layout *layout, const taut_pattern
     const size_t count = (size_t)layout->piece_count;
     pass p = {.layout = layout,
               .cut = cut,
-              .options = {.spans = {ALONG, ACROSS},
-                          .law = cut->has_law ? &cut->law : NULL,
+              .options = {.law = cut->has_law ? &cut->law : NULL,
                           .warp = cut->compensation.warp,
                           .weft = cut->compensation.weft,
                           .thread = cut->thread},
@@ -418,6 +416,10 @@ taut_status taut_pattern_flatten(taut_pattern_layout *layout, const taut_pattern
         return taut_fail_memory(error);
     }
     for (size_t k = 0; k < count; k++) {
+        if (layout->pieces[k].spans[0] == 0) {
+            layout->pieces[k].spans[0] = ALONG;
+            layout->pieces[k].spans[1] = ACROSS;
+        }
         p.arenas[k] = taut_arena_new();
         if (p.arenas[k] == NULL || !taut_arena_keep(layout->arena, p.arenas[k], release)) {
             return taut_fail_memory(error);

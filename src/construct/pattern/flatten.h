@@ -31,7 +31,8 @@ int taut_pattern_held_speed(const taut_pattern_layout *layout, const taut_patter
 double taut_pattern_own_stretch(const taut_pattern_layout *layout, const taut_pattern_side *side,
                                 const taut_pattern_holder *holder, double x);
 
-/* Fills alone and flat of every piece. TAUT_NO_MEMORY, TAUT_INTERRUPTED; TAUT_NOT_CONVERGED, reasons folds and not-converged. */
+/* Fills alone and flat of every piece, of as many spans as each is to have, or 16 x 4 where it does not say. TAUT_NO_MEMORY,
+ * TAUT_INTERRUPTED; TAUT_NOT_CONVERGED, reasons folds and not-converged. */
 taut_status taut_pattern_flatten(taut_pattern_layout *layout, const taut_pattern_cut *cut,
                                  const taut_crew *crew, taut_error *error);
 

@@ -60,7 +60,8 @@ static taut_status exact_edge(const edge_source *e, taut_arena *arena, const tau
 {
     double nodes[NODES], weights[NODES], before = INFINITY;
     taut_gauss_rule(NODES, nodes, weights);
-    for (int spans = FIRST; spans <= MOST; spans *= 2) {
+    const int own = taut_basis_span_count(taut_curve_t(e->spline));
+    for (int spans = own > FIRST ? own : FIRST; spans <= MOST; spans *= 2) {
         taut_pattern_station *at = taut_arena_take(arena, (size_t)spans + 1, sizeof *at);
         double y[1][3], slope[2][2];
         if (at == NULL) {

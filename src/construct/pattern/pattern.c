@@ -17,6 +17,7 @@
 #include "construct/pattern/strains.h"
 #include "core/fail.h"
 #include "core/unit.h"
+#include "core/vec3.h"
 #include "problem/problem.h"
 
 #include <math.h>
@@ -25,6 +26,9 @@
 
 /* Lengths are parameters, which are from 1e-60 to 1e60 (docs/limits.md): of sizes below 2^this. */
 enum { EXPONENT_MOST = 150, MARKS_MOST = 1000 /* along a seam */ };
+/* Edges of exact length leave those of the flat spline by so much of the size at the most, or it gets twice the spans both ways. */
+static const double drift_most = 2e-7;
+enum { REFINEMENTS = 2, DRIFT_PLACES = 64 };
 /* Strains between the places that are looked at may be larger. */
 static const double strain_room = 0.999;
 
@@ -340,6 +344,36 @@ static taut_status check_marks(const request *r, const taut_pattern_layout *layo
     return TAUT_OK;
 }
 
+/* How far the lines to sew are from the edges of a flat piece. */
+static double drift_of(const taut_pattern_piece *piece, const taut_pattern_outline *outline)
+{
+    double most = 0;
+    for (int e = 0; e < TAUT_FLAT_EDGES; e++) {
+        for (int k = 0; outline->edges[e] != piece->edges[e] && k <= DRIFT_PLACES; k++) {
+            double exact[3], weak[3];
+            taut_curve_eval(outline->edges[e], (double)k / DRIFT_PLACES, 0, exact);
+            taut_curve_eval(piece->edges[e], (double)k / DRIFT_PLACES, 0, weak);
+            most = fmax(most, taut_length_between(exact, weak));
+        }
+    }
+    return most;
+}
+
+/* Finer splines where the edges of these are not what is sewn; whether there are any. */
+static int refine(made_pieces *made)
+{
+    int any = 0;
+    for (int k = 0; k < made->layout.piece_count; k++) {
+        taut_pattern_piece *piece = &made->layout.pieces[k];
+        if (drift_of(piece, &made->outlines[k]) > drift_most * piece->carrier->size) {
+            piece->spans[0] *= 2;
+            piece->spans[1] *= 2;
+            any = 1;
+        }
+    }
+    return any;
+}
+
 /* All of so many strips. */
 static taut_status make_strips(const request *r, const taut_pattern_ground *ground, int count,
                                const taut_crew *crew, taut_arena *arena, made_pieces *made,
@@ -351,10 +385,14 @@ static taut_status make_strips(const request *r, const taut_pattern_ground *grou
     if (status == TAUT_OK) {
         status = check_marks(r, &made->layout, error);
     }
-    if (status == TAUT_OK) {
+    for (int round = 0, is_rough = 1; status == TAUT_OK && is_rough; round++) {
         status = taut_pattern_flatten(&made->layout, &r->cut, crew, error);
+        if (status == TAUT_OK) {
+            status = make_outlines(r, made, error);
+        }
+        is_rough = status == TAUT_OK && round < REFINEMENTS && refine(made);
     }
-    return status == TAUT_OK ? make_outlines(r, made, error) : status;
+    return status;
 }
 
 static taut_status fail_width(const made_pieces *made, const taut_carrier *carrier, double width,

@@ -27,6 +27,7 @@ typedef struct taut_pattern_piece {
     const taut_carrier *carrier;
     int strip; /* pieces of one strip have one number */
     taut_pattern_bound bounds[TAUT_FLAT_EDGES];
+    int spans[2];     /* of its flat piece */
     double curvature; /* iint K dA */
     int is_developable;
     taut_flat alone, flat; /* of pass 1 and 2, in the carrier's unit */

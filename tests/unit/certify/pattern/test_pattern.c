@@ -283,6 +283,27 @@ static void test_allowance(void)
     cloth_free(&other);
 }
 
+/* Of a surface with kinks in its metric all is there too: its area by cells that end at its knots. */
+static void test_kinks(void)
+{
+    static const char kinks[] =
+        "{\"taut\": 1, \"surfaces\": [{\"name\": \"s\", \"u\": {\"type\": \"bspline\", "
+        "\"degree\": 2, \"count\": 5}, \"v\": {\"type\": \"bspline\", \"degree\": 2, \"count\": "
+        "4}, \"points\": [[[0.0, 0.0, 1.009], [0.0, 0.6667, 0.0191], [0.0, 1.3333, -0.3812], "
+        "[0.0, 2.0, -1.0046]], [[0.5, 0.0, 0.2805], [0.5, 0.6667, 0.1916], [0.5, 1.3333, "
+        "0.0782], [0.5, 2.0, -0.5097]], [[1.0, 0.0, -0.0245], [1.0, 0.6667, 0.0607], [1.0, "
+        "1.3333, -0.008], [1.0, 2.0, 0.1242]], [[1.5, 0.0, -0.4849], [1.5, 0.6667, -0.1948], "
+        "[1.5, 1.3333, 0.3088], [1.5, 2.0, 0.4965]], [[2.0, 0.0, -1.3731], [2.0, 0.6667, "
+        "-0.6526], [2.0, 1.3333, 0.3053], [2.0, 2.0, 0.9714]]]}]}";
+    made_cloth made = cloth_make(kinks, "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": "
+                                        "1 }], \"cloth\": { \"material\": \"pvc-pes\" }");
+    CHECK(made.status == TAUT_OK, "%s", made.error.message);
+    const taut_claim *claim = claim_of(made.proof, "exhausts");
+    CHECK(claim->holds == TAUT_TRUE && claim->residual < 1e-10 && claim->limit < 1e-9,
+          "%g, limit %g", claim->residual, claim->limit);
+    cloth_free(&made);
+}
+
 int main(void)
 {
     test_allowance();
@@ -293,5 +314,6 @@ int main(void)
     test_true_length();
     test_held();
     test_isometric();
+    test_kinks();
     return check_failures != 0;
 }

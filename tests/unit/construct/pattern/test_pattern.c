@@ -682,6 +682,32 @@ static void test_sizes(void)
     }
 }
 
+/* Edges that 16 spans do not bring to their length: finer splines, of the piece that needs them alone. */
+static void test_finer(void)
+{
+    static const char steep[] =
+        "{\"taut\": 1, \"surfaces\": [{\"name\": \"s\", \"u\": {\"type\": \"bezier\", "
+        "\"degree\": 2}, \"v\": {\"type\": \"bezier\", \"degree\": 4}, \"points\": [[[0.0, 0.0, "
+        "-0.527], [0.0, 0.5, 0.2605], [0.0, 1.0, -0.2053], [0.0, 1.5, 0.129], [0.0, 2.0, "
+        "-0.0813]], [[1.0, 0.0, -0.5228], [1.0, 0.5, 1.1862], [1.0, 1.0, 0.4343], [1.0, 1.5, "
+        "-1.234], [1.0, 2.0, 0.5362]], [[2.0, 0.0, -0.8365], [2.0, 0.5, -0.1392], [2.0, 1.0, "
+        "-0.3491], [2.0, 1.5, -0.3207], [2.0, 2.0, 0.1445]]], \"weights\": [[1.6399, 1.4716, "
+        "0.5657, 0.3668, 2.9066], [2.0335, 1.1201, 1.1, 2.2454, 0.8981], [0.7865, 0.6897, "
+        "0.5728, 0.3345, 1.401]]}]}";
+    made_cloth made = cloth_make(steep, "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": "
+                                        "3 }], \"seam_length\": \"true\"");
+    CHECK(made.status == TAUT_OK, "%s", made.error.message);
+    check_holds(&made, "steep");
+    CHECK(claim_of(made.proof, "edges")->residual < 3e-7, "edges: %g",
+          claim_of(made.proof, "edges")->residual);
+    int finer = 0;
+    for (int k = 1; k < taut_model_surface_count(made.model); k++) {
+        finer += taut_basis_count(taut_surface_u(taut_model_surface(made.model, k))) == 37;
+    }
+    CHECK(finer > 0 && finer < 3, "%d pieces of 32 x 8 spans", finer);
+    cloth_free(&made);
+}
+
 int main(void)
 {
     test_cylinder();
@@ -703,5 +729,6 @@ int main(void)
     test_poles();
     test_refusals();
     test_sizes();
+    test_finer();
     return check_failures != 0;
 }
