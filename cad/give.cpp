@@ -357,6 +357,13 @@ static void give_edge(const TopoDS_Edge &edge, const occt_about &about, const ch
     give_item(sink, about, name, item);
 }
 
+void occt_say(const occt_sink &sink, const std::string &note)
+{
+    if (!sink.note(sink.context, note.c_str())) {
+        throw occt_failure(TAUT_IO, "write", "what was read could not be passed on");
+    }
+}
+
 /* Gives one object; one that OpenCASCADE fails on is named and left out, the rest of the file is worth having. 0 where it was. */
 template <class Give>
 static int give_or_name(const char *what, int number, const char *name, const occt_sink &sink,
@@ -378,9 +385,7 @@ static int give_or_name(const char *what, int number, const char *name, const oc
     }
     const std::string note = std::string(what) + " " + std::to_string(number) + " of the file, \"" +
                              name + "\", is left out: " + why;
-    if (!sink.note(sink.context, note.c_str())) {
-        throw occt_failure(TAUT_IO, "write", "what was read could not be passed on");
-    }
+    occt_say(sink, note);
     return 0;
 }
 

@@ -244,7 +244,7 @@ std::string occt_write_iges(const taut_cad_job &job, int count, const taut_cad_i
 TopoDS_Shape occt_read_iges(const taut_cad_job &job, const occt_sink &sink, occt_names &names)
 {
     IGESControl_Reader reader;
-    const char *unit = "mm";
+    const char *unit = nullptr;
 
     occt_keep_closed();
     Interface_Static::SetIVal("read.iges.bspline.continuity", 0); /* cut nothing that has a kink */
@@ -261,7 +261,15 @@ TopoDS_Shape occt_read_iges(const taut_cad_job &job, const occt_sink &sink, occt
     IGESData_GlobalSection global = model->GlobalSection();
     global.SetCascadeUnit(1);
     const double millimetres = global.UnitValue(); /* 1 / so many is the file's unit */
-    global.SetCascadeUnit(millimetres);
+    if (unit != nullptr) {
+        global.SetCascadeUnit(millimetres);
+    } else {
+        const Handle(TCollection_HAsciiString) name = global.UnitName();
+        occt_say(sink, std::string("the file is in units of ") +
+                           (name.IsNull() ? "no name" : name->ToCString()) +
+                           ": its lengths are converted, to be in mm");
+        unit = "mm";
+    }
     model->SetGlobalSection(global);
     sink.unit(sink.context, unit);
     reader.TransferRoots();

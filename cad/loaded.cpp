@@ -161,9 +161,7 @@ int occt_name_left_out(const Handle(Interface_InterfaceModel) & model,
         const std::string note =
             "face " + label_of(model, face) + " of the file, \"" + name + "\", is left out: " +
             (fault != faults.end() ? fault->second : excuse_of(model, process, face));
-        if (!sink.note(sink.context, note.c_str())) {
-            throw occt_failure(TAUT_IO, "write", "what was read could not be passed on");
-        }
+        occt_say(sink, note);
         count++;
     }
     return count;

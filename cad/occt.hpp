@@ -34,6 +34,9 @@ struct occt_sink {
     int (*note)(void *context, const char *note);
 };
 
+/* A sentence about the file, for details.notes. */
+void occt_say(const occt_sink &sink, const std::string &note);
+
 /* Closed surfaces are to be read as they are; for a reader that has been made. */
 void occt_keep_closed();
 

@@ -170,6 +170,12 @@ TopoDS_Shape occt_read_step(const taut_cad_job &job, const occt_sink &sink, occt
     }
     set_unit(unit);
     sink.unit(sink.context, unit);
+    if (lengths.Length() == 0) {
+        occt_say(sink, "the file says no unit: taken as mm");
+    } else if (unit_of(lengths.First()) == nullptr) {
+        occt_say(sink, std::string("the file is in units of ") + lengths.First().ToCString() +
+                           ": its lengths are converted, to be in mm");
+    }
     reader.TransferRoots();
     const Handle(Transfer_TransientProcess) process =
         reader.WS()->TransferReader()->TransientProcess();

@@ -115,6 +115,17 @@ PY
     run 3 convert body.step -o body.json
     contains err.txt 'taut help broken'
     absent body.json
+    # a unit that documents do not have: lengths are converted to mm, which is said
+    run 0 make "$SOURCE/examples/bonnet-enneper.json" --quiet -o model.step -o small.igs
+    sed 's/SI_UNIT(\.MILLI\.,\.METRE\.)/SI_UNIT(.KILO.,.METRE.)/' model.step > large.step
+    sed 's/,2,2HMM,/,7,2HKM,/' small.igs > large.igs
+    before=$("$TAUT" measure model.step | sed -n 's/^area *\([0-9.e+]*\) mm^2$/\1/p' | head -n 1)
+    for file in large.step large.igs; do
+        run 0 measure $file
+        contains err.txt 'the file is in units of (kilometre|KM): its lengths are converted, to be in mm'
+        after=$(sed -n 's/^area *\([0-9.e+]*\) mm^2$/\1/p' out.txt | head -n 1)
+        awk "BEGIN { d = ($after) / (($before) * 1e12) - 1; exit !(d < 1e-9 && d > -1e-9) }" || complain "$file: $after mm^2, $before in mm"
+    done
     # the one product of a file keeps its name, in STEP, in IGES and by way of JSON
     sed "s/=PRODUCT('pipe','pipe'/=PRODUCT('Leitung 7','Leitung 7'/" coil.step > named.step
     run 0 convert named.step -o named.json

@@ -36,6 +36,38 @@ printf '{ "taut": 1, "construct": "dirichlet", "boundary": { "file": "plain.dxf"
 run 0 make problem.json --quiet -o made.json
 run 0 certify made.json problem.json
 
+# Units: those that documents have are kept, others converted and said; a drawing without one, or with one of astronomers or of no
+# number, is taken as mm, which is said too, by what makes a surface of it as well.
+printf '{ "taut": 1, "unit": "m", "construct": "dirichlet", "boundary": { "file": "unit.dxf", "edges": [1, 2, 3, 4] } }\n' > unit.json
+one=0
+while read -r number unit metres what; do
+    { printf '  0\nSECTION\n  2\nHEADER\n  9\n$INSUNITS\n 70\n%s\n  0\nENDSEC\n' "$number"; cat plain.dxf; } > unit.dxf
+    run 0 convert unit.dxf -o model.json
+    [ "$(sed -n 's/.*"unit": "\(.*\)".*/\1/p' model.json)" = "$unit" ] || complain "unit $number: $(grep '"unit"' model.json)"
+    case $what in - | '') [ ! -s err.txt ] || complain "unit $number: $(cat err.txt)" ;; *) contains err.txt "$what" ;; esac
+    run 0 make unit.json -o made.json --report report.json
+    case $what in - | '') ;; *) contains made.json "unit.dxf: the drawing .*$what" ;; esac
+    area=$(sed -n 's/.*"area": \([-+.e0-9]*\).*/\1/p' report.json)
+    [ $number != 6 ] || one=$area
+    awk "BEGIN { d = $area / ($one * $metres * $metres) - 1; exit !(d < 1e-12 && d > -1e-12) }" || complain "unit $number: area $area"
+done <<UNITS
+6 m 1
+1 in 0.0254
+2 ft 0.3048
+3 ft 1609.344 in miles: its lengths are multiplied by 5280, to be in ft
+4 mm 0.001
+5 cm 0.01
+7 m 1000 in kilometres: its lengths are multiplied by 1000, to be in m
+10 ft 0.9144 in yards: its lengths are multiplied by 3, to be in ft
+13 mm 0.000001 in micrometres
+14 cm 0.1 in decimetres
+21 m 0.3048006096012192 in US survey feet
+0 mm 0.001 says no unit that taut has: taken as mm
+19 mm 0.001 says no unit
+99999999999999999999 mm 0.001 says no unit
+-3 mm 0.001 says no unit
+UNITS
+
 # A spline on uniform knots, as others write closed ones: a parabola between the middles of its polygon, the same curve on ours.
 spline() { # spline KNOTS...: quadratic, three points
     printf '  0\nSECTION\n  2\nENTITIES\n  0\nSPLINE\n  8\nfree\n 71\n2\n'

@@ -10,6 +10,7 @@
 #include "taut/limits.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -397,19 +398,60 @@ static taut_status add_entities(drawing *d, taut_dxf_pairs list, place *at, taut
     return status;
 }
 
-/* The unit that $INSUNITS says; NULL where it says none that taut has. */
-static const char *unit_of(taut_dxf_pairs all)
+/* A unit of $INSUNITS, as one that taut has: so many of it. */
+typedef struct drawing_unit {
+    const char *name, *unit;
+    double factor;
+} drawing_unit;
+
+/* By number. Those of surveyors are 1200 / 3937 of a metre, or a part or multiple of it. */
+static const drawing_unit units[] = {
+    {NULL, NULL, 0},
+    {"in", "in", 1},
+    {"ft", "ft", 1},
+    {"miles", "ft", 5280},
+    {"mm", "mm", 1},
+    {"cm", "cm", 1},
+    {"m", "m", 1},
+    {"kilometres", "m", 1e3},
+    {"microinches", "in", 1e-6},
+    {"mils", "in", 1e-3},
+    {"yards", "ft", 3},
+    {"angstroms", "mm", 1e-7},
+    {"nanometres", "mm", 1e-6},
+    {"micrometres", "mm", 1e-3},
+    {"decimetres", "cm", 10},
+    {"decametres", "m", 10},
+    {"hectometres", "m", 100},
+    {"gigametres", "m", 1e9},
+    {NULL, NULL, 0}, /* of astronomers, three of them */
+    {NULL, NULL, 0},
+    {NULL, NULL, 0},
+    {"US survey feet", "m", 1200.0 / 3937},
+    {"US survey inches", "m", 100.0 / 3937},
+    {"US survey yards", "m", 3600.0 / 3937},
+    {"US survey miles", "m", 6336000.0 / 3937},
+};
+
+/* The one that the header says; NULL where it says none. */
+static const drawing_unit *unit_of(taut_dxf_pairs all)
 {
-    static const char *const units[] = {NULL, "in", "ft", NULL, "mm", "cm", "m"};
     const taut_dxf_pairs header = find_section(all, "HEADER");
-    for (size_t i = 0; i + 1 < header.count; i++) {
-        if (taut_dxf_is(&header.at[i], 9, "$INSUNITS")) {
-            const taut_dxf_pair *pair = &header.at[i + 1];
-            const int unit = pair->length == 1 ? pair->value[0] - '0' : 0;
-            return unit > 0 && unit < 7 ? units[unit] : NULL;
-        }
+    size_t i = 0;
+    while (i + 1 < header.count && !taut_dxf_is(&header.at[i], 9, "$INSUNITS")) {
+        i++;
     }
-    return NULL;
+    if (i + 1 >= header.count) {
+        return NULL;
+    }
+    const taut_dxf_pair *pair = &header.at[i + 1];
+    size_t number = 0;
+    for (size_t k = 0; k < pair->length && number < sizeof units / sizeof units[0]; k++) {
+        const int digit = pair->value[k] - '0';
+        number = digit >= 0 && digit < 10 ? 10 * number + (size_t)digit : SIZE_MAX;
+    }
+    return number < sizeof units / sizeof units[0] && units[number].unit != NULL ? &units[number]
+                                                                                 : NULL;
 }
 
 typedef struct numbered {
@@ -465,7 +507,7 @@ static taut_status tell_apart(drawing *d, taut_error *error)
     return status == TAUT_NO_MEMORY ? taut_fail_memory(error) : status;
 }
 
-static taut_status add_notes(drawing *d, const char *unit, taut_error *error)
+static taut_status add_notes(drawing *d, const drawing_unit *unit, taut_error *error)
 {
     taut_record *details = taut_record_new(), *notes = NULL;
     char text[NOTE_ROOM];
@@ -473,6 +515,11 @@ static taut_status add_notes(drawing *d, const char *unit, taut_error *error)
     notes = taut_record_add_list(details, "notes");
     if (unit == NULL) {
         taut_record_add_text(notes, NULL, "the drawing says no unit that taut has: taken as mm");
+    } else if (unit->factor != 1) {
+        snprintf(text, sizeof text,
+                 "the drawing is in %s: its lengths are multiplied by %.9g, to be in %s",
+                 unit->name, unit->factor, unit->unit);
+        taut_record_add_text(notes, NULL, text);
     }
     for (int i = 0; i < d->left_count; i++) {
         snprintf(text, sizeof text, "%s is left out (%zu)", d->left[i].what, d->left[i].count);
@@ -482,7 +529,7 @@ static taut_status add_notes(drawing *d, const char *unit, taut_error *error)
         taut_record_free(details);
         return taut_fail_memory(error);
     }
-    if (unit == NULL || d->left_count > 0) {
+    if (taut_record_count(notes) > 0) {
         taut_model_set_details(d->model, details);
     } else {
         taut_record_free(details);
@@ -492,9 +539,7 @@ static taut_status add_notes(drawing *d, const char *unit, taut_error *error)
 
 static taut_status read_text(const char *text, size_t length, drawing *d, taut_error *error)
 {
-    static const double here[3][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
     place at = {.block = ""};
-    memcpy(at.placing, here, sizeof here);
     if (length >= sizeof binary_mark - 1 &&
         memcmp(text, binary_mark, sizeof binary_mark - 1) == 0) {
         return taut_fail(error, TAUT_BAD_INPUT, "broken", NULL, taut_none, taut_none,
@@ -513,6 +558,10 @@ static taut_status read_text(const char *text, size_t length, drawing *d, taut_e
         return taut_fail(error, TAUT_BAD_INPUT, "broken", NULL, taut_none, taut_none,
                          "there is no section ENTITIES, as a DXF file has it");
     }
+    const drawing_unit *unit = unit_of(d->all);
+    for (int k = 0; k < 3; k++) {
+        at.placing[k][k] = unit != NULL ? unit->factor : 1;
+    }
     status = add_entities(d, entities, &at, error);
     if (status == TAUT_OK) {
         status = tell_apart(d, error);
@@ -520,8 +569,7 @@ static taut_status read_text(const char *text, size_t length, drawing *d, taut_e
     if (status != TAUT_OK) {
         return status;
     }
-    const char *unit = unit_of(d->all);
-    if (taut_model_set_unit(d->model, unit != NULL ? unit : "mm") != TAUT_OK) {
+    if (taut_model_set_unit(d->model, unit != NULL ? unit->unit : "mm") != TAUT_OK) {
         return taut_fail_memory(error);
     }
     return add_notes(d, unit, error);

@@ -13,7 +13,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { PATH_ROOM = 4096, HALVINGS_MAX = 16, NOTE_ROOM = 400, PICKS_MAX = 1000 };
+enum { PATH_ROOM = 4096, HALVINGS_MAX = 16, NOTE_ROOM = 400, PICKS_MAX = 1000, NOTES_MAX = 20 };
 /* What a net gets that would have nothing inside: 11 x 11 points between straight lines. */
 enum { CHOSEN_DEGREE = 3, CHOSEN_SPANS = 8 };
 
@@ -220,6 +220,31 @@ static taut_status convert_unit(const taut_json *at, taut_problem *problem, taut
     return taut_problem_note(problem, note) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 }
 
+/* What the reader says of the file is said of the problem too, but for surfaces, which are not asked for. */
+static taut_status keep_notes(const taut_json *at, taut_problem *problem, const taut_model *model,
+                              taut_error *error)
+{
+    static const char of_surfaces[] = "surface ";
+    const taut_record *details = taut_model_details(model);
+    const taut_record *notes = taut_record_get(details, "notes");
+    const char *name = taut_json_text_at(at);
+    if (taut_record_get(details, "read_from") == NULL) {
+        return TAUT_OK; /* notes of another problem */
+    }
+    for (size_t i = 0; i < taut_record_count(notes) && i < NOTES_MAX; i++) {
+        const char *text = taut_record_text(taut_record_at(notes, i));
+        char note[NOTE_ROOM];
+        if (text == NULL || strncmp(text, of_surfaces, sizeof of_surfaces - 1) == 0) {
+            continue;
+        }
+        snprintf(note, sizeof note, "%.200s: %.190s", name, text);
+        if (taut_problem_note(problem, note) != TAUT_OK) {
+            return taut_fail_memory(error);
+        }
+    }
+    return TAUT_OK;
+}
+
 /* The model of the file that "boundary" names (any that taut reads, beside the problem's own document), in the document's unit; the
  * caller's. */
 static taut_status open_source(const taut_json *at, taut_problem *problem, boundary_source *source,
@@ -238,8 +263,11 @@ static taut_status open_source(const taut_json *at, taut_problem *problem, bound
     /* without picks no faces are asked for */
     const taut_read_options chosen = {.untrim = !source->picks, .edges = source->picks};
     status = taut_model_read_with(path, &chosen, model, &found);
-    return status == TAUT_OK ? convert_unit(&source->file, problem, model, error)
-                             : blame_file(at, &found, status, error);
+    if (status != TAUT_OK) {
+        return blame_file(at, &found, status, error);
+    }
+    status = keep_notes(&source->file, problem, *model, error);
+    return status == TAUT_OK ? convert_unit(&source->file, problem, model, error) : status;
 }
 
 /* The four sides out of the file, all of its curves or those that are picked, in order and closed; the caller's. */
