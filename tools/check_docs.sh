@@ -173,4 +173,23 @@ prose=$(ls README.md CHANGELOG.md CONTRIBUTING.md docs/*.md docs/tutorial/*.md d
         long = 1
     }
     END { exit long }' $prose || bad=1
+# A cell holds a phrase: what needs a sentence has its place below the table.
+# shellcheck disable=SC2086
+[ -z "$prose" ] || awk '
+    FNR == 1 { code = 0 }
+    /^ *```/ { code = !code }
+    code || !/^ *\|/ { next }
+    {
+        row = $0
+        gsub(/\\\|/, "  ", row)
+        cells = split(row, cell, "|")
+        for (i = 1; i <= cells; i++) {
+            gsub(/^ +| +$/, "", cell[i])
+            if (length(cell[i]) > 160) {
+                printf "%s:%d: a cell of %d characters, expected at most 160\n", FILENAME, FNR, length(cell[i])
+                long = 1
+            }
+        }
+    }
+    END { exit long }' $prose || bad=1
 exit $bad

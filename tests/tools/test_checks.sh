@@ -113,6 +113,10 @@ catches docs docs/x.md 'a line of 130 characters' "$long\n"
 fresh
 printf '| %s |\n\n    %s\n' "$long" "$long" > "$tree/docs/x.md"
 passes docs
+catches docs docs/x.md 'a cell of 163 characters' "| a | $long$(printf '%030d' 0)\\\\|b |\n"
+fresh
+printf '| %s | %s |\n' "$long" "$long" > "$tree/docs/x.md"
+passes docs
 catches docs docs/x.md 'no such place' '<a id="X_Y"></a>\n[there](x.md#x_y)\n'
 
 # The reference: made of the headers, and noticed where it leads nowhere, lacks a header, or a symbol.
