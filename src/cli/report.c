@@ -45,20 +45,40 @@ static int ends_in(const char *key, const char *end)
     return length >= tail && strcmp(key + length - tail, end) == 0;
 }
 
-/* How many digits of a figure are vouched for: those above the error that stands beside it; three of what is an error or a
- * difference itself; four of curvatures that are sought on a grid or integrated across kinks. */
+/* Three digits of what is an error, a difference or a share; four of what is sought on a grid or integrated across kinks. */
+static const struct {
+    const char *end;
+    int digits;
+} few_digits[] = {{"lower_bound", DIGITS},
+                  {"_bound", 3},
+                  {"_error", 3},
+                  {"gap", 3},
+                  {"balance", 3},
+                  {"residual", 3},
+                  {"drift", 3},
+                  {"deviation", 3},
+                  {"seam_angle", 3},
+                  {"slide_angle", 3},
+                  {"planarity", 3},
+                  {"amplification", 3},
+                  {"cable_normal", 3},
+                  {"cable_geodesic", 3},
+                  {"waste", 3},
+                  {"mean_curvature", 4},
+                  {"_strain", 4},
+                  {"sags", 4}};
+
+/* How many digits of a figure are vouched for: those of its kind, or those above the error that stands beside it. */
 static int digits_of(const taut_record *record, const char *key)
 {
     char name[80];
     snprintf(name, sizeof name, "%s_error", key);
     const taut_record *error = taut_record_get(record, name);
     const double size = fabs(taut_record_number(taut_record_get(record, key)));
-    if (ends_in(key, "_error") || ends_in(key, "gap") || ends_in(key, "_bound") ||
-        ends_in(key, "balance")) {
-        return strcmp(key, "lower_bound") == 0 ? DIGITS : 3;
-    }
-    if (ends_in(key, "mean_curvature")) {
-        return 4;
+    for (size_t i = 0; i < sizeof few_digits / sizeof few_digits[0]; i++) {
+        if (ends_in(key, few_digits[i].end)) {
+            return few_digits[i].digits;
+        }
     }
     if (error != NULL && taut_record_number(error) > 0 && size > 0) {
         const double digits = floor(log10(size / taut_record_number(error)));

@@ -1,5 +1,8 @@
 #include "core/fail.h"
 
+#include "core/decimal.h"
+#include "core/number_text.h"
+
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -18,6 +21,31 @@ static void fill_error(taut_error *error, taut_status status, const char *reason
     snprintf(error->where, sizeof error->where, "%s", where != NULL ? where : "");
 }
 
+/* Numbers with 17 digits, "%.17g", are such as the caller gave: as short as they read back. A number is a word of its own;
+ * those that are quoted begin with their mark. */
+static void shorten_numbers(char *text)
+{
+    enum { TRUE_DIGITS = 15 };
+    char *out = text;
+    while (*text != '\0') {
+        char number[TAUT_NUMBER_ROOM];
+        size_t length = strcspn(text, " ,;:=()[]"), shorter = 0;
+        if (length > TRUE_DIGITS && strspn(text, "+-.0123456789e") >= length) {
+            shorter = taut_number_text(taut_decimal_value(text, length), number);
+        }
+        if (shorter > 0 && shorter < length) {
+            memcpy(out, number, shorter);
+            out += shorter;
+        } else {
+            length += length == 0;
+            memmove(out, text, length);
+            out += length;
+        }
+        text += length;
+    }
+    *out = '\0';
+}
+
 taut_status taut_fail(taut_error *error, taut_status status, const char *reason, const char *where,
                       double found, double limit, const char *format, ...)
 {
@@ -27,6 +55,7 @@ taut_status taut_fail(taut_error *error, taut_status status, const char *reason,
         va_start(arguments, format);
         vsnprintf(error->message, sizeof error->message, format, arguments);
         va_end(arguments);
+        shorten_numbers(error->message);
     }
     return status;
 }
@@ -43,6 +72,7 @@ taut_status taut_fail_expected(taut_error *error, taut_status status, const char
         va_start(arguments, format);
         vsnprintf(error->message, sizeof error->message, format, arguments);
         va_end(arguments);
+        shorten_numbers(error->message);
         length = strlen(error->message);
         snprintf(error->message + length, sizeof error->message - length, ", expected %s",
                  expected);

@@ -3,7 +3,7 @@
  * Everything has a handle, and says whose it is. Those of what every drawing has are fixed; entities count on. */
 #include "io/dxf/dxf.h"
 
-#include "io/json/number_text.h"
+#include "core/number_text.h"
 #include "io/json/utf8.h"
 
 #include <stdint.h>

@@ -2,8 +2,8 @@
 
 #include "core/constants.h"
 #include "core/fail.h"
+#include "core/number_text.h"
 #include "io/flat/flat.h"
-#include "io/json/number_text.h"
 #include "io/mesh/out.h"
 
 #include <stdio.h>

@@ -1,7 +1,7 @@
 #include "io/file/sink.h"
 
 #include "core/memory.h"
-#include "io/json/number_text.h"
+#include "core/number_text.h"
 
 #include <errno.h>
 #include <string.h>

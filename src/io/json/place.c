@@ -1,7 +1,7 @@
 /* place.c -- the pointer of a place, and what is found there. */
 #include "core/fail.h"
+#include "core/number_text.h"
 #include "io/json/in.h"
-#include "io/json/number_text.h"
 
 #include <stdarg.h>
 #include <stdio.h>

@@ -1,6 +1,6 @@
 #include "io/step/part21.h"
 
-#include "io/json/number_text.h"
+#include "core/number_text.h"
 #include "io/json/utf8.h"
 
 #include <inttypes.h>

@@ -57,6 +57,16 @@ static void test_fail(void)
     CHECK(strcmp(error.reason, "type") == 0 && strcmp(error.expected, "a list") == 0 &&
               strcmp(error.message, "found 3, expected a list") == 0 && isnan(error.limit),
           "%s, %s, %s", error.reason, error.expected, error.message);
+    taut_fail_expected(&error, TAUT_BAD_INPUT, "value", "/x", 0.1, "less",
+                       "found %.17g and (%.17g), not %.17g", 0.1, -3.1e-220, 1 - 0x1p-53);
+    CHECK(strcmp(error.message,
+                 "found 0.1 and (-3.1e-220), not 0.9999999999999999, expected less") == 0,
+          "%s", error.message);
+    taut_fail(&error, TAUT_BAD_INPUT, "value", "/x", 0.1, 1,
+              "\"%.17g\" of file-%.17g [%.17g, %.3g]", 0.1, 0.1, 0.1, 0.1);
+    CHECK(strcmp(error.message, "\"0.10000000000000001\" of file-0.10000000000000001 [0.1, 0.1]") ==
+              0,
+          "words are left alone: %s", error.message);
     CHECK(taut_fail_memory(&error) == TAUT_NO_MEMORY && error.status == TAUT_NO_MEMORY, "memory");
     CHECK(error.where[0] == '\0', "nowhere");
     taut_error_prefix(NULL, "/u");

@@ -4,8 +4,8 @@
  * bit (17 always do), without trailing zeros: what printf's %.15g, %.16g, %.17g give, but whatever
  * the locale, and about six times as fast for most numbers.
  */
-#ifndef TAUT_IO_JSON_NUMBER_TEXT_H
-#define TAUT_IO_JSON_NUMBER_TEXT_H
+#ifndef TAUT_CORE_NUMBER_TEXT_H
+#define TAUT_CORE_NUMBER_TEXT_H
 
 #include <stddef.h>
 
@@ -14,4 +14,4 @@ enum { TAUT_NUMBER_ROOM = 40 };
 /* Writes the text, ended by a 0 byte, and returns its length; "null" where x is not finite. */
 size_t taut_number_text(double x, char text[TAUT_NUMBER_ROOM]);
 
-#endif /* TAUT_IO_JSON_NUMBER_TEXT_H */
+#endif /* TAUT_CORE_NUMBER_TEXT_H */

@@ -14,7 +14,7 @@
  * All of it is whole-number arithmetic. Ties, and numbers outside of about 1e-11 to 1e15, take the
  * slow way of core/decimal.h.
  */
-#include "io/json/number_text.h"
+#include "core/number_text.h"
 
 #include "core/decimal.h"
 

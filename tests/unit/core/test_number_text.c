@@ -4,7 +4,7 @@
  */
 #include "check.h"
 
-#include "io/json/number_text.h"
+#include "core/number_text.h"
 
 #include <float.h>
 #include <stdlib.h>
