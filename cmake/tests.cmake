@@ -112,7 +112,7 @@ foreach(file IN LISTS cli_tests)
   string(REPLACE "test_" "" short ${short})
   add_test(NAME cli/${short} COMMAND sh ${file})
   set_tests_properties(cli/${short} PROPERTIES TIMEOUT 300 SKIP_RETURN_CODE 77
-    ENVIRONMENT "TAUT=${CMAKE_BINARY_DIR}/bin/taut;PROBE=${CMAKE_BINARY_DIR}/tests/probe_step;SOURCE=${CMAKE_SOURCE_DIR};${sanitizer_options}")
+    ENVIRONMENT "TAUT=${CMAKE_BINARY_DIR}/bin/taut;PROBE=${CMAKE_BINARY_DIR}/tests/probe_step;SOURCE=${CMAKE_SOURCE_DIR};SOURCE_DATE_EPOCH=0;${sanitizer_options}")
 endforeach()
 
 # Forgeries of made models and random problems, against the judge from outside; by the thousand here, by the million in

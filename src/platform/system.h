@@ -18,6 +18,9 @@ enum { TAUT_PATH_ROOM = 4096, TAUT_OWN_ROOM = 32, TAUT_SUFFIX_ROOM = 32 };
 /* What a number of errno.h means, in `text`. */
 const char *taut_system_reason(int number, char *text, size_t size);
 
+/* Seconds since 1970-01-01T00:00:00 UTC; 0 where no clock says. */
+int64_t taut_system_date(void);
+
 /* Seconds of a clock that only goes forward, from anywhere. */
 double taut_system_seconds(void);
 

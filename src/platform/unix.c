@@ -15,6 +15,12 @@ double taut_system_seconds(void)
                : 0;
 }
 
+int64_t taut_system_date(void)
+{
+    const time_t now = time(NULL);
+    return now > 0 ? (int64_t)now : 0;
+}
+
 int taut_system_processors(void)
 {
     const int64_t count = sysconf(_SC_NPROCESSORS_ONLN);

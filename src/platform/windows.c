@@ -16,6 +16,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 #define WIN32_LEAN_AND_MEAN
 #include <windows.h>
 
@@ -697,6 +698,12 @@ int taut_system_is_terminal(taut_standard stream)
     DWORD mode = 0;
     return GetConsoleMode(handle, &mode) &&
            SetConsoleMode(handle, mode | ENABLE_VIRTUAL_TERMINAL_PROCESSING);
+}
+
+int64_t taut_system_date(void)
+{
+    const time_t now = time(NULL);
+    return now > 0 ? (int64_t)now : 0;
 }
 
 double taut_system_seconds(void)

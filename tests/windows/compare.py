@@ -12,6 +12,7 @@ import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
 
+os.environ["SOURCE_DATE_EPOCH"] = "0"  # the date in STEP files
 source = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 # what is run in other folders is named in full
 native, *program = ([w if os.path.isabs(w) or not os.path.exists(w) else os.path.abspath(w)] for w in sys.argv[1:])

@@ -5,6 +5,7 @@
 #include "core/vec3.h"
 #include "geometry/exponent.h"
 #include "io/cad/format_nurbs.h"
+#include "platform/system.h"
 #include "taut/version.h"
 
 #include <math.h>
@@ -17,10 +18,11 @@ static const double default_tolerance = 1e-6;
 static const double precision_of_size = 1e-7; /* what CAD systems take for one point */
 static const double least_precision = 1e-290, largest_precision = 1e290;
 
+/* Of SOURCE_DATE_EPOCH where it is set, so that a build gives the same bytes again; else now. */
 static void write_date(char text[TAUT_DATE_ROOM])
 {
     const char *found = getenv("SOURCE_DATE_EPOCH");
-    const int64_t seconds = found != NULL ? strtoll(found, NULL, 10) : 0;
+    const int64_t seconds = found != NULL ? strtoll(found, NULL, 10) : taut_system_date();
     taut_date_text(seconds >= 0 && seconds <= TAUT_DATE_MOST ? seconds : 0, text);
 }
 

@@ -13,13 +13,13 @@ typedef struct taut_cad_facts {
     double measured;  /* how far the sides of these were found from where they belong, a check */
     const int
         *from; /* the surface that each comes from of those that were asked for; NULL: the same */
-    double precision;          /* what the file states as its uncertainty, above 0 */
-    int part_count;            /* of an assembly; 0: it is one part */
-    const char *const *parts;  /* [part_count] names of their products */
-    const double *places;      /* [part_count][12]: where they are, the rows of (A | b) */
-    const int *part;           /* the part of each surface, -1: of none */
-    char date[TAUT_DATE_ROOM]; /* "2026-03-01T12:00:00": SOURCE_DATE_EPOCH, else 1970: same bytes */
-    char made[64], exact[128]; /* lines for people */
+    double precision;             /* what the file states as its uncertainty, above 0 */
+    int part_count;               /* of an assembly; 0: it is one part */
+    const char *const *parts;     /* [part_count] names of their products */
+    const double *places;         /* [part_count][12]: where they are, the rows of (A | b) */
+    const int *part;              /* the part of each surface, -1: of none */
+    char date[TAUT_DATE_ROOM];    /* "2026-03-01T12:00:00", UTC: SOURCE_DATE_EPOCH, else now */
+    char made[64], exact[128];    /* lines for people */
     char name[TAUT_NAME_MAX + 1]; /* of the whole: its construction, else its first part */
 } taut_cad_facts;
 
