@@ -73,6 +73,7 @@ typedef struct taut_pattern_rule {
     const double *values;
     const char *curve; /* its name */
     int strip; /* butt: of strips from 0, in the order of their names; -1: all that are longer than the cloth */
+    const char *surface; /* of several: the one that it cuts; NULL: each */
 } taut_pattern_rule;
 
 /* How long seams are made. */
@@ -158,8 +159,9 @@ typedef struct taut_pattern_held {
 typedef struct taut_pattern_problem {
     const taut_model *model; /* the surface is in it */
     const taut_problem *of;  /* or in what this makes */
-    const char *surface;     /* its name; NULL: the only one */
-    int rule_count;          /* at least 1 */
+    const char *
+        surface; /* its name; NULL: the only one, or all of several, which are sewn where they share an edge */
+    int rule_count; /* at least 1 */
     const taut_pattern_rule *rules;
     taut_pattern_seam_length seam_length;
     taut_pattern_cloth cloth;

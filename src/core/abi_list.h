@@ -464,7 +464,8 @@
     X(taut_pattern_rule, value_count, "int") \
     X(taut_pattern_rule, values, "const double *") \
     X(taut_pattern_rule, curve, "const char *") \
-    X(taut_pattern_rule, strip, "int")
+    X(taut_pattern_rule, strip, "int") \
+    X(taut_pattern_rule, surface, "const char *")
 
 #define TAUT_ABI_MEMBERS_taut_pipe_axis(X) \
     X(taut_pipe_axis, kind, "taut_pipe_axis_kind") \

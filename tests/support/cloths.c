@@ -61,3 +61,44 @@ double cloth_number(const made_cloth *made, const char *list, const char *name, 
     }
     return taut_record_number(at);
 }
+
+taut_record *cloth_edited(const taut_record *from, const char *key, const char *old,
+                          const char *new)
+{
+    taut_record *to =
+        taut_record_kind_of(from) == TAUT_RECORD_LIST ? taut_record_new_list() : taut_record_new();
+    const int is_list = taut_record_kind_of(from) == TAUT_RECORD_LIST;
+    for (size_t k = 0; k < taut_record_count(from); k++) {
+        const taut_record *item = taut_record_at(from, k);
+        const char *name = is_list ? NULL : taut_record_key(from, k);
+        if (new == NULL && name != NULL &&strcmp(name, key) == 0) {
+            continue;
+        }
+        switch (taut_record_kind_of(item)) {
+        case TAUT_RECORD_NUMBER: {
+            const double value = taut_record_number(item);
+            const int is_it = strcmp(key, "part") == 0 && value == atof(old);
+            taut_record_add_number(to, name, is_it ? atof(new) : value);
+            break;
+        }
+        case TAUT_RECORD_BOOL:
+            taut_record_add_bool(to, name, taut_record_bool(item));
+            break;
+        case TAUT_RECORD_TEXT: {
+            const int is_it =
+                name != NULL && strcmp(name, key) == 0 && strcmp(taut_record_text(item), old) == 0;
+            taut_record_add_text(to, name, is_it ? new : taut_record_text(item));
+            break;
+        }
+        case TAUT_RECORD_NULL:
+            taut_record_add_null(to, name);
+            break;
+        default: {
+            taut_record *child = cloth_edited(item, key, old, new);
+            taut_record_add_record(to, name, child);
+            taut_record_free(child);
+        }
+        }
+    }
+    return to;
+}

@@ -28,4 +28,9 @@ const taut_record *cloth_told(const made_cloth *made, const char *list, const ch
 /* A number of a piece, along a path of members: "edges/right/flat_length", "extent/0". NaN if there is none. */
 double cloth_number(const made_cloth *made, const char *list, const char *name, const char *path);
 
+/* A copy of details in which a text of this key is another one, or with the key "part" a number, wherever it is; with `new` NULL, without
+ * that key. */
+taut_record *cloth_edited(const taut_record *from, const char *key, const char *old,
+                          const char *new);
+
 #endif /* TAUT_TEST_CLOTHS_H */

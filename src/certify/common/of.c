@@ -41,12 +41,19 @@ const taut_surface *taut_certify_named(const taut_model *model, const char *name
     return NULL;
 }
 
-/* The same of all surfaces of two models. */
-static double all_differences(const taut_model *a, const taut_model *b)
+/* Of a model's surfaces those that are another one's. */
+static int count_of(const taut_model *model, int count)
 {
-    const int count = taut_model_surface_count(a);
-    double wrong = abs(count - taut_model_surface_count(b));
-    for (int k = 0; k < count && k < taut_model_surface_count(b); k++) {
+    const int all = taut_model_surface_count(model);
+    return count > 0 && count < all ? count : all;
+}
+
+/* The same of all surfaces of two models, of the second one the first so many. */
+static double all_differences(const taut_model *a, const taut_model *b, int first)
+{
+    const int count = taut_model_surface_count(a), others = count_of(b, first);
+    double wrong = abs(count - others);
+    for (int k = 0; k < count && k < others; k++) {
         const taut_surface *one = taut_model_surface(a, k), *other = taut_model_surface(b, k);
         wrong += strcmp(taut_surface_name(one), taut_surface_name(other)) != 0;
         wrong += differences(one, other);
@@ -54,11 +61,9 @@ static double all_differences(const taut_model *a, const taut_model *b)
     return wrong;
 }
 
-/* What was made first, proved by its own problem: the surface alone, under the details it was made
- * with. */
-/* An edge of the surface as a curve under its own name. */
-static taut_status add_edge(const taut_surface *surface, int edge, taut_arena *arena,
-                            taut_model *model)
+/* An edge of a surface as a curve of this name. */
+static taut_status add_edge(const taut_surface *surface, int edge, const char *name,
+                            taut_arena *arena, taut_model *model)
 {
     const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
     const int nu = taut_basis_count(u), nv = taut_basis_count(v), is_u = edge < 2;
@@ -75,8 +80,7 @@ static taut_status add_edge(const taut_surface *surface, int edge, taut_arena *a
                taut_surface_points(surface) + 3 * ((size_t)i * (size_t)nv + (size_t)j),
                3 * sizeof(double));
     }
-    taut_status status =
-        taut_curve_new(taut_edge_name((taut_edge)edge), is_u ? v : u, points, NULL, &curve, NULL);
+    taut_status status = taut_curve_new(name, is_u ? v : u, points, NULL, &curve, NULL);
     if (status == TAUT_OK) {
         status = taut_model_add_curve(model, curve);
         if (status != TAUT_OK) {
@@ -86,7 +90,23 @@ static taut_status add_edge(const taut_surface *surface, int edge, taut_arena *a
     return status;
 }
 
-/* The cables of a film, which are edges of it: the model that goes on from its surface leaves them out. */
+/* The edge that a cable is told to be, "u0", or of one of several surfaces "NAME.u0"; -1. */
+static int edge_of(const char *cable, const taut_surface *surface)
+{
+    const char *dot = strrchr(cable, '.'), *name = taut_surface_name(surface);
+    const size_t length = dot != NULL ? (size_t)(dot - cable) : 0;
+    if (dot != NULL && (strlen(name) != length || strncmp(name, cable, length) != 0)) {
+        return -1;
+    }
+    for (int e = 0; e < 4; e++) {
+        if (strcmp(dot != NULL ? dot + 1 : cable, taut_edge_name((taut_edge)e)) == 0) {
+            return e;
+        }
+    }
+    return -1;
+}
+
+/* The cables of a film, which are edges of it: the model that goes on from its surfaces leaves them out. */
 static taut_status add_cables(const taut_record *details, const taut_surface *surface,
                               taut_arena *arena, taut_model *model)
 {
@@ -94,17 +114,15 @@ static taut_status add_cables(const taut_record *details, const taut_surface *su
     taut_status status = TAUT_OK;
     for (size_t k = 0; status == TAUT_OK && k < taut_record_count(cables); k++) {
         const char *name = taut_record_text(taut_record_get(taut_record_at(cables, k), "edge"));
-        for (int e = 0; status == TAUT_OK && e < 4; e++) {
-            if (strcmp(name, taut_edge_name((taut_edge)e)) == 0) {
-                status = add_edge(surface, e, arena, model);
-            }
-        }
+        const int edge = edge_of(name, surface);
+        status = edge >= 0 ? add_edge(surface, edge, name, arena, model) : TAUT_OK;
     }
     return status;
 }
 
+/* What was made first, proved by its own problem: the surfaces alone, under the details they were made with. */
 static taut_status prove_first(const taut_model *whole, const taut_surface *carrier, int all,
-                               const taut_problem *problem, taut_arena *arena,
+                               int first, const taut_problem *problem, taut_arena *arena,
                                const taut_audit *audit, taut_claim *claim, taut_error *error)
 {
     const taut_record *of = taut_record_get(taut_model_details(whole), "of");
@@ -119,17 +137,18 @@ static taut_status prove_first(const taut_model *whole, const taut_surface *carr
     if (taut_model_new(&model) != TAUT_OK || !taut_keep_model(arena, model)) {
         return taut_fail_memory(error);
     }
-    for (int k = 0; k < (all ? taut_model_surface_count(whole) : 1); k++) {
+    for (int k = 0; k < (all ? count_of(whole, first) : 1); k++) {
+        const taut_surface *from = all ? taut_model_surface(whole, k) : carrier;
         taut_surface *surface = NULL;
-        if (taut_surface_copy(all ? taut_model_surface(whole, k) : carrier, &surface) != TAUT_OK ||
+        if (taut_surface_copy(from, &surface) != TAUT_OK ||
             taut_model_add_surface(model, surface) != TAUT_OK) {
             taut_surface_free(surface);
             return taut_fail_memory(error);
         }
-    }
-    if (!all && taut_surface_weights(carrier) == NULL &&
-        add_cables(details, carrier, arena, model) != TAUT_OK) {
-        return taut_fail_memory(error);
+        if (taut_surface_weights(from) == NULL &&
+            add_cables(details, from, arena, model) != TAUT_OK) {
+            return taut_fail_memory(error);
+        }
     }
     if (details != NULL) {
         taut_record *copy = taut_record_copy(details);
@@ -169,10 +188,11 @@ taut_status taut_certify_of(const taut_model *model, const taut_surface *surface
     taut_status status = TAUT_OK;
 
     if (given->of != NULL) {
-        status = prove_first(model, surface, given->all, given->of, arena, audit, &claim, error);
+        status = prove_first(model, surface, given->all, given->count, given->of, arena, audit,
+                             &claim, error);
     } else {
         const taut_surface *one = taut_certify_named(given->model, given->surface);
-        claim.residual = given->all    ? all_differences(given->model, model)
+        claim.residual = given->all    ? all_differences(given->model, model, given->count)
                          : one != NULL ? differences(one, surface)
                                        : 1;
         claim.holds = taut_certify_below(claim.residual, 0);

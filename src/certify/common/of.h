@@ -13,6 +13,7 @@ typedef struct taut_certify_given {
     const taut_problem *of;
     const char *surface; /* its name there, or NULL: the only one */
     int all;             /* or nonzero: all surfaces of the model, and `surface` is not looked at */
+    int count;           /* with `all`: those of them that come first, 0: all that there are */
 } taut_certify_given;
 
 /* Adds the claim `surface`: numbers that differ from the model's that was given (exact), or claims that do not hold of what was

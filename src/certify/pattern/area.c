@@ -96,8 +96,7 @@ static double crossing(const line *l, int d, double knot, double a, double b)
 /* Adds where a line crosses knots. */
 static void add_crossings(const line *l, double breaks[BREAKS], int *count)
 {
-    const taut_basis *bases[2] = {taut_surface_u(l->cloth->surface),
-                                  taut_surface_v(l->cloth->surface)};
+    const taut_basis *bases[2] = {taut_surface_u(l->piece->on), taut_surface_v(l->piece->on)};
     for (int d = 0; d < 2; d++) {
         const double *knots = taut_basis_breaks(bases[d]);
         double before = line_at(l, 0, d);
@@ -210,8 +209,12 @@ taut_status taut_cloth_add_exhausts(const taut_cloth *cloth, double *area,
     double whole = 0, error = 0, doubt = 0;
     taut_worst w = {0, "the whole"};
 
-    if (taut_surface_area(cloth->surface, &whole, &error) != TAUT_OK) {
-        return TAUT_NO_MEMORY;
+    for (int k = 0; k < cloth->surface_count; k++) {
+        double one = 0;
+        if (taut_surface_area(cloth->surfaces[k], &one, &error) != TAUT_OK) {
+            return TAUT_NO_MEMORY;
+        }
+        whole += one;
     }
     *area = sum_of(cloth, area_of, CELLS, CELLS_MOST, whole, &doubt);
     if (area_share * doubt > area_limit) {

@@ -56,10 +56,23 @@ static const taut_curve *line_of(taut_cloth *cloth, const char *piece, const cha
 
 /* ---- sides ---- */
 
-static int side_named(const taut_cloth *cloth, const char *name)
+/* The scaled surface that an object of details says it belongs to, or the only one; NULL. */
+static const taut_surface *surface_of(const taut_cloth *cloth, const taut_record *object)
+{
+    const char *name = taut_record_text(taut_record_get(object, "surface"));
+    for (int k = 0; k < cloth->surface_count; k++) {
+        if (!cloth->is_several ||
+            strcmp(taut_surface_name(taut_model_surface(cloth->model, k)), name) == 0) {
+            return cloth->surfaces[k];
+        }
+    }
+    return NULL;
+}
+
+static int side_named(const taut_cloth *cloth, const taut_surface *on, const char *name)
 {
     for (int k = 0; k < cloth->side_count; k++) {
-        if (strcmp(cloth->sides[k].name, name) == 0) {
+        if (cloth->sides[k].on == on && strcmp(cloth->sides[k].name, name) == 0) {
             return k;
         }
     }
@@ -94,11 +107,14 @@ static taut_status read_sides(taut_cloth *cloth, const taut_record *details, tau
         if (status != TAUT_OK) {
             return status;
         }
-        if (window == NULL || side_named(cloth, name) >= 0) {
+        const taut_surface *on = surface_of(cloth, item);
+        if (window == NULL || on == NULL || side_named(cloth, on, name) >= 0) {
             miss(cloth, name);
             continue;
         }
         *side = (taut_cloth_side){.name = name,
+                                  .on = on,
+                                  .mate = -1,
                                   .window = window,
                                   .share = (double)NAN,
                                   .length = ldexp(taut_basis_hi(taut_curve_t(window)) -
@@ -114,7 +130,7 @@ static taut_status read_sides(taut_cloth *cloth, const taut_record *details, tau
 /* The flat surface of a name: polynomial, over [0, 1]^2, in the plane. */
 static taut_status take_flat(taut_cloth *cloth, taut_cloth_piece *piece, taut_arena *arena)
 {
-    for (int i = 1; i < taut_model_surface_count(cloth->model); i++) {
+    for (int i = cloth->surface_count; i < taut_model_surface_count(cloth->model); i++) {
         const taut_surface *one = taut_model_surface(cloth->model, i);
         const taut_basis *bases[2] = {taut_surface_u(one), taut_surface_v(one)};
         taut_surface *scaled = NULL;
@@ -177,7 +193,7 @@ static void take_side(taut_cloth *cloth, taut_cloth_piece *piece, int e, const t
     const taut_record *seam = taut_record_get(edge, "seam");
     const taut_record *border = taut_record_get(edge, "edge");
     const taut_record *part = taut_record_get(edge, "part");
-    const int side = side_named(cloth, taut_record_text(border != NULL ? border : seam));
+    const int side = side_named(cloth, piece->on, taut_record_text(border != NULL ? border : seam));
     piece->sides[e] = side;
     const taut_record *share = taut_record_get(edge, "compensation");
     piece->is_sewn[e] = seam != NULL;
@@ -191,6 +207,11 @@ static void take_side(taut_cloth *cloth, taut_cloth_piece *piece, int e, const t
         return;
     }
     if (seam != NULL) {
+        const int is_turned = taut_record_get(edge, "turned") != NULL;
+        if (cloth->sides[side].seam != NULL && cloth->sides[side].is_turned != is_turned) {
+            miss(cloth, piece->name);
+        }
+        cloth->sides[side].is_turned = is_turned;
         take_seam(cloth, &cloth->sides[side], taut_record_text(seam));
     }
 }
@@ -215,7 +236,12 @@ static taut_status read_piece(taut_cloth *cloth, const taut_record *item, const 
     const taut_record *edges = taut_record_get(item, "edges");
     const int before = cloth->missing;
 
-    *piece = (taut_cloth_piece){.name = taut_record_text(taut_record_get(item, "name"))};
+    *piece = (taut_cloth_piece){.name = taut_record_text(taut_record_get(item, "name")),
+                                .on = surface_of(cloth, item)};
+    if (piece->on == NULL) {
+        miss(cloth, piece->name);
+        piece->on = cloth->surfaces[0];
+    }
     const taut_status status = take_flat(cloth, piece, arena);
     if (status != TAUT_OK) {
         return status;
@@ -333,6 +359,62 @@ static void find_points(taut_cloth *cloth, taut_cloth_piece *piece)
     }
 }
 
+/* Those that are cut: the first one, or where pieces say which they are part of all but the flat ones. In one unit. */
+static taut_status read_surfaces(taut_cloth *cloth, const taut_record *pieces, taut_arena *arena)
+{
+    const int all = taut_model_surface_count(cloth->model);
+    const int count = all - (int)taut_record_count(pieces);
+    taut_surface **surfaces = NULL;
+    cloth->is_several = taut_record_get(taut_record_at(pieces, 0), "surface") != NULL;
+    cloth->surface_count = cloth->is_several && count > 1 ? count : 1;
+    cloth->surfaces = surfaces =
+        taut_arena_take(arena, (size_t)cloth->surface_count, sizeof *surfaces);
+    if (surfaces == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    cloth->unit = taut_certify_unit_of(taut_model_surface(cloth->model, 0));
+    for (int k = 1; k < cloth->surface_count; k++) {
+        const int unit = taut_certify_unit_of(taut_model_surface(cloth->model, k));
+        cloth->unit = unit > cloth->unit ? unit : cloth->unit;
+    }
+    cloth->size = 0;
+    for (int k = 0; k < cloth->surface_count; k++) {
+        if (taut_certify_scaled(taut_model_surface(cloth->model, k), cloth->unit, &surfaces[k]) !=
+                TAUT_OK ||
+            !taut_keep_surface(arena, surfaces[k])) {
+            return TAUT_NO_MEMORY;
+        }
+        const double size =
+            2 * taut_half_size(taut_point_count(surfaces[k]), taut_surface_points(surfaces[k]));
+        cloth->size = size > cloth->size ? size : cloth->size;
+    }
+    return TAUT_OK;
+}
+
+/* Where two surfaces are sewn to each other. */
+static void find_mates(taut_cloth *cloth)
+{
+    for (int i = 0; i < cloth->side_count; i++) {
+        for (int k = 0; k < cloth->side_count; k++) {
+            const taut_cloth_side *a = &cloth->sides[i], *b = &cloth->sides[k];
+            if (a->on == b->on || a->seam == NULL || b->seam == NULL ||
+                strcmp(a->seam, b->seam) != 0) {
+                continue;
+            }
+            if (a->mate >= 0) { /* three of them */
+                miss(cloth, a->seam);
+            }
+            cloth->sides[i].mate = k;
+        }
+    }
+}
+
+int taut_cloth_is_first(const taut_cloth *cloth, const taut_cloth_piece *piece, int edge)
+{
+    const int side = piece->sides[edge], mate = cloth->sides[side].mate;
+    return mate < 0 ? taut_cloth_hand(edge) == 0 : side < mate;
+}
+
 taut_status taut_cloth_read(taut_arena *arena, const taut_model *model,
                             const taut_pattern_problem *problem, taut_cloth *cloth,
                             taut_error *error)
@@ -344,8 +426,7 @@ taut_status taut_cloth_read(taut_arena *arena, const taut_model *model,
 
     cloth->model = model;
     cloth->problem = problem;
-    cloth->given = taut_model_surface(model, 0);
-    if (cloth->given == NULL) {
+    if (taut_model_surface_count(model) == 0) {
         return taut_fail(error, TAUT_BAD_INPUT, "model", "/surfaces", taut_none, taut_none,
                          "the model has no surface, and so no pattern");
     }
@@ -353,18 +434,17 @@ taut_status taut_cloth_read(taut_arena *arena, const taut_model *model,
         return taut_fail(error, TAUT_BAD_INPUT, "details", "/details/pieces", taut_none, taut_none,
                          "the model does not say which its pieces are");
     }
-    cloth->unit = taut_certify_unit_of(cloth->given);
-    if (taut_certify_scaled(cloth->given, cloth->unit, &cloth->surface) != TAUT_OK ||
-        !taut_keep_surface(arena, cloth->surface)) {
+    if (read_surfaces(cloth, list, arena) != TAUT_OK) {
         return taut_fail_memory(error);
     }
-    cloth->size =
-        2 * taut_half_size(taut_point_count(cloth->surface), taut_surface_points(cloth->surface));
     take_asked(cloth, details);
     cloth->pieces = taut_arena_take(arena, count, sizeof *cloth->pieces);
     taut_status status = cloth->pieces != NULL ? read_sides(cloth, details, arena) : TAUT_NO_MEMORY;
     for (size_t k = 0; status == TAUT_OK && k < count; k++) {
         status = read_piece(cloth, taut_record_at(list, k), roll, arena);
+    }
+    if (status == TAUT_OK) {
+        find_mates(cloth);
     }
     for (int k = 0; status == TAUT_OK && k < cloth->piece_count; k++) {
         find_points(cloth, &cloth->pieces[k]);
@@ -461,7 +541,8 @@ static void patch_on(const taut_cloth *cloth, const taut_cloth_across *across, d
 int taut_cloth_window_on(const taut_cloth *cloth, const taut_cloth_across *across, double t,
                          double w[3][2])
 {
-    const taut_basis *bases[2] = {taut_surface_u(cloth->surface), taut_surface_v(cloth->surface)};
+    const taut_surface *on = across->piece->on;
+    const taut_basis *bases[2] = {taut_surface_u(on), taut_surface_v(on)};
     double all[6][2];
 
     patch_on(cloth, across, t, 1, all);
@@ -490,7 +571,7 @@ int taut_cloth_metric_on(const taut_cloth *cloth, const taut_cloth_across *acros
 {
     double w[3][2], x[3][3], along[2][3];
     if (!taut_cloth_window_on(cloth, across, t, w) ||
-        taut_surface_eval(cloth->surface, w[0][0], w[0][1], 1, x[0]) != TAUT_OK) {
+        taut_surface_eval(across->piece->on, w[0][0], w[0][1], 1, x[0]) != TAUT_OK) {
         return 0;
     }
     for (int k = 0; k < 2; k++) {

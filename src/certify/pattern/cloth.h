@@ -18,6 +18,9 @@ enum { TAUT_CLOTH_RIGHT = 0, TAUT_CLOTH_END, TAUT_CLOTH_LEFT, TAUT_CLOTH_START, 
 
 typedef struct taut_cloth_side {
     const char *name;
+    const taut_surface *on; /* scaled: of several the one in whose window it is */
+    int mate;               /* the side of another surface that it is sewn to; -1 */
+    int is_turned;          /* it runs against its seam, which is told as its mate runs */
     const char *
         seam; /* its name; of a border that is sewn, where a ring closes, another one; NULL: a border */
     const char *kind;         /* of a seam: geodesic, line, curve */
@@ -29,6 +32,7 @@ typedef struct taut_cloth_side {
 
 typedef struct taut_cloth_piece {
     const char *name;
+    const taut_surface *on;      /* scaled: of several the one that it is part of */
     int index;                   /* of the flat surface in the model */
     int sides[TAUT_CLOTH_EDGES]; /* what edges are parts of; -1: a straight part of a border */
     int is_sewn[TAUT_CLOTH_EDGES];
@@ -50,10 +54,11 @@ typedef struct taut_cloth_piece {
 typedef struct taut_cloth {
     const taut_model *model;
     const taut_pattern_problem *problem; /* or NULL */
-    const taut_surface *given;           /* the surface of the model */
-    taut_surface *surface;               /* scaled; the arena's */
+    int surface_count;                   /* that are cut: the first ones of the model */
+    int is_several;                      /* pieces and sides tell theirs */
+    taut_surface *const *surfaces;       /* scaled; the arena's */
     int unit;
-    double size; /* of the scaled surface */
+    double size; /* of the largest scaled surface */
     int side_count, piece_count;
     taut_cloth_side *sides;
     taut_cloth_piece *pieces;
@@ -97,6 +102,8 @@ int taut_cloth_metric(const taut_cloth *cloth, const taut_cloth_piece *piece, do
                       double g[3]);
 /* The place of a side at a share of it. */
 void taut_cloth_side_at(const taut_cloth_side *side, double share, double at[2]);
+/* Of two pieces that are sewn together, those whose lengths are the seam's: to its left, or on the first of two surfaces. */
+int taut_cloth_is_first(const taut_cloth *cloth, const taut_cloth_piece *piece, int edge);
 /* Does an edge lie to the left of its side (0), or to its right? */
 static inline int taut_cloth_hand(int edge)
 {

@@ -285,7 +285,7 @@ static double gauss_at(const work *w, const taut_cloth_across *across, double t)
     double at[3][2];
     taut_forms forms;
     if (!taut_cloth_window_on(w->cloth, across, t, at) ||
-        taut_surface_forms_points(w->cloth->surface, 1, &at[0][0], &at[0][1], 1, &forms) !=
+        taut_surface_forms_points(across->piece->on, 1, &at[0][0], &at[0][1], 1, &forms) !=
             TAUT_OK) {
         return (double)NAN;
     }

@@ -144,7 +144,7 @@ static taut_status add_figures(const taut_cloth *cloth, const taut_cloth_state *
     for (int k = 0; k < cloth->piece_count; k++) {
         for (int e = 0; e < TAUT_CLOTH_EDGES; e++) { /* once a seam: those to its left */
             const taut_cloth_piece *piece = &cloth->pieces[k];
-            seams += piece->is_sewn[e] && taut_cloth_hand(e) == 0
+            seams += piece->is_sewn[e] && taut_cloth_is_first(cloth, piece, e)
                          ? taut_cloth_length(cloth, piece->edges[e])
                          : 0;
         }
@@ -208,10 +208,18 @@ static taut_status add_surface(const taut_cloth *cloth, taut_arena *arena, const
                                taut_certificate *certificate, taut_error *error)
 {
     const taut_pattern_problem *p = cloth->problem;
+    /* of a model all are cut where none is named */
+    const int asked = p != NULL && p->model != NULL && p->surface == NULL
+                          ? taut_model_surface_count(p->model)
+                          : 1;
+    const int count = p != NULL && p->model != NULL ? asked
+                      : cloth->is_several           ? cloth->surface_count
+                                                    : 1;
     const taut_certify_given given = {p != NULL ? p->model : NULL, p != NULL ? p->of : NULL,
-                                      p != NULL ? p->surface : NULL, 0};
-    return p != NULL ? taut_certify_of(cloth->model, cloth->given, &given, arena, audit,
-                                       certificate, error)
+                                      p != NULL ? p->surface : NULL, count > 1,
+                                      cloth->surface_count};
+    return p != NULL ? taut_certify_of(cloth->model, taut_model_surface(cloth->model, 0), &given,
+                                       arena, audit, certificate, error)
                      : TAUT_OK;
 }
 
@@ -244,6 +252,19 @@ static taut_status certify(const taut_model *model, const void *data, const taut
     return status;
 }
 
+/* Does no piece before this one lie on its surface? */
+static int is_first_of(const taut_record *pieces, size_t piece)
+{
+    const char *name = taut_record_text(taut_record_get(taut_record_at(pieces, piece), "surface"));
+    for (size_t k = 0; k < piece; k++) {
+        if (strcmp(taut_record_text(taut_record_get(taut_record_at(pieces, k), "surface")), name) ==
+            0) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
 /* The surface, and of each piece of details its flat surface and its lines; the seams. */
 static void identify(const taut_model *model, const void *data, taut_identity *identity)
 {
@@ -256,7 +277,17 @@ static void identify(const taut_model *model, const void *data, taut_identity *i
                                     ? taut_certify_named(problem->model, problem->surface)
                                     : NULL;
 
-    taut_identity_surface(identity, 0, given != NULL ? taut_surface_name(given) : NULL, NULL, NULL);
+    if (taut_record_get(taut_record_at(pieces, 0), "surface") == NULL) {
+        taut_identity_surface(identity, 0, given != NULL ? taut_surface_name(given) : NULL, NULL,
+                              NULL);
+    }
+    for (size_t k = 0; k < taut_record_count(pieces); k++) { /* of several, that of each piece */
+        const taut_record *surface = taut_record_get(taut_record_at(pieces, k), "surface");
+        const int index = taut_identity_find_surface(identity, taut_record_text(surface));
+        if (surface != NULL && index >= 0 && is_first_of(pieces, k)) {
+            taut_identity_surface(identity, index, taut_record_text(surface), NULL, NULL);
+        }
+    }
     for (size_t k = 0; k < taut_record_count(pieces); k++) {
         const char *name = taut_record_text(taut_record_get(taut_record_at(pieces, k), "name"));
         taut_identity_surface(identity, taut_identity_find_surface(identity, name), name, NULL,

@@ -30,7 +30,7 @@ int taut_cloth_spot_at(const taut_cloth *cloth, const taut_cloth_piece *piece, d
         return 0;
     }
     taut_cloth_bend_on(cloth, &across, at, bent);
-    if (taut_surface_eval(cloth->surface, w[0][0], w[0][1], 2, x[0]) != TAUT_OK) {
+    if (taut_surface_eval(piece->on, w[0][0], w[0][1], 2, x[0]) != TAUT_OK) {
         return 0;
     }
     const double *ws = w[1], *wt = w[2];

@@ -28,10 +28,9 @@ static const double geodesic_limit = 1e-6, seam_limit = 1e-9, edge_limit = 1e-6;
 /* ---- cover ---- */
 
 /* Which border of the window a place is on exactly, from 0: u0, u1, v0, v1; -1: none. */
-static int is_on(const taut_cloth *cloth, const double *at, int border)
+static int is_on(const taut_surface *on, const double *at, int border)
 {
-    const taut_basis *basis =
-        border < 2 ? taut_surface_u(cloth->surface) : taut_surface_v(cloth->surface);
+    const taut_basis *basis = border < 2 ? taut_surface_u(on) : taut_surface_v(on);
     return at[border / 2] == (border % 2 == 0 ? taut_basis_lo(basis) : taut_basis_hi(basis));
 }
 
@@ -42,12 +41,12 @@ static const double *end_of(const taut_cloth_side *side, int end)
 }
 
 /* All of a side on one border, exactly: its control points are. */
-static int lies_on(const taut_cloth *cloth, const taut_cloth_side *side, int border)
+static int lies_on(const taut_cloth_side *side, int border)
 {
     const int count = taut_basis_count(taut_curve_t(side->window));
     int all = 1;
     for (int k = 0; k < count; k++) {
-        all &= is_on(cloth, taut_curve_points(side->window) + 3 * k, border);
+        all &= is_on(side->on, taut_curve_points(side->window) + 3 * k, border);
     }
     return all;
 }
@@ -100,8 +99,8 @@ static int parts_along(const taut_cloth *cloth, const taut_cloth_side *side, int
             const taut_cloth_side *own =
                 piece->sides[e] >= 0 ? &cloth->sides[piece->sides[e]] : NULL;
             const int is_there =
-                own == side || (own != NULL && side->seam != NULL && own->seam != NULL &&
-                                strcmp(own->seam, side->seam) == 0);
+                own == side || (own != NULL && own->on == side->on && side->seam != NULL &&
+                                own->seam != NULL && strcmp(own->seam, side->seam) == 0);
             if (is_there && taut_cloth_hand(e) == hand && count < PIECES) {
                 list[count++] = (stretch){piece->part[e][0], piece->part[e][1]};
             }
@@ -118,11 +117,11 @@ static void look_along(const taut_cloth *cloth, int index, taut_worst *w)
     int counts[2];
     for (int hand = 0; hand < 2; hand++) {
         counts[hand] = parts_along(cloth, side, hand, list);
-        if (side->seam != NULL || counts[hand] > 0) {
+        if ((side->seam != NULL && side->mate < 0) || counts[hand] > 0) {
             count_wrong(w, counts[hand] == 0 || gaps(list, counts[hand], 0, 1) > 0, side->name, 0);
         }
     }
-    if (side->seam == NULL) {
+    if (side->seam == NULL || side->mate >= 0) {
         count_wrong(w, (counts[0] > 0) == (counts[1] > 0), side->name, 0);
     }
 }
@@ -146,9 +145,9 @@ static void corners_of(const taut_cloth *cloth, const taut_cloth_piece *piece, d
 }
 
 /* Two places of the window that are one. */
-static int is_one(const taut_cloth *cloth, const double a[2], const double b[2])
+static int is_one(const taut_surface *on, const double a[2], const double b[2])
 {
-    const taut_basis *bases[2] = {taut_surface_u(cloth->surface), taut_surface_v(cloth->surface)};
+    const taut_basis *bases[2] = {taut_surface_u(on), taut_surface_v(on)};
     int all = 1;
     for (int d = 0; d < 2; d++) {
         const double range = taut_basis_hi(bases[d]) - taut_basis_lo(bases[d]);
@@ -169,13 +168,14 @@ static void look_at_ends(const taut_cloth *cloth, const taut_cloth_piece *piece,
             for (int k = 0; k < 2; k++) {
                 taut_cloth_side_at(&cloth->sides[piece->sides[e]], piece->part[e][k], ends[k]);
             }
-            count_wrong(w, !is_one(cloth, right, ends[0]) || !is_one(cloth, left, ends[1]),
+            count_wrong(w, !is_one(piece->on, right, ends[0]) || !is_one(piece->on, left, ends[1]),
                         piece->name, end);
             continue;
         }
         const int border = piece->border[e];
-        count_wrong(w, border < 0 || !is_on(cloth, right, border) || !is_on(cloth, left, border),
-                    piece->name, end);
+        count_wrong(
+            w, border < 0 || !is_on(piece->on, right, border) || !is_on(piece->on, left, border),
+            piece->name, end);
         const int is_none = piece->is_point[e] && right[0] == left[0] && right[1] == left[1];
         const int is_fine =
             is_none || (border >= 0 && (end == 0 ? is_forward(border, left, right)
@@ -185,19 +185,19 @@ static void look_at_ends(const taut_cloth *cloth, const taut_cloth_piece *piece,
 }
 
 /* A border is covered once: by a side all along it, or by straight ends of pieces. */
-static void look_at_border(const taut_cloth *cloth, int border, taut_worst *w)
+static void look_at_border(const taut_cloth *cloth, const taut_surface *on, int border,
+                           taut_worst *w)
 {
     static const char *const names[] = {"u0", "u1", "v0", "v1"};
     const int along = 1 - border / 2;
-    const taut_basis *basis =
-        along == 0 ? taut_surface_u(cloth->surface) : taut_surface_v(cloth->surface);
+    const taut_basis *basis = along == 0 ? taut_surface_u(on) : taut_surface_v(on);
     const double range[2] = {taut_basis_lo(basis), taut_basis_hi(basis)};
     stretch list[PIECES];
     int times = 0, count = 0;
     for (int k = 0; k < cloth->side_count; k++) {
         const taut_cloth_side *side = &cloth->sides[k];
         const double *a = end_of(side, 0), *b = end_of(side, 1);
-        if (!lies_on(cloth, side, border)) {
+        if (side->on != on || !lies_on(side, border)) {
             continue;
         }
         const double low = fmin(a[along], b[along]), high = fmax(a[along], b[along]);
@@ -219,8 +219,8 @@ static void look_at_border(const taut_cloth *cloth, int border, taut_worst *w)
         corners_of(cloth, piece, at);
         for (int end = 0; end < 2; end++) {
             const int e = end == 0 ? TAUT_CLOTH_START : TAUT_CLOTH_END;
-            if (piece->sides[e] < 0 && piece->border[e] == border && count < PIECES &&
-                at[0][end][along] != at[1][end][along]) {
+            if (piece->on == on && piece->sides[e] < 0 && piece->border[e] == border &&
+                count < PIECES && at[0][end][along] != at[1][end][along]) {
                 list[count++] = (stretch){fmin(at[0][end][along], at[1][end][along]),
                                           fmax(at[0][end][along], at[1][end][along])};
             }
@@ -242,11 +242,12 @@ static int is_held(const taut_cloth_side *side, int d)
 }
 
 /* A border of the window that is one place. */
-static int is_pole(const taut_cloth *cloth, int border)
+static int is_pole(const taut_cloth *cloth, const taut_surface *on, int border)
 {
     for (int k = 0; k < cloth->piece_count; k++) {
         for (int e = 0; e < TAUT_CLOTH_EDGES; e++) {
-            if (cloth->pieces[k].is_point[e] && cloth->pieces[k].border[e] == border) {
+            if (cloth->pieces[k].on == on && cloth->pieces[k].is_point[e] &&
+                cloth->pieces[k].border[e] == border) {
                 return 1;
             }
         }
@@ -259,7 +260,7 @@ static int is_asked_line(const taut_cloth *cloth, const taut_cloth_side *side)
 {
     const double *at = end_of(side, 0);
     for (int b = 0; b < 4; b++) {
-        if (lies_on(cloth, side, b)) {
+        if (lies_on(side, b)) {
             return 1;
         }
     }
@@ -269,7 +270,7 @@ static int is_asked_line(const taut_cloth *cloth, const taut_cloth_side *side)
             rule->kind == TAUT_PATTERN_ACROSS || rule->kind == TAUT_PATTERN_RADIAL;
         for (int e = 0; is_strips && e < 2; e++) { /* from a pole they run along parameter lines */
             const int across = 1 - (int)rule->edges[0] / 2;
-            if (is_pole(cloth, (int)rule->edges[e]) && is_held(side, across)) {
+            if (is_pole(cloth, side->on, (int)rule->edges[e]) && is_held(side, across)) {
                 return 1;
             }
         }
@@ -311,8 +312,8 @@ static taut_status add_cover(const taut_cloth *cloth, taut_certificate *certific
     for (int k = 0; k < cloth->piece_count; k++) {
         look_at_ends(cloth, &cloth->pieces[k], &w);
     }
-    for (int border = 0; border < 4; border++) {
-        look_at_border(cloth, border, &w);
+    for (int border = 0; border < 4 * cloth->surface_count; border++) {
+        look_at_border(cloth, cloth->surfaces[border / 4], border % 4, &w);
     }
     if (cloth->problem != NULL) {
         look_at_kinds(cloth, &w);
@@ -326,14 +327,15 @@ static taut_status add_cover(const taut_cloth *cloth, taut_certificate *certific
 static int look_at(const taut_cloth *cloth, const taut_cloth_side *side, double t, double *away,
                    double *bend, double *speed)
 {
-    const taut_basis *bases[2] = {taut_surface_u(cloth->surface), taut_surface_v(cloth->surface)};
+    const taut_basis *bases[2] = {taut_surface_u(side->on), taut_surface_v(side->on)};
     double c[3][3], at[2], on[3][3], sideways[3], apart[3];
     taut_forms forms;
 
     const taut_basis *basis = taut_curve_t(side->space);
     const double lo_t = taut_basis_lo(basis), range = taut_basis_hi(basis) - lo_t;
     taut_cloth_line(cloth, side->space, t, 2, c);
-    taut_cloth_side_at(side, (t - lo_t) / range, at);
+    const double share = (t - lo_t) / range;
+    taut_cloth_side_at(side, side->is_turned ? 1 - share : share, at);
     for (int d = 0; d < 2; d++) {
         const double lo = taut_basis_lo(bases[d]), hi = taut_basis_hi(bases[d]);
         const double room = 1e-9 * (hi - lo);
@@ -342,8 +344,8 @@ static int look_at(const taut_cloth *cloth, const taut_cloth_side *side, double 
         }
         at[d] = fmin(fmax(at[d], lo), hi);
     }
-    if (taut_surface_eval(cloth->surface, at[0], at[1], 1, on[0]) != TAUT_OK ||
-        taut_surface_forms_points(cloth->surface, 1, &at[0], &at[1], 1, &forms) != TAUT_OK) {
+    if (taut_surface_eval(side->on, at[0], at[1], 1, on[0]) != TAUT_OK ||
+        taut_surface_forms_points(side->on, 1, &at[0], &at[1], 1, &forms) != TAUT_OK) {
         return 0;
     }
     taut_difference(c[0], on[0], apart);
@@ -430,8 +432,15 @@ static void compare(const taut_cloth *cloth, const char *name, const sewn both[2
 {
     const taut_cloth_piece *pieces[2] = {&cloth->pieces[both[0].piece],
                                          &cloth->pieces[both[1].piece]};
-    const double *parts[2] = {pieces[0]->part[both[0].edge], pieces[1]->part[both[1].edge]};
-    const double from = fmax(parts[0][0], parts[1][0]), to = fmin(parts[0][1], parts[1][1]);
+    double parts[2][2];
+    for (int k = 0; k < 2; k++) { /* as the seam runs: from > to against it */
+        const double *part = pieces[k]->part[both[k].edge];
+        const int is_turned = cloth->sides[pieces[k]->sides[both[k].edge]].is_turned;
+        parts[k][0] = is_turned ? 1 - part[0] : part[0];
+        parts[k][1] = is_turned ? 1 - part[1] : part[1];
+    }
+    const double from = fmax(fmin(parts[0][0], parts[0][1]), fmin(parts[1][0], parts[1][1]));
+    const double to = fmin(fmax(parts[0][0], parts[0][1]), fmax(parts[1][0], parts[1][1]));
     double nodes[FEW], weights[FEW], sums[2] = {0, 0}, apart = 0, at = 0;
 
     if (!(from < to)) {
@@ -442,10 +451,10 @@ static void compare(const taut_cloth *cloth, const char *name, const sewn both[2
         const double a = (double)i / STEPS, b = (double)(i + 1) / STEPS;
         for (int k = 0; k < 2; k++) {
             const double range = parts[k][1] - parts[k][0];
-            sums[k] +=
-                length_between(cloth, pieces[k]->edges[both[k].edge],
-                               (from + a * (to - from) - parts[k][0]) / range,
-                               (from + b * (to - from) - parts[k][0]) / range, nodes, weights);
+            sums[k] += fabs(length_between(cloth, pieces[k]->edges[both[k].edge],
+                                           (from + a * (to - from) - parts[k][0]) / range,
+                                           (from + b * (to - from) - parts[k][0]) / range, nodes,
+                                           weights));
         }
         if (!(fabs(sums[0] - sums[1]) <= apart)) {
             apart = fabs(sums[0] - sums[1]);
@@ -544,8 +553,8 @@ static taut_status add_seams(const taut_cloth *cloth, taut_certificate *certific
         for (int k = 0; k < cloth->piece_count * TAUT_CLOTH_EDGES; k++) {
             const sewn both[2] = {a, {k / TAUT_CLOTH_EDGES, k % TAUT_CLOTH_EDGES}};
             const taut_cloth_piece *other = &cloth->pieces[both[1].piece];
-            if (taut_cloth_hand(a.edge) == 0 && taut_cloth_hand(both[1].edge) == 1 &&
-                other->is_sewn[both[1].edge] &&
+            if (taut_cloth_is_first(cloth, piece, a.edge) && other->is_sewn[both[1].edge] &&
+                !taut_cloth_is_first(cloth, other, both[1].edge) &&
                 strcmp(cloth->sides[other->sides[both[1].edge]].seam, name) == 0) {
                 compare(cloth, name, both, &w);
             }

@@ -738,7 +738,7 @@ static taut_status add_surface(const request *r, taut_arena *arena, const taut_a
 {
     const taut_trace_problem *p = r->problem;
     const taut_certify_given given = {p != NULL ? p->model : NULL, p != NULL ? p->of : NULL,
-                                      p != NULL ? p->surface : NULL, r->lines.surface_count > 1};
+                                      p != NULL ? p->surface : NULL, r->lines.surface_count > 1, 0};
     return p != NULL ? taut_certify_of(r->lines.model, r->lines.surface, &given, arena, audit,
                                        certificate, error)
                      : TAUT_OK;

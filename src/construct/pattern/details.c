@@ -74,6 +74,10 @@ static void add_edges(const taut_pattern_told *told, int index, taut_record *at)
             const double part[2] = {bound->from, bound->to};
             taut_record_add_numbers(edge, "part", 2, part);
         }
+        if (bound->line != NULL && bound->line->is_turned && bound->line->twin > bound->side) {
+            taut_record_add_bool(edge, "turned",
+                                 1); /* against the seam, which is told by its twin */
+        }
         taut_record_add_number(edge, "length", ldexp(taut_pattern_bound_length(piece, e), scale));
         taut_record_add_number(edge, "flat_length", ldexp(flat_length(outline->edges[e]), scale));
         if (taut_pattern_is_held(told->cut, piece, e)) {
@@ -99,6 +103,9 @@ static void describe_piece(const taut_pattern_told *told, int index, taut_record
     taut_record *at = taut_record_add_object(list, NULL);
 
     taut_record_add_text(at, "name", piece->name);
+    if (told->layout->grounds[piece->ground].name != NULL) {
+        taut_record_add_text(at, "surface", told->layout->grounds[piece->ground].name);
+    }
     add_edges(told, index, at);
     taut_record *alone = taut_record_add_object(at, "alone");
     for (int e = 0; e < TAUT_FLAT_EDGES; e++) {
@@ -137,7 +144,7 @@ static double next_joint(const taut_pattern_side *seam, double share)
 {
     double next = 1;
     for (int k = 0; k < seam->holder_count; k++) {
-        const double at = seam->holders[k].to;
+        const double at = fmax(seam->holders[k].from, seam->holders[k].to);
         next = at > share * (1 + mark_share) && at < next ? at : next;
     }
     return next;
@@ -167,7 +174,8 @@ static double disagreement(const taut_pattern_layout *layout, const taut_pattern
     for (int i = 0; i < seam->holder_count; i++) {
         for (int k = 0; k < seam->holder_count; k++) {
             const taut_pattern_holder *a = &seam->holders[i], *b = &seam->holders[k];
-            const double from = fmax(a->from, b->from), to = fmin(a->to, b->to);
+            const double from = fmax(fmin(a->from, a->to), fmin(b->from, b->to));
+            const double to = fmin(fmax(a->from, a->to), fmax(b->from, b->to));
             const int count = PARTS * layout->pieces[a->piece].alone.spans[0];
             for (int n = 0; a->hand < b->hand && from < to && n <= count; n++) {
                 const double x = from + (to - from) * n / count;
@@ -210,7 +218,7 @@ static void describe_seam(const taut_pattern_told *told, int index, taut_record 
         for (int i = 0; one->hand == 0 && i <= count; i++) {
             double speed[2];
             taut_pattern_held_speed(layout, cut, one->piece, one->edge, (double)i / count, speed);
-            widen(stretch, speed[0] / ((one->to - one->from) * seam->length));
+            widen(stretch, speed[0] / (fabs(one->to - one->from) * seam->length));
         }
     }
     taut_record_add_number(at, "length", ldexp(seam->length, scale));
@@ -379,8 +387,9 @@ void taut_pattern_describe(const taut_pattern_told *told, taut_record *details)
     describe_roll(layout, told->roll, told->gap, details);
     taut_record *domain = taut_record_add_list(details, "domain");
     for (int k = 0; k < layout->side_count; k++) {
-        taut_construct_add_stretch(domain, layout->sides[k].name, NULL, layout->sides[k].part.basis,
-                                   layout->sides[k].part.window);
+        taut_construct_add_stretch(domain, layout->sides[k].name,
+                                   layout->grounds[layout->sides[k].ground].name,
+                                   layout->sides[k].part.basis, layout->sides[k].part.window);
     }
     add_warnings(told, details);
 }

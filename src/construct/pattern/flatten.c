@@ -98,7 +98,7 @@ static void set_share(const taut_pattern_layout *layout, const taut_pattern_cut 
     for (int k = 0; k < side->holder_count; k++) {
         const taut_pattern_holder *one = &side->holders[k];
         sums[one->hand] +=
-            (one->to - one->from) * seam_compensation(layout, cut, one->piece, one->edge);
+            fabs(one->to - one->from) * seam_compensation(layout, cut, one->piece, one->edge);
     }
     side->share = 1 - (sums[0] + sums[1]) / 2;
 }
@@ -110,14 +110,14 @@ static void hand_stretch(const taut_pattern_layout *layout, const taut_pattern_s
     const taut_pattern_holder *at = NULL;
     for (int k = 0; k < side->holder_count; k++) {
         const taut_pattern_holder *one = &side->holders[k];
-        if (one->hand == hand && (at == NULL || x >= one->from)) {
+        if (one->hand == hand && (at == NULL || x >= fmin(one->from, one->to))) {
             at = one;
         }
     }
     const double range = at->to - at->from;
     own_speed(&layout->pieces[at->piece], at->edge, (x - at->from) / range, stretch);
-    stretch[0] /= range;
-    stretch[1] /= range * range;
+    stretch[0] /= fabs(range);
+    stretch[1] /= fabs(range) * range;
 }
 
 /* P_0 .. P_5 and their derivatives, over [0, 1]. */
@@ -149,7 +149,7 @@ static void set_mean(const taut_pattern_layout *layout, taut_pattern_side *side)
             hand_stretch(layout, side, one->hand, x, stretch);
             for (int k = 0; k < TAUT_SIDE_MEAN; k++) { /* half of each hand */
                 side->mean[k] +=
-                    (2 * k + 1) * weights[i] / 4 * (one->to - one->from) * stretch[0] * p[0][k];
+                    (2 * k + 1) * weights[i] / 4 * fabs(one->to - one->from) * stretch[0] * p[0][k];
             }
         }
     }
@@ -161,7 +161,7 @@ double taut_pattern_own_stretch(const taut_pattern_layout *layout, const taut_pa
     const double range = holder->to - holder->from;
     double speed[2];
     own_speed(&layout->pieces[holder->piece], holder->edge, (x - holder->from) / range, speed);
-    return speed[0] / (range * side->length);
+    return speed[0] / (fabs(range) * side->length);
 }
 
 int taut_pattern_is_held(const taut_pattern_cut *cut, const taut_pattern_piece *piece, int edge)

@@ -126,10 +126,12 @@ static taut_status check_sides(const taut_pattern_piece *piece, taut_error *erro
 /* ---- cutting ---- */
 
 typedef struct laying {
-    const taut_pattern_ground *ground;
+    const taut_pattern_ground *ground; /* the surface that is being cut */
+    int index, first_piece;            /* its number, and that of its first piece */
     const taut_pattern_problem *problem;
     taut_pattern_layout *layout;
     int side_room, strips;
+    int *starts; /* of each surface, the border that its strips run from */
     taut_pattern_seams seams;
     taut_error *error;
 } laying;
@@ -151,6 +153,7 @@ static int add_side(laying *l, const taut_pattern_side *side)
         layout->sides = grown;
     }
     layout->sides[layout->side_count] = *side;
+    layout->sides[layout->side_count].ground = l->index;
     return layout->side_count++;
 }
 
@@ -174,9 +177,15 @@ static taut_status add_border(laying *l, int edge, int backwards, int *index)
     if (status != TAUT_OK) {
         return status;
     }
-    side.is_seam = g->is_ring[edge / 2];
+    side.is_seam = g->is_ring[edge / 2] || g->mates[edge].is_there;
     *index = add_side(l, &side);
     return *index >= 0 ? TAUT_OK : taut_fail_memory(l->error);
+}
+
+static taut_status fail_pieces(const laying *l)
+{
+    return taut_fail(l->error, TAUT_BAD_INPUT, "count", "/seams", taut_none,
+                     TAUT_PATTERN_PIECES_MAX, "found more than %d pieces", TAUT_PATTERN_PIECES_MAX);
 }
 
 static taut_pattern_bound whole(const taut_pattern_layout *layout, int side)
@@ -194,9 +203,10 @@ static taut_status begin(laying *l)
     const int lies_left = first == TAUT_EDGE_V0 || first == TAUT_EDGE_U1; /* the lower side */
     const int borders[2] = {2 * (1 - held) + lies_left, 2 * (1 - held) + !lies_left};
     taut_pattern_layout *layout = l->layout;
-    taut_pattern_piece *piece = &layout->pieces[0];
+    taut_pattern_piece *piece = &layout->pieces[layout->piece_count];
 
-    *piece = (taut_pattern_piece){.carrier = layout->carrier};
+    *piece = (taut_pattern_piece){
+        .carrier = l->ground->carrier, .ground = l->index, .strip = l->strips++};
     for (int side = 0; side < 2; side++) {
         const int edge = side == 0 ? TAUT_FLAT_RIGHT : TAUT_FLAT_LEFT;
         int index = 0;
@@ -213,7 +223,8 @@ static taut_status begin(laying *l)
             .side = -1, .border = border, .is_point = l->ground->is_pole[border]};
         memcpy(bound->ends[0], piece->bounds[TAUT_FLAT_RIGHT].ends[end], sizeof bound->ends[0]);
         memcpy(bound->ends[1], piece->bounds[TAUT_FLAT_LEFT].ends[end], sizeof bound->ends[1]);
-        if (l->ground->is_ring[held] && !l->ground->is_pole[border]) { /* as t runs */
+        const int is_sewn = l->ground->is_ring[held] || l->ground->mates[border].is_there;
+        if (is_sewn && !l->ground->is_pole[border]) { /* as t runs */
             const int along = 1 - held;
             int index = 0;
             const taut_status status =
@@ -226,21 +237,23 @@ static taut_status begin(laying *l)
     }
     for (int e = 0; e < 2; e++) { /* right and left, or end and start, are one line of a ring */
         const int one = piece->bounds[e].side, other = piece->bounds[e + 2].side;
-        if (one >= 0 && other >= 0 && layout->sides[one].is_seam) {
+        if (one >= 0 && other >= 0 && l->ground->is_ring[layout->sides[one].border / 2]) {
             layout->sides[one].twin = other;
             layout->sides[other].twin = one;
         }
     }
-    layout->piece_count = 1;
-    l->strips = 1;
+    if (layout->piece_count == TAUT_PATTERN_PIECES_MAX) {
+        return fail_pieces(l);
+    }
+    layout->piece_count++;
     return TAUT_OK;
 }
 
 /* Of an edge that is not cut yet: a place inside it as a share of its side; -1: it is not there. */
-static double share_of(const taut_pattern_layout *layout, const taut_pattern_bound *bound,
-                       const double at[2])
+static double share_of(const laying *l, const taut_pattern_bound *bound, const double at[2])
 {
-    const taut_carrier *carrier = layout->carrier;
+    const taut_pattern_layout *layout = l->layout;
+    const taut_carrier *carrier = l->ground->carrier;
     if (bound->border < 0 || !taut_pattern_is_on(carrier, at, bound->border)) {
         return -1;
     }
@@ -284,9 +297,7 @@ static taut_status split(laying *l, int index)
 {
     taut_pattern_layout *layout = l->layout;
     if (layout->piece_count == TAUT_PATTERN_PIECES_MAX) {
-        return taut_fail(l->error, TAUT_BAD_INPUT, "count", "/seams", taut_none,
-                         TAUT_PATTERN_PIECES_MAX, "found more than %d pieces",
-                         TAUT_PATTERN_PIECES_MAX);
+        return fail_pieces(l);
     }
     memmove(&layout->pieces[index + 1], &layout->pieces[index],
             (size_t)(layout->piece_count - index) * sizeof *layout->pieces);
@@ -347,7 +358,7 @@ static taut_status fail_seam(const laying *l, const taut_pattern_side *seam, int
     chain_of(seam, chain[0]);
     for (int k = 0; k < l->layout->side_count; k++) {
         chain_of(&l->layout->sides[k], chain[1]);
-        if (l->layout->sides[k].border < 0 &&
+        if (l->layout->sides[k].border < 0 && l->layout->sides[k].ground == l->index &&
             cross((const double(*)[2])chain[0], (const double(*)[2])chain[1], at)) {
             return taut_fail(l->error, TAUT_NO_SOLUTION, "crossing", where, taut_none, taut_none,
                              "the seam from (%.6g, %.6g) to (%.6g, %.6g) crosses another one at "
@@ -369,10 +380,10 @@ static taut_status place_seam(laying *l, const taut_pattern_side *seam, int rule
                                     {TAUT_FLAT_RIGHT, TAUT_FLAT_LEFT}};
     const taut_pattern_layout *layout = l->layout;
     for (int p = 0; p < 2; p++) {
-        for (int k = 0; k < layout->piece_count; k++) {
+        for (int k = l->first_piece; k < layout->piece_count; k++) {
             const taut_pattern_bound *bounds = layout->pieces[k].bounds;
-            const double shares[2] = {share_of(layout, &bounds[pairs[p][0]], seam->ends[0]),
-                                      share_of(layout, &bounds[pairs[p][1]], seam->ends[1])};
+            const double shares[2] = {share_of(l, &bounds[pairs[p][0]], seam->ends[0]),
+                                      share_of(l, &bounds[pairs[p][1]], seam->ends[1])};
             if (shares[0] < 0 || shares[1] < 0) {
                 continue;
             }
@@ -439,7 +450,7 @@ static taut_status cut_strip(laying *l, int strip, double x, int rule)
 
 static taut_status lay_butts(laying *l, const taut_pattern_rule *rule, int index)
 {
-    /* strips are numbered as they were cut: their order is that of the list */
+    /* strips are numbered as they were cut: their order is that of the list, those of the surfaces before this one before */
     int order[TAUT_PATTERN_PIECES_MAX], count = 0;
     char where[48];
     for (int k = 0; k < l->layout->piece_count; k++) {
@@ -449,14 +460,16 @@ static taut_status lay_butts(laying *l, const taut_pattern_rule *rule, int index
         }
     }
     snprintf(where, sizeof where, "/seams/%d/butt", index);
-    if (rule->strip >= count) {
+    if (rule->strip >= count && l->index + 1 == l->layout->ground_count) {
         return taut_fail(l->error, TAUT_BAD_INPUT, "rule", where, rule->strip + 1, count,
                          "found a butt in P%d, expected one of the %d strips that rules before it "
                          "make",
                          rule->strip + 1, count);
     }
     taut_status status = TAUT_OK;
-    for (int k = 0; status == TAUT_OK && k < rule->value_count; k++) {
+    const int is_here =
+        rule->strip < count && order[rule->strip] >= l->layout->pieces[l->first_piece].strip;
+    for (int k = 0; is_here && status == TAUT_OK && k < rule->value_count; k++) {
         status = cut_strip(l, order[rule->strip], rule->values[k], index);
     }
     return status;
@@ -467,10 +480,6 @@ static taut_status lay_butts(laying *l, const taut_pattern_rule *rule, int index
 static taut_status take_names(laying *l)
 {
     taut_pattern_layout *layout = l->layout;
-    const int first = l->seams.ends[0];
-    const int lies_left = first == TAUT_EDGE_V0 || first == TAUT_EDGE_U1;
-    const int order[4] = {lies_left ? TAUT_FLAT_LEFT : TAUT_FLAT_RIGHT, TAUT_FLAT_START,
-                          TAUT_FLAT_END, lies_left ? TAUT_FLAT_RIGHT : TAUT_FLAT_LEFT};
     const size_t count = (size_t)layout->side_count;
     taut_pattern_side *sides = taut_arena_take(layout->arena, count, sizeof *sides);
     int *moved = taut_arena_take(layout->arena, count, sizeof *moved);
@@ -481,6 +490,10 @@ static taut_status take_names(laying *l)
     }
     for (int k = 0; k < layout->piece_count; k++) {
         taut_pattern_piece *piece = &layout->pieces[k];
+        const int first = l->starts[piece->ground];
+        const int lies_left = first == TAUT_EDGE_V0 || first == TAUT_EDGE_U1;
+        const int order[4] = {lies_left ? TAUT_FLAT_LEFT : TAUT_FLAT_RIGHT, TAUT_FLAT_START,
+                              TAUT_FLAT_END, lies_left ? TAUT_FLAT_RIGHT : TAUT_FLAT_LEFT};
         const int is_next = k == 0 || piece->strip != layout->pieces[k - 1].strip;
         const int is_cut =
             k + 1 < layout->piece_count && layout->pieces[k + 1].strip == piece->strip;
@@ -500,7 +513,7 @@ static taut_status take_names(laying *l)
             sides[n] = layout->sides[side];
             moved[side] = ++n;
             if (!sides[n - 1].is_seam || (twin >= 0 && moved[twin] == 0)) {
-                continue; /* a ring's closes where both its borders are met */
+                continue; /* a ring closes, surfaces meet, where both borders are met */
             }
             snprintf(sides[n - 1].seam, sizeof sides[n - 1].seam, "S%d", ++seams);
             if (twin >= 0) {
@@ -530,10 +543,34 @@ static taut_status take_names(laying *l)
 static int by_place(const void *a, const void *b)
 {
     const taut_pattern_holder *p = a, *q = b;
+    const double first = fmin(p->from, p->to), second = fmin(q->from, q->to);
     if (p->hand != q->hand) {
         return p->hand - q->hand;
     }
-    return (p->from > q->from) - (p->from < q->from);
+    return (first > second) - (first < second);
+}
+
+/* Where two surfaces meet along a side: whether it is the first of both. */
+static int is_first(const taut_pattern_layout *layout, int side)
+{
+    return layout->sides[side].twin > side;
+}
+
+static int meets_another(const taut_pattern_layout *layout, int side)
+{
+    const int twin = layout->sides[side].twin;
+    return twin >= 0 && layout->sides[twin].ground != layout->sides[side].ground;
+}
+
+/* An edge along a side or its twin, as the side runs. */
+static taut_pattern_holder holder_of(const taut_pattern_layout *layout, int side, int piece, int e)
+{
+    const taut_pattern_bound *bound = &layout->pieces[piece].bounds[e];
+    const int is_turned = bound->side != side && layout->sides[side].is_turned;
+    const int hand = meets_another(layout, side) ? !is_first(layout, bound->side)
+                                                 : e == TAUT_FLAT_LEFT || e == TAUT_FLAT_START;
+    return (taut_pattern_holder){piece, e, hand, is_turned ? 1 - bound->from : bound->from,
+                                 is_turned ? 1 - bound->to : bound->to};
 }
 
 static taut_status find_holders(laying *l)
@@ -551,10 +588,8 @@ static taut_status find_holders(laying *l)
                         continue;
                     }
                     if (pass == 1) {
-                        const int hand = e == TAUT_FLAT_LEFT || e == TAUT_FLAT_START;
-                        side->holders[count] =
-                            (taut_pattern_holder){i, e, hand, bound->from, bound->to};
-                        hands[hand]++;
+                        side->holders[count] = holder_of(layout, k, i, e);
+                        hands[side->holders[count].hand]++;
                     }
                     count++;
                 }
@@ -574,42 +609,108 @@ static taut_status find_holders(laying *l)
     return TAUT_OK;
 }
 
+/* ---- several surfaces ---- */
+
+/* The side along a border of a surface; -1. */
+static int border_side(const taut_pattern_layout *layout, int ground, int border)
+{
+    for (int k = 0; k < layout->side_count; k++) {
+        if (layout->sides[k].ground == ground && layout->sides[k].border == border) {
+            return k;
+        }
+    }
+    return -1;
+}
+
+static int runs_back(const taut_pattern_side *side)
+{
+    const int along = 1 - side->border / 2;
+    return side->ends[0][along] > side->ends[1][along];
+}
+
+/* Borders that surfaces share are one seam. */
+static void sew_surfaces(const taut_pattern_layout *layout)
+{
+    for (int k = 0; k < layout->side_count; k++) {
+        taut_pattern_side *side = &layout->sides[k];
+        const taut_pattern_mate *mate =
+            side->border >= 0 ? &layout->grounds[side->ground].mates[side->border] : NULL;
+        const int twin =
+            mate != NULL && mate->is_there ? border_side(layout, mate->ground, mate->edge) : -1;
+        if (twin >= 0) {
+            side->twin = twin;
+            side->is_turned = mate->is_reversed ^ runs_back(side) ^ runs_back(&layout->sides[twin]);
+        }
+    }
+}
+
 /* ---- the whole ---- */
 
-taut_status taut_pattern_lay_out(const taut_pattern_ground *ground,
+static int is_for(const taut_pattern_rule *rule, const taut_pattern_ground *ground)
+{
+    return rule->surface == NULL || ground->name == NULL ||
+           strcmp(rule->surface, ground->name) == 0;
+}
+
+/* One surface, by the rules for it; whole where there are none. */
+static taut_status cut_surface(laying *l, int count)
+{
+    taut_pattern_layout *layout = l->layout;
+    taut_status status = TAUT_OK;
+    l->seams = (taut_pattern_seams){.ends = {-1, -1}};
+    l->first_piece = layout->piece_count;
+    for (int r = 0; status == TAUT_OK && r < l->problem->rule_count; r++) {
+        const taut_pattern_rule *rule = &l->problem->rules[r];
+        const int is_butt = rule->kind == TAUT_PATTERN_BUTT;
+        if (!is_for(rule, l->ground)) {
+            continue;
+        }
+        if (!is_butt) {
+            status = taut_pattern_rule_seams(l->ground, rule, r, count, &l->seams, l->error);
+        }
+        if (status == TAUT_OK && layout->piece_count == l->first_piece) {
+            status = begin(l);
+        }
+        for (int k = 0; !is_butt && status == TAUT_OK && k < l->seams.count; k++) {
+            status = place_seam(l, &l->seams.list[k], r);
+        }
+        if (is_butt && status == TAUT_OK) {
+            status = lay_butts(l, rule, r);
+        }
+    }
+    if (status == TAUT_OK && layout->piece_count == l->first_piece) {
+        l->seams.ends[0] = TAUT_EDGE_V0;
+        l->seams.ends[1] = TAUT_EDGE_V1;
+        status = begin(l);
+    }
+    l->starts[l->index] = l->seams.ends[0];
+    return status;
+}
+
+taut_status taut_pattern_lay_out(const taut_pattern_ground *grounds, int ground_count,
                                  const taut_pattern_problem *problem, int count,
                                  taut_pattern_layout *layout, taut_error *error)
 {
-    laying l = {.ground = ground,
-                .problem = problem,
-                .layout = layout,
-                .seams = {.ends = {-1, -1}},
-                .error = error};
+    taut_arena *arena = grounds->arena;
+    laying l = {.problem = problem, .layout = layout, .error = error};
     taut_status status = TAUT_OK;
 
-    *layout = (taut_pattern_layout){.carrier = ground->carrier, .arena = ground->arena};
-    layout->pieces =
-        taut_arena_take(ground->arena, TAUT_PATTERN_PIECES_MAX + 1, sizeof *layout->pieces);
-    if (layout->pieces == NULL) {
+    *layout = (taut_pattern_layout){.carrier = grounds->carrier,
+                                    .grounds = grounds,
+                                    .ground_count = ground_count,
+                                    .arena = arena};
+    layout->pieces = taut_arena_take(arena, TAUT_PATTERN_PIECES_MAX + 1, sizeof *layout->pieces);
+    l.starts = taut_arena_take(arena, (size_t)ground_count, sizeof *l.starts);
+    if (layout->pieces == NULL || l.starts == NULL) {
         return taut_fail_memory(error);
     }
-    for (int r = 0; status == TAUT_OK && r < problem->rule_count; r++) {
-        const taut_pattern_rule *rule = &problem->rules[r];
-        const int is_butt = rule->kind == TAUT_PATTERN_BUTT;
-        if (!is_butt) {
-            status = taut_pattern_rule_seams(ground, rule, r, count, &l.seams, error);
-        }
-        if (status == TAUT_OK && layout->piece_count == 0) {
-            status = begin(&l);
-        }
-        for (int k = 0; !is_butt && status == TAUT_OK && k < l.seams.count; k++) {
-            status = place_seam(&l, &l.seams.list[k], r);
-        }
-        if (is_butt && status == TAUT_OK) {
-            status = lay_butts(&l, rule, r);
-        }
+    for (int k = 0; status == TAUT_OK && k < ground_count; k++) {
+        l.ground = &grounds[k];
+        l.index = k;
+        status = cut_surface(&l, count);
     }
     if (status == TAUT_OK) {
+        sew_surfaces(layout);
         status = take_names(&l);
     }
     if (status == TAUT_OK) {

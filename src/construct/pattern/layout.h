@@ -5,18 +5,28 @@
 #include "construct/pattern/piece.h"
 #include "taut/pattern.h"
 
-/* What is cut. */
+/* The edge of another surface that one is sewn to. */
+typedef struct taut_pattern_mate {
+    int is_there, ground, edge;
+    int is_reversed; /* the two run against each other */
+} taut_pattern_mate;
+
+/* What is cut: a surface, or one of several. */
 typedef struct taut_pattern_ground {
     const taut_carrier *carrier;
+    const char *name;        /* of one of several; or NULL */
     const taut_model *model; /* curves that seams run along are in it */
     int is_ring[2];          /* u0 and u1, v0 and v1 are one line */
     int is_pole[4];          /* u0, u1, v0, v1 are one place */
+    taut_pattern_mate mates[4];
     const taut_monitor *monitor;
     taut_arena *arena;
 } taut_pattern_ground;
 
 typedef struct taut_pattern_layout {
-    const taut_carrier *carrier;
+    const taut_carrier *carrier; /* of the first surface: all have one frame */
+    const taut_pattern_ground *grounds;
+    int ground_count;
     taut_arena *arena;
     taut_pattern_side *sides;
     int side_count;
@@ -24,9 +34,9 @@ typedef struct taut_pattern_layout {
     int piece_count;
 } taut_pattern_layout;
 
-/* Cuts by the rules in their order; `count` strips by the one that tells no number. TAUT_BAD_INPUT, reasons outside, curve, count, rule;
+/* Cuts each surface by the rules in their order; `count` strips by the one that tells no number. TAUT_BAD_INPUT, reasons outside, curve, count, rule;
  * TAUT_NO_SOLUTION, reasons no-geodesic, crossing, shape, singular, crease. */
-taut_status taut_pattern_lay_out(const taut_pattern_ground *ground,
+taut_status taut_pattern_lay_out(const taut_pattern_ground *grounds, int ground_count,
                                  const taut_pattern_problem *problem, int count,
                                  taut_pattern_layout *layout, taut_error *error);
 

@@ -19,6 +19,8 @@
 #include "core/unit.h"
 #include "core/vec3.h"
 #include "problem/problem.h"
+#include "taut/join.h"
+#include "trace/seam.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -31,12 +33,20 @@ static const double drift_most = 2e-7;
 enum { REFINEMENTS = 2, DRIFT_PLACES = 64 };
 /* Strains between the places that are looked at may be larger. */
 static const double strain_room = 0.999;
+/* Corners of surfaces that meet, over the size. */
+static const double same_corner = 1e-9;
 
 typedef struct request {
     const taut_pattern_problem *problem;
     const taut_make_options *options;
     taut_pattern_cut cut;
 } request;
+
+/* The surfaces that are cut. */
+typedef struct cut_surfaces {
+    int count;
+    taut_pattern_ground *grounds;
+} cut_surfaces;
 
 /* All that was made of a count of strips. */
 typedef struct made_pieces {
@@ -375,13 +385,21 @@ static int refine(made_pieces *made)
 }
 
 /* All of so many strips. */
-static taut_status make_strips(const request *r, const taut_pattern_ground *ground, int count,
+static taut_status make_strips(const request *r, const cut_surfaces *all, int count,
                                const taut_crew *crew, taut_arena *arena, made_pieces *made,
                                taut_error *error)
 {
-    taut_pattern_ground own = *ground;
-    own.arena = made->arena = arena;
-    taut_status status = taut_pattern_lay_out(&own, r->problem, count, &made->layout, error);
+    taut_pattern_ground *own =
+        taut_arena_copy(arena, all->grounds, (size_t)all->count, sizeof *all->grounds);
+    made->arena = arena;
+    if (own == NULL) {
+        return taut_fail_memory(error);
+    }
+    for (int k = 0; k < all->count; k++) {
+        own[k].arena = arena;
+    }
+    taut_status status =
+        taut_pattern_lay_out(own, all->count, r->problem, count, &made->layout, error);
     if (status == TAUT_OK) {
         status = check_marks(r, &made->layout, error);
     }
@@ -433,7 +451,7 @@ static taut_status fail_wish(const taut_carrier *carrier, const wish *w, taut_er
 }
 
 /* The least number of strips that are all as wished, up from one that is too few, or nearly; in an arena of its own. */
-static taut_status fit(const request *r, const taut_pattern_ground *ground, const wish *w,
+static taut_status fit(const request *r, const cut_surfaces *all, const wish *w,
                        const taut_crew *crew, made_pieces *made, taut_error *error)
 {
     int count = 1, last = 0;
@@ -442,7 +460,7 @@ static taut_status fit(const request *r, const taut_pattern_ground *ground, cons
     while (count <= TAUT_PATTERN_PIECES_MAX) {
         taut_arena *own = taut_arena_new();
         made_pieces one = {.arena = own};
-        taut_status status = own != NULL ? make_strips(r, ground, count, crew, own, &one, error)
+        taut_status status = own != NULL ? make_strips(r, all, count, crew, own, &one, error)
                                          : taut_fail_memory(error);
         if (status != TAUT_OK &&
             (status == TAUT_NO_MEMORY || status == TAUT_INTERRUPTED || count > 8)) {
@@ -471,18 +489,18 @@ static taut_status fit(const request *r, const taut_pattern_ground *ground, cons
         count = need > count + 1 ? (int)fmin(need, TAUT_PATTERN_PIECES_MAX + 1.0) : count + 1;
     }
     if (kept == NULL) {
-        return fail_wish(ground->carrier, w, error);
+        return fail_wish(all->grounds->carrier, w, error);
     }
     made->arena = kept;
     return TAUT_OK;
 }
 
-static taut_status cut_pieces(const request *r, const taut_pattern_ground *ground,
-                              made_pieces *made, taut_error *error)
+static taut_status cut_pieces(const request *r, const cut_surfaces *all, made_pieces *made,
+                              taut_error *error)
 {
     const taut_pattern_rule *searched = NULL;
     const double roll = r->problem->cloth.width;
-    const int scale = ground->carrier->scale;
+    const int scale = all->grounds->carrier->scale;
     taut_pulse pulse = {.monitor = &r->options->monitor, .what = "pieces", .done = taut_none};
     const taut_crew crew = {.threads = r->options->threads, .pulse = &pulse};
 
@@ -492,11 +510,11 @@ static taut_status cut_pieces(const request *r, const taut_pattern_ground *groun
     if (searched != NULL) {
         const wish w = {ldexp(searched->width > 0 ? searched->width : roll, -scale),
                         searched->strain};
-        return fit(r, ground, &w, &crew, made, error);
+        return fit(r, all, &w, &crew, made, error);
     }
-    const taut_status status = make_strips(r, ground, 0, &crew, ground->arena, made, error);
+    const taut_status status = make_strips(r, all, 0, &crew, all->grounds->arena, made, error);
     return status == TAUT_OK && roll > 0 && made->widest > ldexp(roll, -scale)
-               ? fail_width(made, ground->carrier, roll, error)
+               ? fail_width(made, all->grounds->carrier, roll, error)
                : status;
 }
 
@@ -575,11 +593,14 @@ static taut_status add_all(const made_pieces *made, taut_model *model, taut_aren
                            taut_error *error)
 {
     const taut_pattern_layout *layout = &made->layout;
-    taut_surface *surface = NULL;
-    taut_status status = taut_surface_copy(layout->carrier->surface, &surface);
+    taut_status status = TAUT_OK;
 
-    status = status == TAUT_OK ? taut_construct_add_surface(model, surface, error)
-                               : taut_fail_memory(error);
+    for (int k = 0; status == TAUT_OK && k < layout->ground_count; k++) {
+        taut_surface *surface = NULL;
+        status = taut_surface_copy(layout->grounds[k].carrier->surface, &surface);
+        status = status == TAUT_OK ? taut_construct_add_surface(model, surface, error)
+                                   : taut_fail_memory(error);
+    }
     for (int k = 0; status == TAUT_OK && k < layout->piece_count; k++) {
         status = add_flat(&layout->pieces[k], model, arena, error);
     }
@@ -643,38 +664,117 @@ static taut_status check_carrier(const taut_carrier *carrier, taut_error *error)
                                            taut_none, "the surface has no normal anywhere");
 }
 
+/* Edges that two surfaces share are one line in space. */
+static taut_status find_mates(const cut_surfaces *all, taut_error *error)
+{
+    for (int i = 0; i < 4 * all->count; i++) {
+        for (int k = 4 * (i / 4 + 1); k < 4 * all->count; k++) {
+            taut_pattern_ground *a = &all->grounds[i / 4], *b = &all->grounds[k / 4];
+            taut_join join;
+            if (a->mates[i % 4].is_there || b->mates[k % 4].is_there || a->is_ring[i % 4 / 2] ||
+                b->is_ring[k % 4 / 2] ||
+                taut_seam_ends_meet(a->carrier, i % 4, b->carrier, k % 4, same_corner) == 0) {
+                continue;
+            }
+            const taut_status status =
+                taut_join_measure(a->carrier->surface, (taut_edge)(i % 4), b->carrier->surface,
+                                  (taut_edge)(k % 4), &join, error);
+            if (status != TAUT_OK) {
+                return status;
+            }
+            if (join.c_order >= 0) {
+                a->mates[i % 4] = (taut_pattern_mate){1, k / 4, k % 4, join.reversed};
+                b->mates[k % 4] = (taut_pattern_mate){1, i / 4, i % 4, join.reversed};
+            }
+        }
+    }
+    return TAUT_OK;
+}
+
+/* The surface that is named, or all of the model. */
+static taut_status choose(const request *r, const taut_model *of, taut_arena *arena,
+                          cut_surfaces *all, taut_error *error)
+{
+    const int is_all = r->problem->surface == NULL && taut_model_surface_count(of) > 1;
+    const size_t count = is_all ? (size_t)taut_model_surface_count(of) : 1;
+    const taut_surface **surfaces = taut_arena_take(arena, count, sizeof *surfaces);
+    taut_carrier **carriers = NULL;
+
+    all->count = (int)count;
+    all->grounds = taut_arena_take(arena, count, sizeof *all->grounds);
+    if (surfaces == NULL || all->grounds == NULL) {
+        return taut_fail_memory(error);
+    }
+    if (!is_all) {
+        const taut_status status =
+            taut_construct_choose(of, r->problem->surface, &surfaces[0], error);
+        if (status != TAUT_OK) {
+            return status;
+        }
+    }
+    for (int k = 0; is_all && k < all->count; k++) {
+        surfaces[k] = taut_model_surface(of, k);
+    }
+    if (taut_carriers_new(arena, all->count, surfaces, &carriers) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    for (int k = 0; k < all->count; k++) {
+        taut_pattern_ground *ground = &all->grounds[k];
+        const taut_status status = check_carrier(carriers[k], error);
+        if (status != TAUT_OK) {
+            return status;
+        }
+        *ground = (taut_pattern_ground){.carrier = carriers[k],
+                                        .name = is_all ? taut_surface_name(surfaces[k]) : NULL,
+                                        .model = of,
+                                        .monitor = &r->options->monitor,
+                                        .arena = arena};
+        memcpy(ground->is_ring, carriers[k]->wraps, sizeof ground->is_ring);
+        for (int e = 0; e < 4; e++) { /* pieces do not go on across it */
+            ground->is_pole[e] = taut_pattern_is_place(carriers[k], e);
+            carriers[k]->wraps[e / 2] = 0;
+            carriers[k]->seams[e] = NULL;
+        }
+    }
+    return find_mates(all, error);
+}
+
+/* Rules for one surface name one that there is. */
+static taut_status check_named(const request *r, const cut_surfaces *all, taut_error *error)
+{
+    for (int i = 0; i < r->problem->rule_count; i++) {
+        const char *name = r->problem->rules[i].surface;
+        int is_there = name == NULL;
+        for (int k = 0; !is_there && k < all->count; k++) {
+            is_there = strcmp(taut_surface_name(all->grounds[k].carrier->surface), name) == 0;
+        }
+        if (!is_there) {
+            char where[48];
+            snprintf(where, sizeof where, "/seams/%d/surface", i);
+            return taut_fail(error, TAUT_BAD_INPUT, "rule", where, taut_none, taut_none,
+                             "found \"%.60s\", expected the name of a surface that is cut", name);
+        }
+    }
+    return TAUT_OK;
+}
+
 static taut_status build(void *context, taut_arena *arena, taut_model *model, taut_error *error)
 {
     const request *r = context;
     const taut_model *of = NULL;
-    const taut_surface *surface = NULL;
-    taut_carrier *carrier = NULL;
+    cut_surfaces all = {0, NULL};
     made_pieces made = {.arena = arena};
     taut_status status =
         taut_construct_of(r->problem->model, r->problem->of, r->options, arena, &of, error);
 
     if (status == TAUT_OK) {
-        status = taut_construct_choose(of, r->problem->surface, &surface, error);
-    }
-    if (status != TAUT_OK) {
-        return status;
-    }
-    if (taut_carrier_new(arena, surface, &carrier) != TAUT_OK) {
-        return taut_fail_memory(error);
-    }
-    status = check_carrier(carrier, error);
-    taut_pattern_ground ground = {
-        .carrier = carrier, .model = of, .monitor = &r->options->monitor, .arena = arena};
-    memcpy(ground.is_ring, carrier->wraps, sizeof ground.is_ring);
-    for (int k = 0; k < 4; k++) {
-        ground.is_pole[k] = taut_pattern_is_place(carrier, k);
-    }
-    for (int k = 0; k < 4; k++) { /* pieces do not go on across it */
-        carrier->wraps[k / 2] = 0;
-        carrier->seams[k] = NULL;
+        status = choose(r, of, arena, &all, error);
     }
     if (status == TAUT_OK) {
-        status = cut_pieces(r, &ground, &made, error);
+        status = check_named(r, &all, error);
+    }
+    if (status == TAUT_OK) {
+        status = cut_pieces(r, &all, &made, error);
     }
     if (status == TAUT_OK) {
         status = fill(r, of, &made, arena, model, error);

@@ -25,7 +25,8 @@ typedef struct taut_pattern_bound {
 typedef struct taut_pattern_piece {
     char name[TAUT_SIDE_NAME];
     const taut_carrier *carrier;
-    int strip; /* pieces of one strip have one number */
+    int ground; /* the surface that it is part of */
+    int strip;  /* pieces of one strip have one number */
     taut_pattern_bound bounds[TAUT_FLAT_EDGES];
     int spans[2];     /* of its flat piece */
     double curvature; /* iint K dA */

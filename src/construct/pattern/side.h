@@ -20,15 +20,17 @@ typedef enum taut_pattern_side_kind {
 /* A piece along a side: its edge from `from` to `to` of the side's length, as s or t grows. */
 typedef struct taut_pattern_holder {
     int piece, edge;
-    int hand; /* 0: it lies to the left of the side, 1: to the right */
-    double from, to;
+    int hand; /* 0: it lies to the left of the side, 1: to the right; of two surfaces, on the first or the second */
+    double from, to; /* from > to where it runs against the side */
 } taut_pattern_holder;
 
 typedef struct taut_pattern_side {
     char name[TAUT_SIDE_NAME]; /* "S1", or of a border the edge, "u0" */
     int is_seam;
     char seam[TAUT_SIDE_NAME];   /* "S1": where a ring closes, of both its borders */
-    int twin;                    /* the side of the other one; -1: none */
+    int twin;                    /* the side of the other one, or of another surface's; -1: none */
+    int is_turned;               /* which runs the other way */
+    int ground;                  /* the surface that it is on */
     taut_pattern_side_kind kind; /* of a seam */
     int border;                  /* where it is on one: 0 to 3, u0, u1, v0, v1; -1 */
     const taut_curve *window;    /* points (u, v, 0); the arena's */

@@ -197,12 +197,14 @@ static void add_marks(drawing *to, const taut_record *piece, const char *name, i
         taut_record_text(member(member(taut_model_details(to->model), "marks"), "notch"));
     const double whole = number_of(seam, "length"), left = number_of(edge, "allowance");
     const double length = left > 0 ? mark_share * left : -mark_length * to->millimetre;
+    const int is_turned = member(edge, "turned") != NULL;
     double part[2];
 
     part_of(edge, part);
     for (size_t k = 0; curve != NULL && k < taut_record_count(marks); k++) {
         const double share = taut_record_number(taut_record_at(marks, k)) / whole;
-        const double x = (share - part[0]) / (part[1] - part[0]);
+        const double own = is_turned ? 1 - share : share; /* the seam runs the other way */
+        const double x = (own - part[0]) / (part[1] - part[0]);
         double y[2][3];
         char number[24];
         if (!(x > 0) || !(x < 1)) {

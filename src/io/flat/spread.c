@@ -9,15 +9,26 @@
 /* Between the surface and the roll, over the surface's size. */
 static const double aside = 0.15;
 
-/* Below the box of the surface, in y, and at its foot: where the upper left corner of the roll goes. */
-static void corner_of(const taut_surface *surface, double corner[3])
+/* Surfaces that are cut, before the flat ones: one, or as many as there are beside the pieces. */
+static int cut_count(const taut_model *model)
 {
-    const int count =
-        taut_basis_count(taut_surface_u(surface)) * taut_basis_count(taut_surface_v(surface));
+    const taut_record *pieces = taut_record_get(taut_model_details(model), "pieces");
+    const int count = taut_model_surface_count(model) - (int)taut_record_count(pieces);
+    return count > 1 ? count : 1;
+}
+
+/* Below the box of the surfaces, in y, and at its foot: where the upper left corner of the roll goes. */
+static void corner_of(const taut_model *model, double corner[3])
+{
     double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
-    for (int k = 0; k < 3 * count; k++) {
-        low[k % 3] = fmin(low[k % 3], taut_surface_points(surface)[k]);
-        high[k % 3] = fmax(high[k % 3], taut_surface_points(surface)[k]);
+    for (int i = 0; i < cut_count(model); i++) {
+        const taut_surface *surface = taut_model_surface(model, i);
+        const int count =
+            taut_basis_count(taut_surface_u(surface)) * taut_basis_count(taut_surface_v(surface));
+        for (int k = 0; k < 3 * count; k++) {
+            low[k % 3] = fmin(low[k % 3], taut_surface_points(surface)[k]);
+            high[k % 3] = fmax(high[k % 3], taut_surface_points(surface)[k]);
+        }
     }
     corner[0] = low[0];
     corner[1] = low[1] - aside * fmax(high[0] - low[0], high[1] - low[1]);
@@ -63,7 +74,7 @@ static taut_status add_surface(const taut_model *model, int i, const double corn
     double shift[3] = {0, 0, 0}, sign = 1;
     taut_surface *made = NULL;
 
-    if (i > 0) {
+    if (i >= cut_count(model)) {
         const char *name = taut_surface_name(from);
         shift_of(model, corner, name, strlen(name), shift, &sign);
     }
@@ -135,7 +146,7 @@ taut_status taut_flat_spread(const taut_model *model, taut_model **spread)
     if (!taut_flat_is_cloth(model) || taut_model_surface_count(model) == 0) {
         return TAUT_OK;
     }
-    corner_of(taut_model_surface(model, 0), corner);
+    corner_of(model, corner);
     taut_status status = taut_model_new(&made);
     for (int i = 0; status == TAUT_OK && i < taut_model_surface_count(model); i++) {
         status = add_surface(model, i, corner, made);

@@ -25,12 +25,12 @@ static const char *const edges[] = {"u0", "u1", "v0", "v1", NULL};
 static const char *const measures[] = {"length", "parameter", NULL};
 static const char *const kinds[] = {"across", "radial", "parallel", "geodesic",
                                     "line",   "curve",  "butt",     NULL}; /* in their order */
-static const char *const strip_members[] = {"across", "radial", "count", "width",
-                                            "strain", "by",     NULL};
-static const char *const parallel_members[] = {"parallel", "spacing", NULL};
-static const char *const geodesic_members[] = {"geodesic", NULL};
-static const char *const line_members[] = {"line", NULL};
-static const char *const curve_members[] = {"curve", NULL};
+static const char *const strip_members[] = {"across", "radial", "count",   "width",
+                                            "strain", "by",     "surface", NULL};
+static const char *const parallel_members[] = {"parallel", "spacing", "surface", NULL};
+static const char *const geodesic_members[] = {"geodesic", "surface", NULL};
+static const char *const line_members[] = {"line", "surface", NULL};
+static const char *const curve_members[] = {"curve", "surface", NULL};
 static const char *const butt_members[] = {"butt", "at", NULL};
 static const char *const at_members[] = {"edge", "part", "length", "parameter", NULL};
 static const char *const parameters[] = {"u", "v", NULL};
@@ -262,10 +262,21 @@ static taut_status read_butt(const taut_json *at, const rules *all, taut_pattern
     return in.status == TAUT_OK ? read_values(&shares, all, rule, error) : in.status;
 }
 
-static taut_status read_rule(const taut_json *at, void *into, taut_error *error)
+/* The member of this name as a text of the arena. */
+static taut_status read_text(const taut_json *at, const char *member, const rules *all,
+                             const char **text, taut_error *error)
 {
-    rules *all = into;
-    taut_pattern_rule *rule = &all->list[all->count++];
+    taut_reader in = {.object = at, .error = error};
+    const char *name = NULL;
+    taut_reader_text(&in, member, &name);
+    *text = name != NULL ? taut_arena_text(all->arena, name) : NULL;
+    return in.status == TAUT_OK && name != NULL && *text == NULL ? taut_fail_memory(error)
+                                                                 : in.status;
+}
+
+static taut_status read_kind(const taut_json *at, rules *all, taut_pattern_rule *rule,
+                             taut_error *error)
+{
     int kind = -1;
 
     for (int k = 0; kinds[k] != NULL; k++) {
@@ -294,18 +305,24 @@ static taut_status read_rule(const taut_json *at, void *into, taut_error *error)
     case TAUT_PATTERN_BUTT:
         return read_butt(at, all, rule, error);
     case TAUT_PATTERN_CURVE: {
-        taut_reader in = taut_reader_of(at, curve_members, error);
-        const char *name = NULL;
-        taut_reader_text(&in, "curve", &name);
-        rule->curve = name != NULL ? taut_arena_text(all->arena, name) : NULL;
-        return in.status == TAUT_OK && name != NULL && rule->curve == NULL ? taut_fail_memory(error)
-                                                                           : in.status;
+        const taut_reader in = taut_reader_of(at, curve_members, error);
+        return in.status == TAUT_OK ? read_text(at, "curve", all, &rule->curve, error) : in.status;
     }
     default:
         return taut_json_refuse(at, error, "rule",
                                 "\"across\", \"radial\", \"parallel\", \"geodesic\", "
                                 "\"line\", \"curve\" or \"butt\"");
     }
+}
+
+static taut_status read_rule(const taut_json *at, void *into, taut_error *error)
+{
+    rules *all = into;
+    taut_pattern_rule *rule = &all->list[all->count++];
+    const taut_status status = read_kind(at, all, rule, error);
+    return status == TAUT_OK && taut_json_member(at, "surface").value != NULL
+               ? read_text(at, "surface", all, &rule->surface, error)
+               : status;
 }
 
 static void read_rules(taut_reader *document, taut_arena *arena, taut_pattern_problem *data)

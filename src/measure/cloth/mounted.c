@@ -22,14 +22,27 @@ static const taut_record *named(const taut_record *list, const char *name)
     return NULL;
 }
 
-static taut_status read_side(const taut_record *details, const taut_record *edge, taut_arena *arena,
-                             const taut_curve **side)
+/* The side of this name, of a surface or of the only one. */
+static const taut_record *side_named(const taut_record *list, const char *name, const char *surface)
+{
+    for (size_t k = 0; k < taut_record_count(list); k++) {
+        const taut_record *one = taut_record_at(list, k);
+        if (strcmp(taut_record_text(taut_record_get(one, "name")), name) == 0 &&
+            strcmp(taut_record_text(taut_record_get(one, "surface")), surface) == 0) {
+            return one;
+        }
+    }
+    return NULL;
+}
+
+static taut_status read_side(const taut_record *details, const taut_record *edge,
+                             const char *surface, taut_arena *arena, const taut_curve **side)
 {
     const taut_record *border = taut_record_get(edge, "edge");
     const char *name = taut_record_text(border != NULL ? border : taut_record_get(edge, "seam"));
     taut_curve *made = NULL;
-    const taut_status status =
-        taut_stretch_read(named(taut_record_get(details, "domain"), name), arena, &made);
+    const taut_status status = taut_stretch_read(
+        side_named(taut_record_get(details, "domain"), name, surface), arena, &made);
     *side = made;
     return status;
 }
@@ -48,6 +61,11 @@ taut_status taut_mounted_new(const taut_model *model, const taut_surface *flat, 
     if (strcmp(pattern, "cloth") != 0 || piece == NULL || mounted->surface == flat) {
         return TAUT_OK;
     }
+    const char *surface = taut_record_text(taut_record_get(piece, "surface"));
+    for (int k = 0; surface[0] != '\0' && k < taut_model_surface_count(model); k++) {
+        const taut_surface *one = taut_model_surface(model, k);
+        mounted->surface = strcmp(taut_surface_name(one), surface) == 0 ? one : mounted->surface;
+    }
     for (int e = 0; e < 4; e++) {
         const taut_record *edge = taut_record_get(taut_record_get(piece, "edges"), edges[e]);
         const taut_record *part = taut_record_get(edge, "part");
@@ -58,7 +76,7 @@ taut_status taut_mounted_new(const taut_model *model, const taut_surface *flat, 
         if (e % 2 == 1 && taut_record_get(edge, "seam") == NULL) { /* straight */
             continue;
         }
-        const taut_status status = read_side(details, edge, arena, &mounted->sides[e]);
+        const taut_status status = read_side(details, edge, surface, arena, &mounted->sides[e]);
         if (status != TAUT_OK || mounted->sides[e] == NULL) {
             return status;
         }

@@ -117,45 +117,6 @@ static void test_moved(void)
     cloth_free(&made);
 }
 
-/* A copy of details in which a text is another one; with the key "part" a number, wherever it is. */
-static taut_record *edited(const taut_record *from, const char *key, const char *old,
-                           const char *new)
-{
-    taut_record *to =
-        taut_record_kind_of(from) == TAUT_RECORD_LIST ? taut_record_new_list() : taut_record_new();
-    const int is_list = taut_record_kind_of(from) == TAUT_RECORD_LIST;
-    for (size_t k = 0; k < taut_record_count(from); k++) {
-        const taut_record *item = taut_record_at(from, k);
-        const char *name = is_list ? NULL : taut_record_key(from, k);
-        switch (taut_record_kind_of(item)) {
-        case TAUT_RECORD_NUMBER: {
-            const double value = taut_record_number(item);
-            const int is_it = strcmp(key, "part") == 0 && value == atof(old);
-            taut_record_add_number(to, name, is_it ? atof(new) : value);
-            break;
-        }
-        case TAUT_RECORD_BOOL:
-            taut_record_add_bool(to, name, taut_record_bool(item));
-            break;
-        case TAUT_RECORD_TEXT: {
-            const int is_it =
-                name != NULL && strcmp(name, key) == 0 && strcmp(taut_record_text(item), old) == 0;
-            taut_record_add_text(to, name, is_it ? new : taut_record_text(item));
-            break;
-        }
-        case TAUT_RECORD_NULL:
-            taut_record_add_null(to, name);
-            break;
-        default: {
-            taut_record *child = edited(item, key, old, new);
-            taut_record_add_record(to, name, child);
-            taut_record_free(child);
-        }
-        }
-    }
-    return to;
-}
-
 static void test_told(void)
 {
     static const change none = {"", {0, 0, 0}, 0, 0, 0};
@@ -167,7 +128,7 @@ static void test_told(void)
         {"edge", "u0", "u1"},  /* one border twice */
         {"name", "P2", "P1"}}; /* one piece twice */
     for (size_t k = 0; k < sizeof rows / sizeof rows[0]; k++) {
-        taut_record *other = edited(details, rows[k][0], rows[k][1], rows[k][2]);
+        taut_record *other = cloth_edited(details, rows[k][0], rows[k][1], rows[k][2]);
         CHECK(judge(&made, &none, other, "cover") == TAUT_FALSE, "%s %s", rows[k][0], rows[k][1]);
         taut_record_free(other);
     }
@@ -191,7 +152,7 @@ static void test_joints(void)
     CHECK(judge(&made, &longer, NULL, "seams") == TAUT_FALSE, "one part is longer");
     for (size_t k = 0; k < sizeof rows / sizeof rows[0]; k++) {
         taut_record *other =
-            edited(taut_model_details(made.model), rows[k][0], rows[k][1], rows[k][2]);
+            cloth_edited(taut_model_details(made.model), rows[k][0], rows[k][1], rows[k][2]);
         CHECK(judge(&made, &none, other, "cover") == TAUT_FALSE, "%s %s", rows[k][0], rows[k][1]);
         taut_record_free(other);
     }
