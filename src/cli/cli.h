@@ -359,9 +359,10 @@ void cli_prove_again(const char *file, taut_model *model, const cli_options *opt
 /* Its certificate is what its problem proves; a claim that does not hold is warned of. 0 or the exit code. */
 int cli_prove_against(const char *file, const char *problem_file, taut_model *model,
                       const cli_options *options);
-/* Where an output is a picture: *proved is a copy of the model with its certificate proved again, else NULL; 0 or the exit code. */
-int cli_prove_for_pictures(const char *file, const taut_model *model, const cli_options *options,
-                           taut_model **proved);
+/* Before it is written anywhere: a model of which a claim does not hold any more gets the certificate that says so, in place of the
+ * saved one; of one that holds *shown is a copy with its certificate proved again, for pictures, else NULL. 0 or the exit code. */
+int cli_prove_for_outputs(const char *file, taut_model **model, const cli_options *options,
+                          taut_model **shown);
 /* *model is converted to the unit of the first one, with a warning; 0 or the exit code. */
 int cli_one_unit(const char *file, const taut_model *first, taut_model **model,
                  const cli_options *options);

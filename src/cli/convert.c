@@ -76,13 +76,12 @@ static int run(const cli_options *options)
         return cli_fail_in(options->files[0], &error);
     }
     all.surface = options->pieces ? NULL : options->surface;
-    if (wants_nurbs(options) &&
+    code = cli_prove_for_outputs(options->files[0], &model, options, &shown);
+    if (code == 0 && wants_nurbs(options) &&
         taut_model_to_nurbs(model, options->tolerance, &nurbs, &bound, &error) != TAUT_OK) {
         code = cli_fail_in(options->files[0], &error);
-    } else {
-        code = cli_prove_for_pictures(options->files[0], model, options, &shown);
-        code = code == 0 ? cli_write_or_nurbs(model, nurbs, bound, shown, &all) : code;
     }
+    code = code == 0 ? cli_write_or_nurbs(model, nurbs, bound, shown, &all) : code;
     taut_model_free(shown);
     taut_model_free(nurbs);
     taut_model_free(model);

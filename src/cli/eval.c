@@ -134,8 +134,10 @@ static int eval_curve(const taut_curve *curve, const char *at, taut_record *list
     return 0;
 }
 
-static void print_rows(const taut_record *list)
+/* Lines of a surface or a curve, lengths and curvatures with their unit; parameters have none. */
+static void print_rows(const taut_record *list, const char *unit)
 {
+    char room[CLI_UNIT_ROOM];
     for (size_t i = 0; i < taut_record_count(list); i++) {
         const taut_record *row = taut_record_at(list, i);
         for (size_t k = 0; k < taut_record_count(row); k++) {
@@ -147,7 +149,9 @@ static void print_rows(const taut_record *list)
             if (taut_record_kind_of(value) == TAUT_RECORD_NUMBER) {
                 printf(" %22.15g", taut_record_number(value));
             }
-            printf("%s\n", taut_record_kind_of(value) == TAUT_RECORD_NULL ? " -" : "");
+            printf("%s\n", taut_record_kind_of(value) == TAUT_RECORD_NULL
+                               ? " -"
+                               : cli_unit_of(taut_record_key(row, k), unit, room));
         }
     }
 }
@@ -177,7 +181,7 @@ static int eval_model(const taut_model *model, const cli_options *options)
         return cli_print_record(list);
     }
     if (code == 0) {
-        print_rows(list);
+        print_rows(list, taut_model_unit(model));
         code = cli_print_text("", 0);
     }
     taut_record_free(list);

@@ -108,6 +108,16 @@ static int has_surface(const taut_model *model, const char *name)
     return 0;
 }
 
+/* What the reader of a CAD file had to say: for programs, who see no warnings. */
+static void add_notes(const taut_model *model, taut_record *record)
+{
+    const taut_record *details = taut_model_details(model);
+    const taut_record *notes = taut_record_get(details, "notes");
+    if (taut_record_get(details, "read_from") != NULL && taut_record_count(notes) > 0) {
+        taut_record_add_record(record, "notes", notes);
+    }
+}
+
 static int run(const cli_options *options)
 {
     taut_model *model = NULL;
@@ -128,6 +138,7 @@ static int run(const cli_options *options)
     }
     if (status == TAUT_OK) {
         taut_record_add_text(record, "unit", taut_model_unit(model));
+        add_notes(model, record);
         status = taut_record_status(record);
     }
     if (status != TAUT_OK) {

@@ -40,7 +40,9 @@ static void warn_of_claims(const char *file, const taut_certificate *certificate
     warn(file, text, options);
 }
 
-void cli_prove_again(const char *file, taut_model *model, const cli_options *options)
+/* `as`: how a certificate that is not proved again is used ("shown"); NULL: not at all, which needs no word. */
+static void prove_again(const char *file, const char *as, taut_model *model,
+                        const cli_options *options)
 {
     const taut_certify_options chosen = {.threads = options->threads};
     taut_certificate *certificate = NULL;
@@ -51,22 +53,28 @@ void cli_prove_again(const char *file, taut_model *model, const cli_options *opt
         return;
     }
     if (point_count(model) > QUICK_POINTS) {
-        warn(file,
-             "the certificate is shown as saved, since proving so large a model again takes long: "
-             "see `taut certify`",
-             options);
+        snprintf(text, sizeof text,
+                 "the certificate is %s as saved, since proving so large a model again takes long: "
+                 "see `taut certify`",
+                 as != NULL ? as : "");
+    } else if (taut_certify_again(model, &chosen, &certificate, &error) != TAUT_OK) {
+        snprintf(text, sizeof text, "the certificate is %s as saved, not proved again: %.300s",
+                 as != NULL ? as : "", error.message);
+    } else {
+        if (taut_certificate_holds(certificate) == TAUT_FALSE) {
+            warn_of_claims(file, certificate, options);
+        }
+        taut_model_set_certificate(model, certificate);
         return;
     }
-    if (taut_certify_again(model, &chosen, &certificate, &error) != TAUT_OK) {
-        snprintf(text, sizeof text, "the certificate is shown as saved, not proved again: %.300s",
-                 error.message);
+    if (as != NULL) {
         warn(file, text, options);
-        return;
     }
-    if (taut_certificate_holds(certificate) == TAUT_FALSE) {
-        warn_of_claims(file, certificate, options);
-    }
-    taut_model_set_certificate(model, certificate);
+}
+
+void cli_prove_again(const char *file, taut_model *model, const cli_options *options)
+{
+    prove_again(file, "shown", model, options);
 }
 
 int cli_prove_against(const char *file, const char *problem_file, taut_model *model,
@@ -93,20 +101,30 @@ int cli_prove_against(const char *file, const char *problem_file, taut_model *mo
     return 0;
 }
 
-int cli_prove_for_pictures(const char *file, const taut_model *model, const cli_options *options,
-                           taut_model **proved)
+int cli_prove_for_outputs(const char *file, taut_model **model, const cli_options *options,
+                          taut_model **shown)
 {
-    int is_shown = 0;
+    int is_shown = 0, is_kept = 0;
+    taut_model *proved = NULL;
     for (int i = 0; i < options->output_count; i++) {
         is_shown |= cli_is_picture(options->outputs[i]);
+        is_kept |= cli_is_json(options->outputs[i]);
     }
-    *proved = NULL;
-    if (!is_shown || taut_model_certificate(model) == NULL) {
+    *shown = NULL;
+    if (taut_model_certificate(*model) == NULL) {
         return 0;
     }
-    if (taut_model_copy(model, proved) != TAUT_OK) {
+    if (taut_model_copy(*model, &proved) != TAUT_OK) {
         return cli_no_memory();
     }
-    cli_prove_again(file, *proved, options);
+    prove_again(file, is_shown ? "shown" : is_kept ? "kept" : NULL, proved, options);
+    if (taut_certificate_holds(taut_model_certificate(proved)) == TAUT_FALSE) {
+        taut_model_free(*model); /* whose certificate says what is not so */
+        *model = proved;
+    } else if (is_shown) {
+        *shown = proved;
+    } else {
+        taut_model_free(proved);
+    }
     return 0;
 }

@@ -32,10 +32,30 @@ static void tell_notes(const char *path, const taut_model *model)
     }
 }
 
+/* A saved model of whole surfaces under trimmed faces is not what its file showed, which would be lost in the next one. */
+static void tell_of_trims(const char *path, const taut_model *model)
+{
+    const taut_record *details = taut_model_details(model);
+    const taut_record *trimmed = taut_record_get(details, "trimmed");
+    char note[120];
+
+    if (taut_record_get(details, "read_from") != NULL && taut_record_number(trimmed) > 0) {
+        snprintf(note, sizeof note,
+                 "surfaces under trimmed faces are whole in it: %.0f (see its details.notes)",
+                 taut_record_number(trimmed));
+        tell_note(path, note);
+    }
+}
+
 /* What a reader of `path` had to say, unless all that is printed is JSON. */
 static void tell_of(const char *path, const cli_options *options, const taut_model *model)
 {
-    if (model != NULL && !options->json && !cli_is_json(path)) {
+    if (model == NULL || options->json) {
+        return;
+    }
+    if (cli_is_json(path)) {
+        tell_of_trims(path, model);
+    } else {
         tell_notes(path, model);
     }
 }

@@ -128,6 +128,12 @@ if [ -e screw.step ]; then
     for command in measure certify "panels --kind conical" "convert -o untrimmed.json" "view -o untrimmed.html"; do
         refuses $command screw.step
     done
+    run 0 convert screw.step --untrim -o untrimmed.json
+    run 0 convert untrimmed.json -o again.step
+    contains err.txt 'untrimmed.json: warning: surfaces under trimmed faces are whole in it: [1-9]'
+    run 0 measure screw.step --untrim --json
+    [ ! -s err.txt ] || complain "warned beside JSON: $(cat err.txt)"
+    contains out.txt 'the face is trimmed; this is the whole surface under it'
     refused 4 not-in-family panels screw.step --kind conical --untrim -o never.obj
     absent never.obj
 fi

@@ -22,9 +22,15 @@ done
 run 0 convert moved.json -o moved.svg
 contains err.txt 'not all claims hold: stationary'
 contains moved.svg 'not all claims hold'
-run 0 convert moved.json -o copy.json # taut's own format is the model as it is
+for ending in json step stl obj glb vtu; do # into every format; what JSON keeps is what was found
+    run 0 convert moved.json -o copy.$ending
+    contains err.txt 'moved.json: warning: not all claims hold: stationary'
+done
+contains copy.json '"holds": false'
+run 1 certify copy.json
+run 0 convert model.json -o copy.json -o copy.stl # one that holds is copied bit by bit
 [ ! -s err.txt ] || complain "a copy warns: $(cat err.txt)"
-contains copy.json '"holds": true'
+cmp -s copy.json model.json || complain 'a copy differs'
 
 # Unchanged, it holds again; what needs the problem to be proved is marked, by number.
 run 0 view model.json -o again.html
@@ -42,6 +48,11 @@ contains err.txt 'warning: the certificate is shown as saved, not proved again: 
 contains saved.html '"saved": \[0, 1, 2\]'
 run 0 convert model.json -o saved.svg
 contains saved.svg 'certificate as saved, not proved again'
+run 0 convert model.json -o copy.json
+contains err.txt 'warning: the certificate is kept as saved, not proved again: the model does not say which points were known'
+cmp -s copy.json model.json || complain 'a copy of what cannot be proved differs'
+run 0 convert model.json -o copy.step # no format says a certificate
+[ ! -s err.txt ] || complain "STEP: $(cat err.txt)"
 run 0 view model.json --json -o saved.html
 [ ! -s err.txt ] || complain "warned beside JSON: $(cat err.txt)"
 

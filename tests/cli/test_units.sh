@@ -33,6 +33,10 @@ contains out.txt '^bounding_box .* m$'
 contains out.txt '^  max_abs +0 1/m$'
 contains out.txt '^  min +0 1/m\^2$'
 contains out.txt '^  max_abs_at +[0-9. ]+$'
+run 0 eval metres.json --at 0.5,0.5
+for line in 'u +0.5' 'point +0.5 +1 +0 m' 'du +1 +0 +0 m' 'normal +0 +0 1' 'mean_curvature +0 1/m' 'gaussian_curvature +0 1/m\^2'; do
+    tr -s ' ' < out.txt | grep -Eq "^$line\$" || complain "eval: no line $line: $(cat out.txt)"
+done
 run 0 measure metres.json --json
 contains out.txt '"unit": "m"'
 sed 's/"taut": 1,/"taut": 1, "unit": "ft", /' "$SOURCE/examples/dirichlet-bicubic.json" > feet.json
