@@ -34,7 +34,7 @@ typedef enum taut_film_edge_kind {
     TAUT_FILM_FIXED = 0, /* on `curve`, or on the straight line between its corners */
     TAUT_FILM_CABLE,     /* drawn by a cable */
     TAUT_FILM_SLIDE,     /* free in `plane`: the film meets it at a right angle */
-    TAUT_FILM_POLE /* one point, free: an edge v0 or v1 of a ring along u, u0 or u1 of one along v */
+    TAUT_FILM_POLE /* one point: of a ring free, else as its two corners, one point, are held or move */
 } taut_film_edge_kind;
 
 /* What goes around: a film that is closed in one direction, without corners. */

@@ -373,6 +373,50 @@ static taut_status find_holds(taut_film_complex *c, taut_error *error)
     return status;
 }
 
+/* Does a cable or an edge that is held end at a node? */
+static int has_end(const taut_film_complex *c, int node)
+{
+    int has = c->fixed[node];
+    for (int k = 0; k < c->strand_count; k++) {
+        const taut_film_side *side = &c->strands[k].side;
+        const int last = taut_film_complex_along(&c->problem->patches[side->patch], side->edge) - 1;
+        has |= taut_film_complex_node(c, side, 0) == node ||
+               taut_film_complex_node(c, side, last) == node;
+    }
+    return has;
+}
+
+/* A pole that is held alone holds nothing, and one that two cables of its patch meet in is drawn straight. */
+static taut_status check_poles(const taut_film_complex *c, taut_error *error)
+{
+    for (int k = 0; k < 4 * c->problem->patch_count; k++) {
+        const int p = k / 4, e = k % 4;
+        const taut_film_problem *patch = &c->problem->patches[p];
+        const int node = taut_film_complex_corner(c, p, taut_film_edge_corner(e, 0));
+        const taut_film_edge *beside = &patch->edges[e < 2 ? 2 : 0];
+        char where[64];
+        snprintf(where, sizeof where, "/patches/%d/edges/%s", p, edge_names[e]);
+        if (patch->edges[e].kind != TAUT_FILM_POLE) {
+            continue;
+        }
+        if (c->holds[node].count == 0 && beside[0].kind == TAUT_FILM_CABLE &&
+            beside[1].kind == TAUT_FILM_CABLE) {
+            return taut_fail(error, TAUT_NO_SOLUTION, "no-corner", where, taut_none, taut_none,
+                             "the two cables that meet in the free pole %.80s.%s draw it straight, "
+                             "and it is no corner: hold it, or keep it on a line or in a plane",
+                             patch->name, edge_names[e]);
+        }
+        if (c->holds[node].count == 3 && !has_end(c, node)) {
+            return taut_fail(error, TAUT_NO_SOLUTION, "point-support", where, taut_none, taut_none,
+                             "the pole %.80s.%s is held, and neither a cable nor an edge that is "
+                             "held ends there: a point holds no film: use a ring, or cables that "
+                             "end there",
+                             patch->name, edge_names[e]);
+        }
+    }
+    return TAUT_OK;
+}
+
 /* Do all holds together leave a translation? */
 static taut_status check_support(const taut_film_complex *c, taut_error *error)
 {
@@ -551,6 +595,9 @@ taut_status taut_film_complex_new(const taut_film_problem *problem, taut_arena *
     status = find_holds(c, error);
     if (status == TAUT_OK) {
         status = check_support(c, error);
+    }
+    if (status == TAUT_OK) {
+        status = check_poles(c, error);
     }
     if (status == TAUT_OK) {
         status = taut_film_ropes_check(c, error);

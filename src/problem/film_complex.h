@@ -70,10 +70,21 @@ typedef struct taut_film_lone {
     taut_film_seam seam; /* of a ring */
 } taut_film_lone;
 
+/* Has a film of one patch, which does not go around, an edge that is a point? */
+static inline int taut_film_has_tip(const taut_film_problem *problem)
+{
+    int has = 0;
+    for (int e = 0; e < 4; e++) {
+        has |= problem->edges[e].kind == TAUT_FILM_POLE;
+    }
+    return has && problem->ring == TAUT_FILM_OPEN;
+}
+
 /* Is the film one that is made and certified as those of many patches are? */
 static inline int taut_film_is_complex(const taut_film_problem *problem)
 {
-    return problem->patch_count > 0 || problem->cell_count > 0 || problem->along_count > 0;
+    return problem->patch_count > 0 || problem->cell_count > 0 || problem->along_count > 0 ||
+           taut_film_has_tip(problem);
 }
 
 /* The problem itself, or one of one patch in its room, whose edges go without the patch's name. */

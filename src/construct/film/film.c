@@ -134,12 +134,6 @@ static taut_status check_edge(const taut_film_problem *problem, int e, taut_erro
                          "edge %s is in a seam, and held or drawn too: leave out one of them",
                          taut_film_edge_names[e]);
     }
-    if (edge->kind == TAUT_FILM_POLE && problem->ring == TAUT_FILM_OPEN) {
-        return taut_fail(error, TAUT_BAD_INPUT, "not-yet", where, taut_none, taut_none,
-                         "edge %s is a pole, which only rings can have in this version: give it "
-                         "another edge",
-                         taut_film_edge_names[e]);
-    }
     if (taut_film_has_plane(edge)) {
         status = check_guide(&edge->plane, where, error);
     }

@@ -370,15 +370,15 @@ static void read_fixed(taut_reader *edge, taut_arena *arena, const taut_curve **
 
 static const char no_support[] = "a point holds no film: use a ring, or cables that end there";
 
-/* { "pole": null }; a pole that is held holds nothing. */
-static void read_pole(taut_reader *in)
+/* { "pole": null }, or where it is held, which its corners take (take_poles). */
+static void read_pole(taut_reader *in, taut_film_edge *edge)
 {
     const taut_json at = taut_json_member(in->object, "pole");
 
-    if (in->status == TAUT_OK && taut_json_kind_at(&at) != TAUT_JSON_NULL) {
-        in->status = taut_json_kind_at(&at) == TAUT_JSON_ARRAY
-                         ? taut_film_document_none(&at, "point-support", no_support, in->error)
-                         : taut_json_refuse(&at, in->error, "type", "null");
+    edge->kind = TAUT_FILM_POLE;
+    if (in->status == TAUT_OK && taut_json_kind_at(&at) != TAUT_JSON_NULL &&
+        taut_json_kind_at(&at) != TAUT_JSON_ARRAY) {
+        in->status = taut_json_refuse(&at, in->error, "type", "null or a point");
     }
 }
 
@@ -403,8 +403,7 @@ static void read_kind(taut_reader *in, const char *kind, taut_arena *arena, taut
     } else if (strcmp(kind, "cable") == 0) {
         read_cable(in, edge);
     } else if (strcmp(kind, "pole") == 0) {
-        edge->kind = TAUT_FILM_POLE;
-        read_pole(in);
+        read_pole(in, edge);
     } else {
         edge->kind = TAUT_FILM_SLIDE;
         edge->is_mirror = strcmp(kind, "mirror") == 0;
@@ -473,6 +472,41 @@ static void read_edges(taut_reader *document, taut_arena *arena, taut_film_probl
         read_edge(&edges, edge_members[e], arena, &data->edges[e]);
     }
     document->status = edges.status;
+}
+
+/* path: /edges/e/pole. Its end where the pole of edge e is held, else NULL. */
+static const taut_json *held_pole(const taut_reader *document, int e, taut_json path[3])
+{
+    path[0] = taut_json_member(document->object, "edges");
+    path[1] = taut_json_member(&path[0], edge_members[e]);
+    path[2] = taut_json_member(&path[1], "pole");
+    return path[2].value != NULL && taut_json_kind_at(&path[2]) == TAUT_JSON_ARRAY ? &path[2]
+                                                                                   : NULL;
+}
+
+/* Both corners of a pole that is held are where it is. */
+static void take_poles(taut_reader *document, taut_film_problem *data)
+{
+    for (int k = 0; document->status == TAUT_OK && k < 8; k++) {
+        const int e = k / 2, c = e < 2 ? e + 2 * (k % 2) : 2 * (e - 2) + k % 2;
+        taut_json path[3];
+        const taut_json *at = held_pole(document, e, path);
+        double point[3];
+        if (at == NULL) {
+            continue;
+        }
+        document->status = taut_net_document_point(at, point, document->error);
+        if (document->status == TAUT_OK &&
+            (data->corner_kinds[c] != TAUT_FILM_HELD ||
+             (data->has_corner[c] && memcmp(data->corners[c], point, sizeof point) != 0))) {
+            document->status = taut_json_fail(
+                at, document->error, "corner-conflict", taut_none, taut_none,
+                "found a pole at one place and its corner %s elsewhere: leave out the corner",
+                corner_members[c]);
+        }
+        data->has_corner[c] = 1;
+        memcpy(data->corners[c], point, sizeof point);
+    }
 }
 
 /* The edge that an item of a seam names, 0 to 3; 4 to 7: with a minus sign; -1: none. */
@@ -612,7 +646,8 @@ static void free_corners(const taut_reader *document, taut_film_problem *data)
     for (int c = 0; c < 4 && data->ring == TAUT_FILM_OPEN; c++) {
         const int is_held = data->edges[c % 2].kind == TAUT_FILM_FIXED ||
                             data->edges[2 + c / 2].kind == TAUT_FILM_FIXED;
-        if (!is_held && taut_json_member(&corners, corner_members[c]).value == NULL) {
+        if (!is_held && !data->has_corner[c] &&
+            taut_json_member(&corners, corner_members[c]).value == NULL) {
             data->corner_kinds[c] = TAUT_FILM_FREE;
         }
     }
@@ -660,6 +695,20 @@ static void read_one(taut_reader *patch, taut_problem *problem, taut_film_proble
     read_basis(patch, "v", problem->arena, &data->v);
     read_corners(patch, data);
     read_edges(patch, problem->arena, data);
+    take_poles(patch, data);
+}
+
+/* A pole of a ring has no corners to hold it by. */
+static void check_poles(taut_reader *document, const taut_film_problem *data)
+{
+    for (int e = 0; document->status == TAUT_OK && data->ring != TAUT_FILM_OPEN && e < 4; e++) {
+        taut_json path[3];
+        const taut_json *at = held_pole(document, e, path);
+        if (at != NULL) {
+            document->status =
+                taut_film_document_none(at, "point-support", no_support, document->error);
+        }
+    }
 }
 
 /* What one patch has that is the whole film. */
@@ -667,6 +716,7 @@ static void read_alone(taut_reader *document, taut_problem *problem, taut_film_p
 {
     read_one(document, problem, data);
     read_seams(document, data);
+    check_poles(document, data);
     read_nets(document, problem->arena, data);
     read_tension(document, problem, data);
 }

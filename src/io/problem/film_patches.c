@@ -48,7 +48,7 @@ static void free_corners(const taut_json *at, taut_film_problem *patch)
         const taut_json corner = taut_json_member(&corners, corner_names[c]);
         const int has_curve =
             patch->edges[c % 2].curve != NULL || patch->edges[2 + c / 2].curve != NULL;
-        if (corner.value == NULL && !has_curve) {
+        if (corner.value == NULL && !has_curve && !patch->has_corner[c]) {
             patch->corner_kinds[c] = TAUT_FILM_FREE;
         }
     }

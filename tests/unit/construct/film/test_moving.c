@@ -137,7 +137,9 @@ static void test_refused(void)
     s.problem.edges[0].plane = (taut_film_guide){{0.1, 0, 0}, {1, 0, 0}};
     refuse(&s.problem, TAUT_BAD_INPUT, "corner-conflict", "/corners/u0v0");
     s.problem.edges[0].kind = TAUT_FILM_POLE;
-    refuse(&s.problem, TAUT_BAD_INPUT, "not-yet", "/edges/u0");
+    s.problem.edges[0].has_plane = 0;
+    refuse(&s.problem, TAUT_BAD_INPUT, "corner-conflict",
+           "/corners/u0v1");      /* its ends are two corners */
     for (int e = 0; e < 4; e++) { /* planes that hold nothing upwards */
         s.problem.edges[e] =
             (taut_film_edge){.kind = TAUT_FILM_SLIDE,
