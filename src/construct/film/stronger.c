@@ -1,8 +1,10 @@
 /* stronger.c -- where a film with the forces that are asked for is not found.
  *
- *     factor = 2, 4, ..: the start solved with all forces so many times, until one succeeds
- *     lower it, from film to film, or from the start anew, by steps that are halved where both fail
- *     1 is reached: done; no step is left: cable-too-weak, the last factor told
+ *     factor = 2, 4, ..: the start solved with all forces so many times, until one succeeds; then factors between these, and a
+ *     little below 1
+ *     lead it to 1, from film to film, or from the start anew, by steps that are halved where both fail
+ *     1 is reached: done; no step is left: the start anew with 0.95, 0.9, .. of the last factor, and on from there
+ *     at last: cable-too-weak, the last factor told
  *
  * Cables of given length are so much stronger by less excess over their chords, elastic ones by less length
  * (equilibrium.h).
@@ -16,7 +18,11 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { DOUBLINGS = 8, LOWERINGS = 64, ANEW = 6 };
+enum { TRIES = 19, LOWERINGS = 64, ANEW = 6, BELOW = 4 };
+
+/* Where the start may lead to a film. */
+static const double tries[TRIES] = {2,    4,    8,    16,   32,   64,   128,  256,  1.41, 2.83,
+                                    5.66, 11.3, 1.19, 1.68, 2.38, 3.36, 4.76, 0.92, 0.84};
 
 static const double step_least = 0x1p-10; /* of the logarithm of the factor of all forces */
 
@@ -67,13 +73,16 @@ static taut_status start_anew(taut_film_work *w, double factor, taut_error *erro
 /* net: a film with all forces *factor times, from the start. */
 static taut_status find_strong(taut_film_work *w, double *factor, taut_error *error)
 {
-    taut_error inner = {.status = TAUT_NOT_CONVERGED};
-    *factor = 1;
-    for (int k = 0; inner.status == TAUT_NOT_CONVERGED && k < DOUBLINGS; k++) {
-        *factor *= 2;
+    taut_error first = {.status = TAUT_OK}, inner = {.status = TAUT_NOT_CONVERGED};
+
+    for (int k = 0; inner.status == TAUT_NOT_CONVERGED && k < TRIES; k++) {
+        *factor = tries[k];
         inner.status = start_anew(w, *factor, &inner);
+        first = k == 0 ? inner : first;
     }
-    return inner.status == TAUT_OK ? TAUT_OK : taut_film_pass_on(&inner, error);
+    return inner.status == TAUT_NOT_CONVERGED ? taut_film_pass_on(&first, error)
+           : inner.status == TAUT_OK          ? TAUT_OK
+                                              : taut_film_pass_on(&inner, error);
 }
 
 /* Is that the end of films that get weaker: a fold, or one that is at rest by every rule, and another by each? */
@@ -83,34 +92,66 @@ static int is_end(const taut_film_work *w, const taut_error *inner)
                                                    w->region.residual <= w->region.tolerance);
 }
 
-/* From the film at `factor` down to 1. `saved` is a net of scratch. */
-static taut_status come_down(taut_film_work *w, double factor, double *saved, taut_error *error)
+/* The next factor on the way to 1. */
+static double next_of(double factor, double step)
+{
+    return factor > 1 ? fmax(1, factor * (1 - step)) : fmin(1, factor / (1 - step));
+}
+
+/* From the film at *factor towards 1, by steps of `step` at first. `saved` is a net of scratch. */
+static taut_status come_nearer(taut_film_work *w, double *factor, double step, double *saved,
+                               taut_error *inner)
 {
     const size_t bytes = 3 * w->space->count * sizeof(double);
-    double step = 0.5; /* the factor is multiplied by 1 - step */
-    taut_error inner = {.status = TAUT_OK};
 
-    for (int k = 0; factor > 1 && k < LOWERINGS && step > step_least; k++) {
-        const double next = fmax(1, factor * (1 - step));
+    inner->status = TAUT_OK;
+    for (int k = 0; *factor != 1 && k < LOWERINGS && step > step_least; k++) {
+        const double next = next_of(*factor, step);
         memcpy(saved, w->net, bytes);
-        inner.status = taut_film_rest(w, next, &inner);
-        if (inner.status == TAUT_NOT_CONVERGED && k < ANEW) {
-            inner.status = start_anew(w, next, &inner); /* from there, what is nearer may be lost */
+        inner->status = taut_film_rest(w, next, inner);
+        if (inner->status == TAUT_NOT_CONVERGED && k < ANEW) {
+            inner->status = start_anew(w, next, inner); /* what is nearer may be lost from there */
         }
-        if (inner.status == TAUT_OK) {
-            factor = next;
+        if (inner->status == TAUT_OK) {
+            *factor = next;
             continue;
         }
-        if (inner.status != TAUT_NOT_CONVERGED) {
+        if (inner->status != TAUT_NOT_CONVERGED) {
             break;
         }
         memcpy(w->net, saved, bytes);
         step *= 0.5;
     }
-    if (factor > 1 && is_end(w, &inner)) {
+    if (*factor != 1 && inner->status == TAUT_OK) {
+        return taut_fail(inner, TAUT_NOT_CONVERGED, "not-converged", "", *factor, 1,
+                         "so many steps lead only to %.6g times the forces", *factor);
+    }
+    return inner->status;
+}
+
+/* From the film at `factor` to 1. */
+static taut_status come_to(taut_film_work *w, double factor, double *saved, taut_error *error)
+{
+    taut_error inner = {.status = TAUT_OK}, below = {.status = TAUT_OK};
+    taut_status status = come_nearer(w, &factor, 0.5, saved, &inner);
+    int ends = is_end(w, &inner); /* now: attempts that follow say nothing of it */
+
+    for (int k = 1; status == TAUT_NOT_CONVERGED && factor > 1 && k <= BELOW; k++) {
+        const double next = fmax(1, factor * (1 - 0.05 * k));
+        below.status = start_anew(w, next, &below);
+        if (below.status == TAUT_OK) {
+            factor = next;
+            status = come_nearer(w, &factor, 0.25, saved, &inner);
+            ends = is_end(w, &inner);
+            k = 0;
+        } else if (below.status != TAUT_NOT_CONVERGED) {
+            return taut_film_pass_on(&below, error);
+        }
+    }
+    if (status == TAUT_NOT_CONVERGED && factor > 1 && ends) {
         return refuse_weak(w, factor, error);
     }
-    return factor > 1 ? taut_film_pass_on(&inner, error) : TAUT_OK;
+    return status == TAUT_OK ? TAUT_OK : taut_film_pass_on(&inner, error);
 }
 
 taut_status taut_film_lower_forces(taut_film_work *w, taut_arena *arena, taut_error *error)
@@ -119,5 +160,5 @@ taut_status taut_film_lower_forces(taut_film_work *w, taut_arena *arena, taut_er
     double *saved = taut_arena_take(arena, w->space->count, 3 * sizeof(double));
     taut_status status = saved != NULL ? find_strong(w, &factor, error) : taut_fail_memory(error);
 
-    return status == TAUT_OK ? come_down(w, factor, saved, error) : status;
+    return status == TAUT_OK ? come_to(w, factor, saved, error) : status;
 }
