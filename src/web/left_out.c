@@ -142,6 +142,20 @@ void taut_boundary_file_net(taut_reader *document, taut_problem *problem, taut_n
     refuse_file(document);
 }
 
+void taut_boundary_curves_net(taut_reader *document, taut_problem *problem,
+                              const taut_curve *const curves[TAUT_SIDES], taut_net_document *net)
+{
+    const taut_json at = taut_json_member(document->object, "curves");
+    (void)problem;
+    (void)curves;
+    (void)net;
+    if (document->status == TAUT_OK) {
+        document->status = taut_json_fail(
+            &at, document->error, "not-installed", taut_none, taut_none,
+            "say \"u\" and \"v\" with points to find: they are not chosen in the browser");
+    }
+}
+
 void taut_boundary_file_bezier(taut_reader *document, taut_problem *problem,
                                const char *const *others, int agree,
                                const taut_curve *sides[TAUT_SIDES])

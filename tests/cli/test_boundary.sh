@@ -88,6 +88,36 @@ for construct in dirichlet plateau; do
     run 1 certify made.json beside/problem.json
 done
 
+# The same of curves in the document, without bases or with such as leave nothing to find; a finer net that the document asks for
+# stays.
+python3 - <<'PY' > beside/given.txt
+import json
+line = lambda *p: {"t": {"type": "bezier", "degree": 1}, "points": p}
+bow = lambda *p: {"t": {"type": "bezier", "degree": 2}, "points": p}
+curves = {"u0": line([0, 0, 0], [0, 10, 0]), "u1": line([10, 0, 0], [10, 10, 0]),
+          "v0": bow([0, 0, 0], [5, -2, 4], [10, 0, 0]), "v1": bow([0, 10, 0], [5, 12, 4], [10, 10, 0])}
+problem = {"taut": 1, "construct": "plateau", "curves": curves}
+json.dump(problem, open("beside/none.json", "w"))
+json.dump({**problem, "u": {"type": "bezier", "degree": 2}, "v": {"type": "bezier", "degree": 1}}, open("beside/hollow.json", "w"))
+json.dump({**problem, "u": {"type": "bezier", "degree": 4}, "v": {"type": "bezier", "degree": 3}}, open("beside/finer.json", "w"))
+PY
+for name in none hollow; do
+    run 0 make beside/$name.json --quiet -o $name.json
+    contains $name.json '"unknowns": 81'
+    case $(note $name.json) in *'the curves alone leave nothing to find'*) ;; *) complain "$name: $(note $name.json)" ;; esac
+    run 0 certify $name.json beside/$name.json
+done
+run 0 make beside/finer.json --quiet -o finer.json
+contains finer.json '"unknowns": 6'
+[ -z "$(note finer.json)" ] || complain "finer: $(note finer.json)"
+# A film on two lines and two arcs whose ends are rounded, as CAD systems write them: corners are one point.
+sed 's/\[10,10,0\]\], "weights"/[10.000000000001,9.999999999999,2e-12]], "weights"/' beside/arcs.json > beside/rounded.json
+! cmp -s beside/arcs.json beside/rounded.json || complain 'nothing was rounded'
+printf '{ "taut": 1, "construct": "film", "boundary": "rounded.json" }\n' > beside/problem.json
+run 0 make beside/problem.json --quiet -o made.json
+run 0 certify made.json beside/problem.json
+contains err.txt '^ *boundary +holds'
+
 refuse_boundary() { # refuse_boundary CODE PATTERN FILE
     printf '{ "taut": 1, "construct": "dirichlet", "boundary": "%s" }\n' "$3" > problem.json
     refused "$1" "$2" make problem.json

@@ -21,6 +21,11 @@ int taut_boundary_document_is(const taut_reader *document);
 void taut_boundary_document_net(taut_reader *document, taut_problem *problem,
                                 taut_dirichlet_problem *net);
 
+/* The net between four curves that the document itself has, as "boundary" gives it: u0, u1, v0 and v1, which meet. */
+void taut_boundary_document_curves(taut_reader *document, taut_problem *problem,
+                                   const taut_curve *const curves[TAUT_SIDES],
+                                   taut_dirichlet_problem *net);
+
 /* The four sides as Bezier curves over [0, 1], in order, their weights made to agree at the corners
  * where that is asked for; the arena owns them. The document must not have any of the members
  * `others` (ends with NULL). */

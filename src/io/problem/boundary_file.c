@@ -438,17 +438,12 @@ static taut_status choose_net(boundary_work *work, taut_error *error)
     return taut_problem_note(work->problem, note) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 }
 
-/* `asked`: the document says how fine the net is to be. */
-static taut_status read_net(boundary_work *work, const int degree[2], const int halvings[2],
+/* Of sides that there are. `asked`: the document says how fine the net is to be. */
+static taut_status make_net(boundary_work *work, const int degree[2], const int halvings[2],
                             int asked, taut_net_document *net, taut_error *error)
 {
     taut_error found = {.status = TAUT_OK};
-    taut_status status = read_sides(work->at, work->problem, work->sides, error);
-
-    if (status != TAUT_OK) {
-        return status;
-    }
-    status = taut_boundary_fit(work->sides, degree, halvings, work->made, &found);
+    taut_status status = taut_boundary_fit(work->sides, degree, halvings, work->made, &found);
     if (status != TAUT_OK) {
         return blame_file(work->at, &found, status, error);
     }
@@ -459,6 +454,37 @@ static taut_status read_net(boundary_work *work, const int degree[2], const int 
         }
     }
     return fill_net(work->made, work->at, work->problem->arena, net, error);
+}
+
+static taut_status read_net(boundary_work *work, const int degree[2], const int halvings[2],
+                            int asked, taut_net_document *net, taut_error *error)
+{
+    const taut_status status = read_sides(work->at, work->problem, work->sides, error);
+    return status == TAUT_OK ? make_net(work, degree, halvings, asked, net, error) : status;
+}
+
+void taut_boundary_curves_net(taut_reader *document, taut_problem *problem,
+                              const taut_curve *const curves[TAUT_SIDES], taut_net_document *net)
+{
+    static const int as_they_are[2] = {0, 0};
+    static const int around[TAUT_SIDES] = {TAUT_SIDE_V0, TAUT_SIDE_U1, TAUT_SIDE_V1, TAUT_SIDE_U0};
+    const taut_json at = taut_json_member(document->object, "curves");
+    boundary_work work = {.at = &at, .problem = problem};
+    loop all = {.count = TAUT_SIDES};
+
+    if (document->status == TAUT_OK) {
+        document->status = take_room(problem->arena, TAUT_SIDES, &all, document->error);
+    }
+    for (int s = 0; s < TAUT_SIDES && document->status == TAUT_OK; s++) {
+        all.curves[s] = curves[around[s]];
+    }
+    if (document->status == TAUT_OK) {
+        document->status = order_loop(&at, &all, work.sides, document->error);
+    }
+    if (document->status == TAUT_OK) {
+        document->status = make_net(&work, as_they_are, as_they_are, 0, net, document->error);
+    }
+    clear_work(&work);
 }
 
 /* The file says what these members would. */

@@ -11,6 +11,10 @@
 /* Of a document that has the member; the problem's arena owns the net. */
 void taut_boundary_file_net(taut_reader *document, taut_problem *problem, taut_net_document *net);
 
+/* The same of four curves of the document itself: with points to find where they alone leave none, which is noted. */
+void taut_boundary_curves_net(taut_reader *document, taut_problem *problem,
+                              const taut_curve *const curves[TAUT_SIDES], taut_net_document *net);
+
 void taut_boundary_file_bezier(taut_reader *document, taut_problem *problem,
                                const char *const *others, int agree,
                                const taut_curve *sides[TAUT_SIDES]);

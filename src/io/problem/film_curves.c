@@ -106,6 +106,34 @@ static void arrange(reading *r)
     }
 }
 
+/* Ends that meet within rounding of the file become one point, that of the curve which begins there: an edge of the film has one
+ * corner, and could not be on both. Where a curve does not end in its last control point it stays as it is. */
+static taut_status close_corner(reading *r, int k, taut_error *error)
+{
+    const taut_curve *curve = r->curves[k];
+    const size_t count = (size_t)taut_basis_count(taut_curve_t(curve));
+    double there[3], here[3];
+    taut_curve *made = NULL;
+
+    end_of(r->curves[(k + 1) % r->count], 0, there);
+    end_of(curve, 1, here);
+    if (taut_distance(there, here) == 0 ||
+        taut_distance(here, taut_curve_points(curve) + 3 * (count - 1)) > 0) {
+        return TAUT_OK;
+    }
+    double *points =
+        taut_arena_copy(r->problem->arena, taut_curve_points(curve), count, 3 * sizeof(double));
+    if (points == NULL) {
+        return taut_fail_memory(error);
+    }
+    memcpy(points + 3 * (count - 1), there, sizeof there);
+    const taut_status status = taut_curve_new(taut_curve_name(curve), taut_curve_t(curve), points,
+                                              taut_curve_weights(curve), &made, error);
+    return status == TAUT_OK && keep(r->problem->arena, made, &r->curves[k]) != TAUT_OK
+               ? taut_fail_memory(error)
+               : status;
+}
+
 /* Every curve begins where the one before it ends; the first as the second meets it. */
 static taut_status run_round(reading *r, taut_error *error)
 {
@@ -132,6 +160,9 @@ static taut_status run_round(reading *r, taut_error *error)
                                     "curves that go round, in their order",
                                     k, away, next);
         }
+    }
+    for (int k = 0; status == TAUT_OK && k < r->count; k++) {
+        status = close_corner(r, k, error);
     }
     return status;
 }

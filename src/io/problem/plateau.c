@@ -10,6 +10,7 @@
 #include "io/problem/net_document.h"
 
 #include <limits.h>
+#include <string.h>
 
 static const char *const members[] = {"name",           "u",       "v",      "points",
                                       "weights",        "curves",  "start",  "tolerance",
@@ -98,29 +99,53 @@ static taut_status read_start(const taut_json *document, taut_arena *arena,
     return status;
 }
 
-/* Four curves, in place of points; the bases say how finely they are fitted. */
-static void read_curves(taut_reader *document, taut_arena *arena, taut_plateau_problem *data)
+/* The bases that say how finely curves are fitted. */
+static void read_bases(taut_reader *document, taut_arena *arena, taut_plateau_problem *data)
 {
-    static const char *const apart[] = {"points", "weights", "start", NULL};
-    const taut_json at = taut_json_member(document->object, "curves");
     const taut_json u = taut_json_member(document->object, "u");
     const taut_json v = taut_json_member(document->object, "v");
-    taut_reader curves = taut_reader_inside(document, &at, edge_members);
-
-    document->status = curves.status;
-    taut_member_refuse(document, apart,
-                       "beside \"curves\": curves that are given are the boundary");
     if (document->status == TAUT_OK) {
         document->status = taut_basis_document_keep(&u, 0, arena, &data->net.u, document->error);
     }
     if (document->status == TAUT_OK) {
         document->status = taut_basis_document_keep(&v, 0, arena, &data->net.v, document->error);
     }
+}
+
+/* Do the bases leave a point to find, or curves that are on others than polynomials nothing better? */
+static int is_enough(const taut_plateau_problem *data)
+{
+    int polynomial = 1;
+    for (int e = 0; e < 4; e++) {
+        polynomial &= taut_basis_degree(taut_curve_t(data->curves[e])) >= 1;
+    }
+    return !polynomial || (taut_basis_count(data->net.u) > 2 && taut_basis_count(data->net.v) > 2);
+}
+
+/* Four curves, in place of points, fitted to the bases; without these, or where they leave nothing to find, kept as they are and
+ * with points to find between them. */
+static void read_curves(taut_reader *document, taut_problem *problem, taut_plateau_problem *data)
+{
+    static const char *const apart[] = {"points", "weights", "start", NULL};
+    const taut_json at = taut_json_member(document->object, "curves");
+    const int has_bases = taut_reader_has(document, "u") || taut_reader_has(document, "v");
+    taut_reader curves = taut_reader_inside(document, &at, edge_members);
+
+    document->status = curves.status;
+    taut_member_refuse(document, apart,
+                       "beside \"curves\": curves that are given are the boundary");
+    if (has_bases) {
+        read_bases(document, problem->arena, data);
+    }
     curves.status = document->status;
     for (int e = 0; e < 4; e++) {
-        taut_member_curve(&curves, edge_members[e], arena, &data->curves[e]);
+        taut_member_curve(&curves, edge_members[e], problem->arena, &data->curves[e]);
     }
     document->status = curves.status;
+    if (document->status == TAUT_OK && !(has_bases && is_enough(data))) {
+        taut_boundary_document_curves(document, problem, data->curves, &data->net);
+        memset(data->curves, 0, sizeof data->curves);
+    }
 }
 
 static void plateau_read(taut_reader *document, taut_problem *problem, void *into)
@@ -130,7 +155,7 @@ static void plateau_read(taut_reader *document, taut_problem *problem, void *int
     read_options(document, data);
     taut_member_name(document, problem->arena, &data->net.name);
     if (taut_reader_has(document, "curves")) {
-        read_curves(document, problem->arena, data);
+        read_curves(document, problem, data);
     } else {
         taut_boundary_document_net(document, problem, &data->net);
     }
