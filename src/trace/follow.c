@@ -18,10 +18,29 @@ static const struct {
     double closing;               /* over the size: the seed again */
     double crease, kink;          /* angles of normals and of tangents */
     double along;                 /* over a range: it runs on a break */
+    double entering;              /* sine: the way into a cell */
     double rounding;              /* over the size: of the place of an event */
-    double near,
-        nearer; /* over the size: a step of Newton, and the one after it, in its last rounds */
-} limits = {1e-2, 0.1, 1e-12, 0.5, 1e-9, 1e-9, 1e-9, 1e-8, 1e-12, 2e-16, 1e-7, 1e-14};
+    double near, nearer; /* over the size: a step of Newton, and the next one, in its last rounds */
+    double measure; /* its error counts so much: near R = 0 and K = 0 estimates are too small */
+    /* Where R is round, over its largest value, it may change by this factor in a step that is not the least. */
+    double round, change, least_round;
+} limits = {.first = 1e-2,
+            .largest = 0.1,
+            .least = 1e-12,
+            .turn = 0.5,
+            .corner = 1e-9,
+            .closing = 1e-9,
+            .crease = 1e-9,
+            .kink = 1e-8,
+            .along = 1e-12,
+            .entering = 1e-9,
+            .rounding = 2e-16,
+            .near = 1e-7,
+            .nearer = 1e-14,
+            .measure = 30,
+            .round = 0.1,
+            .change = 1.25,
+            .least_round = 1e-6};
 
 /* What steps from one state begin with, as events step from it again and again. */
 typedef struct launch {
@@ -173,6 +192,13 @@ static int try_step(cell_field *field, const taut_walk_state *from, double h, ta
         }
     }
     *error = taut_runge_error(norms[0], norms[1]);
+    if (!field->is_bare &&
+        (field->kind.net == TAUT_TRACE_ASYMPTOTIC || field->kind.net == TAUT_TRACE_PRINCIPAL)) {
+        const double unit = sqrt(field->carrier->roundest);
+        *error = fmax(*error, limits.measure / unit *
+                                  taut_runge_error(fabs(errors[0][TAUT_WALK_MEASURE]),
+                                                   fabs(errors[1][TAUT_WALK_MEASURE])));
+    }
     return renew_tangent(field, to) && isfinite(*error);
 }
 
@@ -230,6 +256,22 @@ taut_linefield_fault taut_walk_start(const taut_carrier *carrier, taut_linefield
     state->y[TAUT_WALK_A] = sign * ab[0] / length;
     state->y[TAUT_WALK_B] = sign * ab[1] / length;
     return TAUT_LINEFIELD_FINE;
+}
+
+void taut_walk_enter(taut_linefield_kind kind, int d, int up, taut_walk_state *state)
+{
+    double x[TAUT_CARRIER_VECTORS][3];
+    taut_carrier_at(state->on, state->span, state->y, 1, x);
+    const double in = (up ? 1 : -1) * state->y[TAUT_WALK_A + d] * taut_length(x[1 + d]);
+
+    if (kind.net == TAUT_TRACE_GEODESIC || !(in < -limits.entering)) {
+        return;
+    }
+    for (int c = 0; c < 3; c++) {
+        state->tangent[c] = -state->tangent[c];
+    }
+    state->y[TAUT_WALK_A] = -state->y[TAUT_WALK_A];
+    state->y[TAUT_WALK_B] = -state->y[TAUT_WALK_B];
 }
 
 int taut_walk_station(taut_linefield_kind kind, const taut_walk_state *state, taut_station *at)
@@ -481,9 +523,14 @@ static void end_on_border(follower *f, int d, int side, taut_walk_state *state)
     end_at(f, f->walk->edges[1] >= 0 ? TAUT_END_CORNER : TAUT_END_EDGE, state);
 }
 
-static void add_kink(follower *f, const taut_walk_state *state, double angle)
+/* A corner of the curve at a place: the angle between the tangents before and behind it. */
+static void add_kink(follower *f, const taut_walk_state *state, const double before[3],
+                     const double behind[3])
 {
-    if (f->walk->kink_count < TAUT_KINKS_MAX) {
+    double across[3];
+    taut_cross(before, behind, across);
+    const double angle = taut_atan2(taut_length(across), taut_dot(before, behind));
+    if (angle > limits.kink && f->walk->kink_count < TAUT_KINKS_MAX) {
         f->walk->kinks[f->walk->kink_count++] =
             (taut_kink){state->on, {state->y[TAUT_WALK_U], state->y[TAUT_WALK_V]}, angle};
     }
@@ -535,10 +582,7 @@ static int cross_seam(follower *f, int d, int up, taut_walk_state *state)
     if (f->carrier->seams[2 * d + up] != NULL && f->kind.net != TAUT_TRACE_ISOPARAMETRIC) {
         meets_corner(f->carrier, d, state, &corner);
         if (taut_walk_carry(f->kind, state)) {
-            const double angle = taut_length_between(state->tangent, before.tangent);
-            if (angle > limits.kink) {
-                add_kink(f, &before, angle);
-            }
+            add_kink(f, &before, before.tangent, state->tangent);
             f->carrier = f->field.carrier = state->on;
             return 1;
         }
@@ -583,10 +627,8 @@ static int cross_border(follower *f, int d, taut_walk_state *state)
     }
     memcpy(next.y + TAUT_WALK_TWIST, state->y + TAUT_WALK_TWIST, 2 * sizeof(double));
     next.s = state->s;
-    const double angle = taut_length_between(next.tangent, before);
-    if (angle > limits.kink) {
-        add_kink(f, state, angle);
-    }
+    taut_walk_enter(f->kind, d, up, &next);
+    add_kink(f, state, before, next.tangent);
     *state = next;
     return 1;
 }
@@ -610,6 +652,26 @@ static void end_by_fault(follower *f)
     end_at(f, end, &f->state);
 }
 
+/* Does a step beside an umbilic come nearer to it by so much, or away from it, that it may err by more than it
+ * estimates? The field turns within the distance from there, which R is proportional to. */
+static int is_too_long(const follower *f, const taut_walk_state *end)
+{
+    double radius[2];
+    if (f->kind.net != TAUT_TRACE_PRINCIPAL) {
+        return 0;
+    }
+    for (int k = 0; k < 2; k++) {
+        const taut_walk_state *at = k == 0 ? &f->state : end;
+        double x[TAUT_CARRIER_VECTORS][3];
+        taut_form_pair forms;
+        taut_carrier_at(f->carrier, at->span, at->y, 2, x);
+        taut_carrier_forms((const double(*)[3])x, &forms);
+        radius[k] = taut_form_pair_radius(&forms);
+    }
+    const double least = fmin(radius[0], radius[1]), most = fmax(radius[0], radius[1]);
+    return least < limits.round * f->carrier->roundest && most > limits.change * least;
+}
+
 /* A step that is small enough; 0 where the curve ends. */
 static int next_step(follower *f, taut_walk_state *end, double *step)
 {
@@ -622,6 +684,8 @@ static int next_step(follower *f, taut_walk_state *end, double *step)
         *step = fmin(f->h, rest);
         if (!try_step(&f->field, &f->state, *step, end, &error)) {
             f->h = *step / 4;
+        } else if (is_too_long(f, end) && *step > limits.least_round * size) {
+            f->h = *step / 2;
         } else if (error > tolerance) {
             f->h = *step * fmax(0.2, 0.9 * sqrt(sqrt(sqrt(tolerance / error))));
         } else {

@@ -102,6 +102,13 @@ taut_linefield_fault taut_walk_start(const taut_carrier *carrier, taut_linefield
                                      const double at[2], const int span[2], const double along[3],
                                      taut_walk_state *state);
 
+/* A state on a break of direction d whose cell lies above it (up) or below: where curvatures jump there, the way that
+ * is nearer to the tangent before may lead back, and the two sides would send the curve to and fro. A curve of a net
+ * crosses the break: its direction turns through those of all curvatures between the two, which never lie along the
+ * break where the net exists on both sides. So the way into the cell it is, by a corner of more than a right angle.
+ * Geodesics, and curves that run along the break, are left as they are. */
+void taut_walk_enter(taut_linefield_kind kind, int d, int up, taut_walk_state *state);
+
 /* "edge", "parabolic", ... */
 const char *taut_walk_end_word(taut_walk_end end);
 

@@ -8,8 +8,10 @@
 enum { DEPTH = 8 /* halvings of a piece */, PLACES = 3 };
 /* Of geodesics k_g times the size is to be so much less than the residual, as it is summed up. */
 static const double geodesic_share = 5;
-/* Pieces shorter than this, over the size, are as good as doubles let them be. */
-static const double short_enough = 1e-4;
+/* Pieces shorter than this, over the size, are as good as doubles let them be: the rounding of points turns tangents
+ * by 2e-16 over it, far below what a net is off at most, and bends geodesics by 2e-16 over its square. Beside an umbilic
+ * a curve turns within its distance from it, so that pieces of the nets have to be as short. */
+static const double short_enough = 1e-6, short_geodesic = 1e-4;
 /* And how far the speed of any quintic may be from 1. */
 static const double uneven = 1e-9;
 /* Below this angle with a border (sine), a curve that starts on it runs along it. */
@@ -118,7 +120,8 @@ static int is_good(taut_linefield_kind kind, const taut_piece *piece,
                    const taut_lath_options *options)
 {
     const taut_carrier *carrier = piece->start.on;
-    if (piece->h < short_enough * carrier->size) {
+    const double least = kind.net == TAUT_TRACE_GEODESIC ? short_geodesic : short_enough;
+    if (piece->h < least * carrier->size) {
         return 1;
     }
     for (int k = 1; k <= PLACES; k++) {
@@ -288,11 +291,23 @@ static int leaves(const taut_carrier *carrier, const double at[2], const double 
     return walk->end != TAUT_END_NONE;
 }
 
+/* The direction of a break that a place lies on, of one only; -1: on none, or where two of them cross. */
+static int break_at(const taut_carrier *carrier, const double at[2])
+{
+    int span[2], on[2];
+    taut_carrier_cell(carrier, at, NULL, span);
+    for (int d = 0; d < 2; d++) {
+        on[d] = span[d] > 0 && at[d] == taut_basis_breaks(carrier->basis[d])[span[d]];
+    }
+    return on[0] == on[1] ? -1 : on[1];
+}
+
 /* One way from the seed; the pieces in `out` cut until they are good enough. */
 static taut_status go(const taut_carrier *carrier, taut_linefield_kind kind, const double at[2],
                       const double along[3], const taut_lath_options *options, taut_walk *walk,
                       pieces *out, taut_linefield_fault *fault)
 {
+    const int knot = break_at(carrier, at);
     taut_walk_state state;
     int span[2];
 
@@ -301,16 +316,17 @@ static taut_status go(const taut_carrier *carrier, taut_linefield_kind kind, con
     if (*fault != TAUT_LINEFIELD_FINE) {
         return TAUT_OK;
     }
-    if (leaves(carrier, at, state.y + TAUT_WALK_A, walk)) {
-        if (kind.net == TAUT_TRACE_ISOPARAMETRIC || !taut_walk_carry(kind, &state)) {
-            return TAUT_OK;
-        }
-    } else {
-        const double ab[2] = {state.y[TAUT_WALK_A], state.y[TAUT_WALK_B]};
-        taut_carrier_cell(carrier, at, ab, span);
-        *fault = taut_walk_start(carrier, kind, at, span, along, &state);
-    }
+    const double ab[2] = {state.y[TAUT_WALK_A], state.y[TAUT_WALK_B]};
+    taut_carrier_cell(carrier, at, ab, span);
+    *fault = taut_walk_start(carrier, kind, at, span, along, &state);
     if (*fault != TAUT_LINEFIELD_FINE) {
+        return TAUT_OK;
+    }
+    if (knot >= 0) {
+        taut_walk_enter(kind, knot, !(ab[knot] < 0), &state);
+    }
+    if (leaves(carrier, at, state.y + TAUT_WALK_A, walk) &&
+        (kind.net == TAUT_TRACE_ISOPARAMETRIC || !taut_walk_carry(kind, &state))) {
         return TAUT_OK;
     }
     taut_status status = taut_follow(kind, &state, &options->follow, out->arena, walk);

@@ -11,6 +11,34 @@ made_net net_make(const char *net, const char *surface, const char *members)
     return net_make_by(net, surface, members, 1);
 }
 
+void net_heights(const int degree[2], const int count[2], const double *heights, char *text,
+                 size_t room)
+{
+    size_t length = (size_t)snprintf(text, room, "{ \"taut\": 1, \"surfaces\": [{ ");
+    for (int d = 0; d < 2; d++) {
+        length += (size_t)snprintf(text + length, room - length,
+                                   "\"%s\": { \"type\": \"%s\", \"degree\": %d", d == 0 ? "u" : "v",
+                                   count[d] > degree[d] + 1 ? "bspline" : "bezier", degree[d]);
+        if (count[d] > degree[d] + 1) {
+            length += (size_t)snprintf(text + length, room - length, ", \"count\": %d", count[d]);
+        }
+        length += (size_t)snprintf(text + length, room - length, " }, ");
+    }
+    length += (size_t)snprintf(text + length, room - length, "\"points\": ");
+    for (int i = 0; i < count[0]; i++) {
+        for (int j = 0; j < count[1]; j++) {
+            length += (size_t)snprintf(text + length, room - length, "%s[%.17g, %.17g, %.17g]",
+                                       j > 0    ? ", "
+                                       : i == 0 ? "[["
+                                                : ", [",
+                                       2.0 * i / (count[0] - 1), 2.0 * j / (count[1] - 1),
+                                       heights[i * count[1] + j]);
+        }
+        length += (size_t)snprintf(text + length, room - length, "]");
+    }
+    snprintf(text + length, room - length, "] }] }");
+}
+
 made_net net_make_by(const char *net, const char *surface, const char *members, int threads)
 {
     const taut_make_options options = {.threads = threads};

@@ -19,6 +19,11 @@
     "[-1, 1] }, \"v\": { \"type\": \"bezier\", \"degree\": 1, \"range\": [-1, 1] }, \"points\": "  \
     "[[[-1, -1, 1.1], [-1, 1, -1.1]], [[1, -1, -1.1], [1, 1, 1.1]]] }] }"
 
+/* A surface over [0, 2]^2, its points on a regular grid at heights[nu][nv]; Bezier where there
+ * are no more than degree + 1. */
+void net_heights(const int degree[2], const int count[2], const double *heights, char *text,
+                 size_t room);
+
 typedef struct made_net {
     taut_problem *problem;
     taut_model *model;

@@ -1,6 +1,7 @@
 #include "certify/trace/complete.h"
 
 #include "certify/common/verdict.h"
+#include "certify/trace/turning.h"
 #include "core/vec3.h"
 #include "taut/measure.h"
 
@@ -119,7 +120,8 @@ taut_status taut_net_complete_add(const taut_net_lines *lines, int is_proved, ta
         return TAUT_NO_MEMORY;
     }
     if (lines->net == TAUT_TRACE_GEODESIC || lines->surface_count > 1 ||
-        (!is_proved && !exists_everywhere(lines))) {
+        (!is_proved && (!exists_everywhere(lines) || (lines->net == TAUT_TRACE_PRINCIPAL &&
+                                                      taut_net_turns_forwards(lines->surface))))) {
         return TAUT_OK;
     }
     for (int k = 0; k < lines->count; k++) {

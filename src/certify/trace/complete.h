@@ -2,7 +2,9 @@
  *
  * On a disc where both families exist everywhere, a curve of one crosses one of the other at most
  * once; and where both end on the border, exactly when their ends separate each other on it, or they
- * share one: a lens between leaves of two transverse line fields holds index +1/2 or more.
+ * share one: a lens between leaves of two transverse line fields holds index +1/2 or more. So single places where
+ * the fields vanish do not matter where their index is negative (certify/trace/turning.h); asymptotic ones of a surface
+ * with K < 0 around them have no other.
  */
 #ifndef TAUT_CERTIFY_TRACE_COMPLETE_H
 #define TAUT_CERTIFY_TRACE_COMPLETE_H

@@ -9,6 +9,7 @@
  */
 #include "certify/trace/spacing.h"
 
+#include "certify/trace/side.h"
 #include "core/vec3.h"
 #include "numeric/quadrature.h"
 #include "taut/measure.h"
@@ -139,6 +140,82 @@ static double reach(const line *l, double target)
     return l->t[k] + fmin(fmax(share, 0), 1) * (l->t[k + 1] - l->t[k]);
 }
 
+/* Is a direction nearer to this family's than to the other's? *off: what the net says of it, 0 on its curves. */
+static int is_of_family(taut_trace_net net, int family, const taut_forms *f, const double way[2],
+                        double *off)
+{
+    const double a = way[0], b = way[1];
+    const double speed = f->e * a * a + 2 * f->f * a * b + f->g * b * b;
+    const double normal = (f->l * a * a + 2 * f->m * a * b + f->n * b * b) / speed;
+    const double twist = ((f->m * a + f->n * b) * (f->e * a + f->f * b) -
+                          (f->l * a + f->m * b) * (f->f * a + f->g * b)) /
+                         (f->w * speed);
+    *off = net == TAUT_TRACE_ASYMPTOTIC ? normal : twist;
+    return net == TAUT_TRACE_ASYMPTOTIC ? (family == 0) == (twist > 0)
+                                        : (family == 0) == (normal > f->mean);
+}
+
+/* How far the family's direction goes along d for 1 along the other parameter: A + 2 B x + C x^2 = 0 of its quadratic
+ * form. 0 where the net does not exist. */
+static int slope_of(taut_trace_net net, int family, const taut_forms *f, int d, double *slope)
+{
+    const double mixed[3] = {f->e * f->m - f->f * f->l, (f->e * f->n - f->g * f->l) / 2,
+                             f->f * f->n - f->g * f->m};
+    const double form[3] = {net == TAUT_TRACE_ASYMPTOTIC ? f->l : mixed[0],
+                            net == TAUT_TRACE_ASYMPTOTIC ? f->m : mixed[1],
+                            net == TAUT_TRACE_ASYMPTOTIC ? f->n : mixed[2]};
+    const double first = form[d == 0 ? 2 : 0], middle = form[1], last = form[d == 0 ? 0 : 2];
+    const double square = middle * middle - first * last;
+
+    if (!f->regular || !(square > 0)) {
+        return 0;
+    }
+    const double whole = -(middle + copysign(sqrt(square), middle));
+    for (int k = 0; k < 2; k++) {
+        /* (other, d) as whole numbers of one another: a root may be infinite */
+        const double ways[2][2] = {{last, whole}, {whole, first}};
+        const double way[2] = {ways[k][d == 0 ? 1 : 0], ways[k][d == 0 ? 0 : 1]};
+        double off = 0;
+        if (is_of_family(net, family, f, way, &off)) {
+            *slope = way[d] * copysign(1, way[1 - d]);
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* Of a line on the border, where a knot meets it: the curve has a corner there, as curvatures jump, and may have the
+ * window on neither side of it. */
+static int only_touches(const line *l, int family, const double at[2])
+{
+    const int d = l->way[0] != 0; /* held */
+    const int e = 1 - d;
+    const taut_basis *basis = d == 0 ? taut_surface_u(l->surface) : taut_surface_v(l->surface);
+    const int is_low = at[d] == taut_basis_lo(basis), is_high = at[d] == taut_basis_hi(basis);
+    int span[2], known = 0;
+
+    if (l->way[d] != 0 || (!is_low && !is_high) ||
+        !taut_net_on_break(l->surface, e, at, &span[e])) {
+        return 0;
+    }
+    taut_net_on_break(l->surface, d, at, &span[d]);
+    for (int side = 0; side < 2; side++) {
+        const int cell[2] = {span[0] - (e == 0 && side), span[1] - (e == 1 && side)};
+        taut_forms f;
+        double slope = 0;
+        taut_net_side_forms(l->surface, cell, at, &f);
+        if (!slope_of(l->net, family, &f, e, &slope)) {
+            continue;
+        }
+        slope *= is_low ? 1 : -1; /* into the window */
+        if (side == 0 ? slope >= 0 : slope <= 0) {
+            return 0;
+        }
+        known++;
+    }
+    return known > 0;
+}
+
 /* Is there a curve of the family at t of the line, and does it cross it? */
 static int is_wanted(const line *l, int family, double t)
 {
@@ -156,15 +233,9 @@ static int is_wanted(const line *l, int family, double t)
     if (!(square > 0) || (l->net == TAUT_TRACE_ASYMPTOTIC && !(-f.gaussian > 1e-9 * square))) {
         return 0;
     }
-    const double speed = f.e * a * a + 2 * f.f * a * b + f.g * b * b;
-    const double normal = (f.l * a * a + 2 * f.m * a * b + f.n * b * b) / speed;
-    const double twist =
-        ((f.m * a + f.n * b) * (f.e * a + f.f * b) - (f.l * a + f.m * b) * (f.f * a + f.g * b)) /
-        (f.w * speed);
-    const int is_family = l->net == TAUT_TRACE_ASYMPTOTIC ? (family == 0) == (twist > 0)
-                                                          : (family == 0) == (normal > f.mean);
-    const double off = l->net == TAUT_TRACE_ASYMPTOTIC ? normal : twist;
-    return !is_family || fabs(off) > along * sqrt(square);
+    double off = 0;
+    const int is_family = is_of_family(l->net, family, &f, l->way, &off);
+    return (!is_family || fabs(off) > along * sqrt(square)) && !only_touches(l, family, at);
 }
 
 /* How far a place of the window is to the left of the line, and its t. */

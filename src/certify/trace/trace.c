@@ -14,7 +14,8 @@
  *   isoparametric sine of the angle to the parameter line
  *   length        |int |C'| ds - range| / range, Gauss 16 a span, and that of details
  *   ends          distance of the ends from the nearest place where a curve of this net may end,
- *                 over the size: border, the other end, K = 0, R = 0, or the length asked for
+ *                 over the size: border, the other end, K = 0, R = 0, a knot across which the normal jumps or the
+ *                 curvature, to where there is no net, or the length asked for
  *   seams         where curves go on to another surface: how far its place and normal are from those of the
  *                 first one (certify/trace/seams.h)
  *   nodes         largest distance of the two curves of a node of details at their lengths, and of its point and
@@ -44,12 +45,12 @@
 #include "certify/trace/lines.h"
 #include "certify/trace/pieces.h"
 #include "certify/trace/seams.h"
+#include "certify/trace/side.h"
 #include "certify/trace/spacing.h"
 #include "certify/trace/straight.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 #include "geometry/keep.h"
-#include "measure/curvature/spot.h"
 #include "numeric/quadrature.h"
 #include "problem/problem.h"
 #include "taut/measure.h"
@@ -65,6 +66,11 @@ static const double tolerance_default = 1e-6, net_limit = 1e-6, length_limit = 1
 static const double near_end = 1e-3;
 /* Ends and middles of curves that are one, over their length. */
 static const double one_curve = 1e-9;
+/* A curve ends where R is below 1e-8 of its largest value, which a grid sees to a factor of two: nearer to R = 0
+ * rounding turns directions. */
+static const double roundness = 2e-8;
+/* -K / R^2 that is 0 but for rounding. */
+static const double no_saddle = 1e-12;
 /* |H| / R of a surface that is seen to be minimal. */
 static const double minimal = 1e-9;
 
@@ -429,40 +435,32 @@ static double distance_to_zero(const request *r, const place *p, int of_radius)
     return value / slope;
 }
 
-/* The unit normal by the polynomial of a cell. */
-static void normal_of(const taut_surface *surface, const int span[2], const double at[2],
-                      double normal[3])
+/* Does the net exist on a side of a break? */
+static int has_net(const request *r, const taut_forms *f)
 {
-    static const int no_shift[2] = {0, 0};
-    taut_spot spot;
-    double du[3], dv[3];
-
-    taut_spot_at(surface, span[0], span[1], at[0], at[1], 1, 0, no_shift, &spot);
-    for (int c = 0; c < 3; c++) {
-        du[c] = spot.x[c].c[taut_jet_index(1, 0)];
-        dv[c] = spot.x[c].c[taut_jet_index(0, 1)];
-    }
-    taut_cross(du, dv, normal);
-    const double length = taut_norm(normal);
-    for (int c = 0; c < 3; c++) {
-        normal[c] /= length;
-    }
+    const double square = f->mean * f->mean - f->gaussian;
+    return r->lines.net == TAUT_TRACE_ASYMPTOTIC
+               ? f->gaussian < -no_saddle * fabs(square)
+               : r->lines.net != TAUT_TRACE_PRINCIPAL || square > 0;
 }
 
-/* Does the normal jump there, across a break of direction d? */
-static int is_crease(const taut_surface *surface, int d, const double at[2])
+/* Does the normal jump there, across a break of direction d, or the net end as the curvature jumps? */
+static int is_crease(const request *r, const taut_surface *surface, int d, const double at[2])
 {
-    const taut_basis *basis[2] = {taut_surface_u(surface), taut_surface_v(surface)};
-    int span[2] = {taut_basis_span(basis[0], at[0]), taut_basis_span(basis[1], at[1])};
-    double after[3], before[3];
+    int span[2] = {0, 0};
+    taut_forms after, before;
 
-    if (span[d] == 0 || taut_basis_breaks(basis[d])[span[d]] != at[d]) {
+    const int is_on = taut_net_on_break(surface, d, at, &span[d]);
+    taut_net_on_break(surface, 1 - d, at, &span[1 - d]);
+    if (!is_on) {
         return 0;
     }
-    normal_of(surface, span, at, after);
+    taut_net_side_forms(surface, span, at, &after);
     span[d]--;
-    normal_of(surface, span, at, before);
-    return taut_distance(before, after) > crease_limit;
+    taut_net_side_forms(surface, span, at, &before);
+    return before.regular && after.regular &&
+           (taut_distance(before.normal, after.normal) > crease_limit ||
+            has_net(r, &before) != has_net(r, &after));
 }
 
 /* Two places of the window that differ by rounding alone. */
@@ -535,7 +533,7 @@ static double judge_end(const request *r, const taut_net_line *line, const doubl
             const double away = (side == 0 ? p.at[d] - lo : hi - p.at[d]) * speed;
             nearest = goes_on(r, p.on, 2 * d + side) ? nearest : fmin(nearest, away);
         }
-        nearest = is_crease(surface, d, p.at) ? 0 : nearest;
+        nearest = is_crease(r, surface, d, p.at) ? 0 : nearest;
     }
     if (!p.forms.regular) {
         nearest = 0;
@@ -549,6 +547,7 @@ static double judge_end(const request *r, const taut_net_line *line, const doubl
     if (p.forms.regular &&
         (r->lines.net == TAUT_TRACE_ASYMPTOTIC || r->lines.net == TAUT_TRACE_PRINCIPAL)) {
         nearest = fmin(nearest, distance_to_zero(r, &p, 1));
+        nearest = radius_of(&p.forms) <= roundness * r->roundest ? 0 : nearest;
     }
     if (line->length >= longest(r) * (1 - 1e-9) ||
         (r->lines.net == TAUT_TRACE_GEODESIC && is_told(r, line, &p, end))) {

@@ -25,6 +25,8 @@
 #include <string.h>
 
 static const double tolerance_default = 1e-6, step_tolerance = 1e-12, residual = 2e-7, lengths = 20;
+/* Of laths, over the size of the surface. */
+static const double least_width = 1e-9;
 
 /* Lengths are parameters, which are from 1e-60 to 1e60 (docs/limits.md): of sizes below 2^this. */
 enum { EXPONENT_MOST = 150 };
@@ -216,6 +218,24 @@ static taut_status fill(const request *r, const taut_model *of, const taut_net *
     return taut_construct_set_details(model, details, error);
 }
 
+/* Flat pieces of laths as long as the surface are to have sides that differ by more than the rounding of their
+ * places on the sheet. */
+static taut_status check_width(const taut_trace_laths *laths, const taut_carrier *carrier,
+                               taut_error *error)
+{
+    const double width = laths != NULL ? ldexp(laths->width, -carrier->scale) : 0;
+    const double least = least_width * carrier->size;
+    if (width > 0 && width < least) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "width", "/laths/width", laths->width,
+                         ldexp(least, carrier->scale),
+                         "found %.6g, expected a width of at least %.3g on a surface that is %.3g "
+                         "large",
+                         laths->width, ldexp(least, carrier->scale),
+                         ldexp(carrier->size, carrier->scale));
+    }
+    return TAUT_OK;
+}
+
 static taut_status build(void *context, taut_arena *arena, taut_model *model, taut_error *error)
 {
     const request *r = context;
@@ -241,6 +261,10 @@ static taut_status build(void *context, taut_arena *arena, taut_model *model, ta
     if (!(carrier->widest > 0)) {
         return taut_fail(error, TAUT_NO_SOLUTION, "singular", "/of", taut_none, taut_none,
                          "the surface has no normal anywhere");
+    }
+    status = check_width(r->problem->laths, carrier, error);
+    if (status != TAUT_OK) {
+        return status;
     }
     for (int k = 0; k < atlas.count; k++) {
         taut_straight_find(atlas.carriers[k]);

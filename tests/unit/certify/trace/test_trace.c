@@ -526,8 +526,89 @@ static void test_seams(void)
     net_free(&made);
 }
 
+/* The claim holds, or is left out where nothing can be said. */
+static void check_net(const char *what, const char *net, const char *surface, const char *members,
+                      int says_complete)
+{
+    made_net made = net_make(net, surface, members);
+    CHECK(made.status == TAUT_OK, "%s: %s", what, made.error.message);
+    for (int k = 0; made.status == TAUT_OK && k < taut_certificate_claim_count(made.proof); k++) {
+        const taut_claim *claim = taut_certificate_claim(made.proof, k);
+        CHECK(claim->holds == TAUT_TRUE, "%s: %s %g at %s", what, claim->claim, claim->residual,
+              claim->where);
+    }
+    CHECK(has_claim(made.proof, "complete") == says_complete, "%s", what);
+    net_free(&made);
+}
+
+/* Two curves that go round an umbilic may cross twice where its index is 1/2, and not where it is -1/2; beside it they
+ * turn within a thousandth of the surface. */
+static void test_umbilics(void)
+{
+    static const int degrees[3][2] = {{4, 2}, {4, 3}, {3, 2}};
+    static const int counts[3][2] = {{5, 3}, {5, 4}, {4, 3}};
+    static const double backwards[12] = {0.25,   -0.4, 0.15,   0.217, 0,   0.183,
+                                         -0.217, 0,    -0.183, -0.25, 0.4, -0.15};
+    static const double forwards[15] = {-0.4139, 0.1359,  0.03209, -0.1293, 0.5612,
+                                        0.101,   -0.4638, 0.2085,  0.3257,  0.00431,
+                                        -0.0385, -0.2128, 0.608,   -0.2177, 0.06686};
+    static const double near[20] = {
+        0.08552317974586032,  0.054982056375433144,  0.011835773487165012,  0.010721892288090944,
+        -0.23122850632366784, 0.004453725527875647,  0.10980170519611043,   0.04651422217375282,
+        -0.14642193738435627, -0.037973870105847865, 0.03689469657747254,   0.16665731827674643,
+        0.2225292584764385,   -0.03473371838492926,  -0.07105915692889431,  -0.04854634848435031,
+        -0.13934108267962939, -0.11532143904188752,  -0.017733465815233967, 0.10830777516822138};
+    char surface[2048];
+
+    net_heights(degrees[0], counts[0], forwards, surface, sizeof surface);
+    check_net("forwards", "principal", surface,
+              "\"seeds\": [{ \"at\": [0.2, 0.42] }, { \"edge\": \"v1\", \"count\": 5 }]", 0);
+    net_heights(degrees[1], counts[1], near, surface, sizeof surface);
+    check_net("near", "principal", surface,
+              "\"seeds\": [{ \"edge\": \"u0\", \"count\": 6, \"by\": \"parameter\" }]", 0);
+    /* a monkey saddle and x y / 20: index -1/2, a third of a turn backwards, off the middle */
+    net_heights(degrees[2], counts[2], backwards, surface, sizeof surface);
+    check_net("backwards", "principal", surface,
+              "\"seeds\": [{ \"at\": [0.85, 0.45] }, { \"at\": [0.2, 0.65] }, { \"at\": [0.55, "
+              "0.915] }]",
+              1);
+}
+
+/* Of degree 2 curvatures jump at knots: curves have corners there, of more than a right angle where the way on would lead
+ * back, end where K > 0 begins, and touch the border from outside. */
+static void test_jumps(void)
+{
+    static const int degrees[3][2] = {{2, 2}, {3, 2}, {2, 3}},
+                     counts[3][2] = {{5, 3}, {4, 5}, {5, 4}};
+    static const double ends[15] = {
+        -0.007346182921770608, -0.023933469816509893,  -0.004167499291536188, 0.00891367215829528,
+        -0.00732178869257391,  0.005827715328395331,   0.028223533559716324,  -0.003472787075499837,
+        -0.004086551156644627, -0.0030775005064489964, -0.09612028378350701,  -0.057219902395252535,
+        -0.005205963544963284, -0.03890828888582744,   0.0019671091181379954};
+    static const double touches[20] = {0.497,   0.2119, 0.01366, -0.2349, -0.4529, 0.1673,  0.03881,
+                                       -0.0028, -0.123, -0.1705, -0.2205, -0.0934, 0.00028, 0.08692,
+                                       0.1632,  -0.501, -0.2607, 0.00793, 0.2622,  0.5521};
+    static const double back[20] = {
+        1.285017325443835,    0.3377390441413563,  -0.31602299880657064, -0.9928525428276865,
+        0.8686470912785909,   0.6038059408183798,  -0.17797855467314558, -0.5048169736873076,
+        -0.12457679034591623, 0.01098930140754898, 0.025844930139289853, -0.012140309844467796,
+        -0.5117504458981416,  0.11458753748959283, 0.023818666694895296, 0.5234920229840944,
+        -0.9264405327238133,  -0.3310350200696756, 0.29795940745228666,  0.9741008910229206};
+    char surface[2048];
+
+    net_heights(degrees[0], counts[0], ends, surface, sizeof surface);
+    check_net("ends", "asymptotic", surface, "\"seeds\": [{ \"cells\": 5 }]", 0);
+    net_heights(degrees[1], counts[1], touches, surface, sizeof surface);
+    check_net("touches", "asymptotic", surface,
+              "\"seeds\": [{ \"edge\": \"u0\", \"count\": 2, \"by\": \"parameter\" }]", 1);
+    net_heights(degrees[2], counts[2], back, surface, sizeof surface);
+    check_net("back", "asymptotic", surface, "\"seeds\": [{ \"cells\": 4 }]", 0);
+}
+
 int main(void)
 {
+    test_umbilics();
+    test_jumps();
     test_straight();
     test_isometric();
     test_everywhere();
