@@ -32,7 +32,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { RULES = 5, ITERATIONS = 200, STALLS = 4, HALVINGS = 6, LED = 30 };
+enum { RULES = 5, ITERATIONS = 200, STALLS = 4, HALVINGS = 6, LED = 100 };
 static const int extra_nodes[RULES] = {2, 4, 8, 15, 27};
 static const double theta_least = 1e-9;
 static const double theta_rounding =
@@ -48,10 +48,11 @@ static const double
     theta_normal =
         1e-3; /* of the method `normal`: its ends of all coordinates, first and where that folds the net, its least theta there */
 static const double unsettled = 100; /* times the aim: what the last rule may find */
-static const double blown = 10;      /* times the size */
+static const double blown = 10,
+                    blown_led = 4; /* times the size; on the way of pressures that are led */
 static const double gain_soft = 1e-5,
-                    theta_hard = 1e-3; /* where soft cables end, and theta where they are hard */
-static const double led_least = 4e-3;  /* the least step of pressures that are led */
+                    theta_hard = 1e-3;   /* where soft cables end, and theta where they are hard */
+static const double led_least = 0x1p-11; /* the least step of pressures that are led */
 static const double apart_least = 0x1p-15; /* of rims, in their distance */
 static const double neck_most =
     0.9; /* of the shorter side at the start: else it is the net that folds */
@@ -72,6 +73,7 @@ typedef struct work {
     double soft;     /* how cables begin (laws.h) */
     int is_fresh;    /* nonzero: from the start, with soft cables first */
     double led;      /* share of the given pressures */
+    double reach;    /* times the size: beyond it the film is blown up */
     double *led_from; /* [nodes][3] */
     double *from;     /* [nodes][3] */
     double *scales;   /* [nodes]: what derivatives are held against */
@@ -231,7 +233,7 @@ static void look_back(work *w)
 static int is_blown(const work *w)
 {
     for (size_t k = 0; k < 3 * w->nodes; k++) {
-        if (!(fabs(w->x[k]) <= blown)) {
+        if (!(fabs(w->x[k]) <= w->reach)) {
             return 1;
         }
     }
@@ -288,9 +290,10 @@ static taut_status check_step(const work *w)
     if (w->energy->least < fold * fmin(1, w->least_start)) {
         return refuse_fold(w);
     }
-    return is_blown(w) ? taut_fail(w->error, TAUT_NO_SOLUTION, "pressure-too-high", "/cells", blown,
-                                   blown, "the film grows to %g times its size", blown)
-                       : TAUT_OK;
+    return is_blown(w)
+               ? taut_fail(w->error, TAUT_NO_SOLUTION, "pressure-too-high", "/cells", w->reach,
+                           w->reach, "the film grows to %g times its size", w->reach)
+               : TAUT_OK;
 }
 
 /* With this rule, in these moves, until a step promises next to nothing, none is better, or the aim is reached. */
@@ -464,7 +467,10 @@ static taut_status find_led(work *w, double share, int *found)
 {
     w->led = share;
     w->theta = share == 0 ? 1 : 1e-3;
-    return find_here(w, found);
+    w->reach = blown_led;
+    const taut_status status = find_here(w, found);
+    w->reach = blown;
+    return status;
 }
 
 /* The first rule again, from the start. */
@@ -745,6 +751,7 @@ taut_status taut_film_rest_find(const taut_film_layout *layout, const taut_monit
               .led_from = taut_arena_take(arena, nodes, bytes),
               .from = taut_arena_take(arena, nodes, bytes),
               .led = 1,
+              .reach = blown,
               .is_fresh = 1,
               .soft = 1,
               .aim = fmin(aim_share * tolerance, 1e-7),
