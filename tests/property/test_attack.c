@@ -304,6 +304,17 @@ static void piece_inside(edit_model *edit, double amount, int way)
     move_at(s, s->nu / 2, s->nv / 2, amount, way % 2);
 }
 
+/* The far end of it, across. */
+static void piece_end(edit_model *edit, double amount, int way)
+{
+    edit_surface *s = named(edit, "P1");
+
+    (void)way;
+    for (int k = 0; k < s->nv; k++) {
+        move_at(s, s->nu - 1, k, amount, 1);
+    }
+}
+
 static void piece_seam(edit_model *edit, double amount, int way)
 {
     edit_surface *s = named(edit, "P1");
@@ -458,6 +469,9 @@ static const attack_row rows[] = {
     {"pattern", "cover", "pattern-cylinder", lath_name, ANY | ONE_WAY},
     {"pattern", "on-surface", "pattern-cylinder", lath_middle, ONE_WAY},
     {"pattern", "geodesic", "pattern-cylinder", lath_middle, ONE_WAY},
+    {"pattern", "layout", "pattern-cylinder", corner, ONE_WAY},
+    {"pattern", "thread", "pattern-cylinder", piece_end, ONE_WAY},
+    {"pattern", "details", "pattern-cylinder", piece_cut, ONE_WAY},
     {"pattern", "edges", "pattern-cylinder", piece_seam, ONE_WAY},
     {"pattern", "seams", "pattern-cylinder", piece_side, ONE_WAY},
     {"pattern", "isometric", "pattern-cylinder", piece_inside, ONE_WAY},

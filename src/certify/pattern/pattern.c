@@ -4,6 +4,7 @@
  *   cover, on-surface, geodesic, edges, seams, lengths   (certify/pattern/seams.h)
  *   no-fold, no-overlap   (certify/pattern/fold.h)
  *   allowance    (certify/pattern/allowance.h)
+ *   layout, thread, compensation, details   (certify/pattern/asked.h)
  *   stationary   gradient of the Lagrangian over the largest that strains of 1 would give; of pieces that were solved (check)
  *   stable       the lowest eigenvalue on the constraints over the largest of the diagonal; of these (check)
  *   isometric    largest strain of pieces that are told to have none (check)
@@ -17,6 +18,7 @@
 #include "certify/common/of.h"
 #include "certify/pattern/allowance.h"
 #include "certify/pattern/area.h"
+#include "certify/pattern/asked.h"
 #include "certify/pattern/energy.h"
 #include "certify/pattern/fold.h"
 #include "certify/pattern/roll.h"
@@ -193,7 +195,13 @@ static taut_status prove(const taut_cloth *cloth, taut_arena *arena, taut_certif
         status = look_at_all(cloth, arena, &list, &limits);
     }
     if (status == TAUT_OK) {
+        status = taut_cloth_add_asked(cloth, arena, certificate);
+    }
+    if (status == TAUT_OK) {
         status = add_states(cloth, list, certificate);
+    }
+    if (status == TAUT_OK) {
+        status = taut_cloth_add_told(cloth, list, certificate);
     }
     if (status == TAUT_OK) {
         status = taut_cloth_add_exhausts(cloth, &area, certificate);

@@ -391,7 +391,10 @@ static int try_step(work *w, const double *matrix, double shift, double hold, in
 /* One step; *length: over the size. 0 where there is none. */
 static int newton_step(work *w, double *matrix, double *trial, double *length)
 {
-    const int held = unknown(w, w->options->is_point[1] ? 0 : w->lines[0].count - 1, 0, 1);
+    /* a corner that a turn moves: across the thread, along which the corner that is pinned lies */
+    const double thread = w->options->thread;
+    const int across = fabs(taut_cos(thread)) >= fabs(taut_sin(thread));
+    const int held = unknown(w, w->options->is_point[1] ? 0 : w->lines[0].count - 1, 0, across);
     double most = 0, part = 1, shift = 0;
     int done = 0;
 

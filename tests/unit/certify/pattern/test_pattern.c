@@ -265,6 +265,69 @@ static void test_kinks(void)
     cloth_free(&made);
 }
 
+/* A pattern beside another document than its own. */
+static taut_verdict judge_by(const made_cloth *made, const char *members, const char *claim)
+{
+    static const change none = {"", {0, 0, 0}, 0, 0, 0};
+    made_cloth other = cloth_make(SADDLE, members), mixed = *made;
+    CHECK(other.problem != NULL, "%s", other.error.message);
+    mixed.problem = other.problem;
+    const taut_verdict verdict = judge(&mixed, &none, NULL, claim);
+    cloth_free(&other);
+    return verdict;
+}
+
+/* A pattern whose details tell another number of a piece or a seam. */
+static taut_verdict judge_number(const made_cloth *made, const char *list, const char *name,
+                                 const char *path, double factor, const char *claim)
+{
+    static const change none = {"", {0, 0, 0}, 0, 0, 0};
+    const double value = cloth_number(made, list, name, path);
+    char old[32], new[32];
+    snprintf(old, sizeof old, "%.17g", value);
+    snprintf(new, sizeof new, "%.17g", factor * value);
+    taut_record *details = cloth_edited(taut_model_details(made->model), "part", old, new);
+    const taut_verdict verdict = judge(made, &none, details, claim);
+    taut_record_free(details);
+    return verdict;
+}
+
+/* Seams, the thread and shares are held against the document, numbers that are told against the model. */
+static void test_asked(void)
+{
+    static const char true_seams[] =
+        "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 3 }], \"compensation\": { "
+        "\"warp\": 0.02, \"weft\": 0.045 }, \"seam_length\": \"true\"";
+    static const char *const others[][2] = {
+        {"layout", "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }]"},
+        {"layout", "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 4 }]"},
+        {"layout", "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 3, \"by\": "
+                   "\"parameter\" }]"},
+        {"layout", "\"seams\": [{ \"geodesic\": [[0.3, 0], [0.3, 1]] }, { \"geodesic\": [[0.7, 0], "
+                   "[0.7, 1]] }]"},
+        {"thread", "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 3 }], \"cloth\": { "
+                   "\"thread\": \"across\" }"}};
+    made_cloth made = cloth_make(SADDLE, strips), held = cloth_make(SADDLE, true_seams);
+    for (size_t k = 0; k < sizeof others / sizeof others[0]; k++) {
+        CHECK(judge_by(&made, strips, others[k][0]) == TAUT_TRUE, "%s", others[k][0]);
+        CHECK(judge_by(&made, others[k][1], others[k][0]) == TAUT_FALSE, "%s", others[k][1]);
+    }
+    CHECK(judge_number(&made, "pieces", "P1", "flat_area", 1 + 1e-11, "details") == TAUT_TRUE,
+          "P1");
+    CHECK(judge_number(&made, "pieces", "P1", "flat_area", 1 + 1e-8, "details") == TAUT_FALSE,
+          "P1");
+    CHECK(judge_number(&made, "pieces", "P2", "edges/left/flat_length", 1 + 1e-8, "details") ==
+              TAUT_FALSE,
+          "P2");
+    CHECK(judge_number(&made, "pieces", "P2", "area", 1.1, "details") == TAUT_FALSE, "P2");
+    CHECK(judge_number(&held, "seams", "S1", "compensation", 1.001, "compensation") == TAUT_TRUE,
+          "S1");
+    CHECK(judge_number(&held, "seams", "S1", "compensation", 1.02, "compensation") == TAUT_FALSE,
+          "S1");
+    cloth_free(&made);
+    cloth_free(&held);
+}
+
 int main(void)
 {
     test_allowance();
@@ -276,5 +339,6 @@ int main(void)
     test_held();
     test_isometric();
     test_kinks();
+    test_asked();
     return check_failures != 0;
 }

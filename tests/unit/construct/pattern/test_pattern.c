@@ -682,6 +682,27 @@ static void test_sizes(void)
     }
 }
 
+/* The thread at any angle: of cloth that is alike both ways the same pieces, turned. */
+static void test_thread(void)
+{
+    static const char *const threads[] = {"\"along\"", "\"across\"", "0.7", "-2", "3"};
+    double energy = 0;
+    for (size_t k = 0; k < sizeof threads / sizeof threads[0]; k++) {
+        char members[160];
+        snprintf(members, sizeof members,
+                 "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }], \"cloth\": { "
+                 "\"thread\": %s }",
+                 threads[k]);
+        made_cloth made = cloth_make(SADDLE, members);
+        CHECK(made.status == TAUT_OK, "%s: %s", threads[k], made.error.message);
+        check_holds(&made, threads[k]);
+        const double found = cloth_number(&made, "pieces", "P1", "energy");
+        energy = k == 0 ? found : energy;
+        CHECK_NEAR(found, energy, 1e-12 * energy, "%s", threads[k]);
+        cloth_free(&made);
+    }
+}
+
 /* Edges that 16 spans do not bring to their length: finer splines, of the piece that needs them alone. */
 static void test_finer(void)
 {
@@ -729,6 +750,7 @@ int main(void)
     test_poles();
     test_refusals();
     test_sizes();
+    test_thread();
     test_finer();
     return check_failures != 0;
 }
