@@ -5,7 +5,8 @@
 #
 #     compilers  every example by gcc's program and by clang's, byte for byte
 #     musl       another C library: the C tests that need no library, every example byte for byte
-#     aarch64    another processor, by qemu, which is fifty times slower: the rooms that compute least, every example byte for byte
+#     aarch64    another processor, by qemu, which is fifty times slower: the rooms that compute least, byte for byte every example that
+#                is made here within NIGHTLY_WITHIN seconds (60)
 #     sanitize   all tests with addresses and undefined behaviour watched
 #     windows    all C tests under wine, and every example
 #     wasm       every example in the WebAssembly module, byte for byte
@@ -43,8 +44,12 @@ do_compilers() { tools/same_bytes.sh --build; }
 do_musl() { preset musl && tools/same_bytes.sh "$native" build/musl/bin/taut; }
 do_aarch64() {
     # a test that starts itself anew would start qemu; solvers of some hundred unknowns take half an hour there
-    preset aarch64 -R '^unit/(basis|core|geometry|io|numeric|platform|problem)/' -E '^unit/io/cad/helper$' --timeout 3600 &&
-        tools/same_bytes.sh "$native" 'qemu-aarch64 build/aarch64/bin/taut'
+    local rooms='basis|core|geometry|io|numeric|platform|problem' tests
+    cmake --preset aarch64 > /dev/null &&
+        tests=$(ninja -C build/aarch64 -t targets all | sed -nE "s/^(test-unit-($rooms)-[^:]*): phony$/\\1/p") &&
+        xargs ninja -C build/aarch64 -j "$jobs" taut <<< "$tests" &&
+        ctest --preset aarch64 -j "$jobs" -R "^unit/($rooms)/" -E '^unit/io/cad/helper$' --timeout 3600 &&
+        tools/same_bytes.sh --within "${NIGHTLY_WITHIN:-60}" "$native" 'qemu-aarch64 build/aarch64/bin/taut'
 }
 do_sanitize() { tools/deps.sh check && preset sanitize; }
 do_windows() { tools/deps.sh windows && preset mingw; }
@@ -70,7 +75,7 @@ do_forge() { tools/forge_night.sh "${NIGHTLY_SEED:-$(date +%j)}" "${NIGHTLY_SEED
 
 # What a step says of itself: of tests how many, of examples how many.
 told() { # told LOG
-    grep -hE '^[0-9]+ of [0-9]+ examples|tests passed, |^# (pass|fail) |^[0-9]+ (passed|failed)|mutants tried|^seed [0-9]|^[0-9]+ films, |^after [0-9]+ (gestures|s of dragging)' "$1" | tail -n 3 |
+    grep -hE '^[0-9]+ of [0-9]+ examples|^[0-9]+ examples take|tests passed, |^# (pass|fail) |^[0-9]+ (passed|failed)|mutants tried|^seed [0-9]|^[0-9]+ films, |^after [0-9]+ (gestures|s of dragging)' "$1" | tail -n 3 |
         tr '\n|' ' /' | sed 's/  */ /g; s/ $//'
 }
 

@@ -1,7 +1,8 @@
 #!/bin/sh
-# same_bytes.sh [--build] PROGRAM [PROGRAM]... -- every example is made by each PROGRAM, a command that runs a `taut`, and all
+# same_bytes.sh [--build] [--within SECONDS] PROGRAM [PROGRAM]... -- every example is made by each PROGRAM, a command that runs a `taut`, and all
 # must give the same model with its certificate, the same mesh and the same exit status as the first. --build makes two
-# programs first, by gcc and by clang, in build/same-gcc and build/same-clang, and adds them.
+# programs first, by gcc and by clang, in build/same-gcc and build/same-clang, and adds them. --within leaves out examples for
+# which the first program takes more processor time than that, and says how many those are.
 #
 #     tools/same_bytes.sh --build
 #     tools/same_bytes.sh build/release/bin/taut 'wine64 build/mingw/bin/taut.exe' 'qemu-aarch64 build/arm/bin/taut'
@@ -24,6 +25,11 @@ if [ "${1:-}" = --build ]; then
         set -- "$PWD/build/same-$compiler/bin/taut" "$@"
     done
 fi
+within=
+if [ "${1:-}" = --within ]; then
+    within=$2
+    shift 2
+fi
 if [ $# -lt 2 ]; then
     echo "same_bytes: two programs at least" >&2
     exit 2
@@ -33,8 +39,18 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 count=0
 same=0
+slow=0
 for document in examples/*.json; do
     name=$(basename "$document" .json)
+    if [ -n "$within" ]; then
+        status=0
+        (ulimit -t "$within" && exec $first make "$document" --quiet -o "$work/0.json") 2> "$work/0.said" || status=$?
+        rm -f "$work"/*
+        if [ "$status" -gt 128 ]; then
+            slow=$((slow + 1))
+            continue
+        fi
+    fi
     number=0
     agree=1
     for program in "$@"; do
@@ -55,5 +71,6 @@ for document in examples/*.json; do
     count=$((count + 1))
     same=$((same + agree))
 done
+[ "$slow" = 0 ] || echo "$slow examples take more than $within s and are left out"
 echo "$same of $count examples are the same"
 [ "$same" = "$count" ] && [ "$count" -gt 50 ]

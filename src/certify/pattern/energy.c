@@ -505,7 +505,8 @@ static taut_status judge_stiffness(work *w)
         }
     }
     for (int i = 0; i < w->n; i++) {
-        most = fmax(most, w->hessian.rows[i][i - w->hessian.first[i]]);
+        /* not fmax: gcc 12 for 64-bit ARM stops on this loop with it, an error of its own */
+        most = taut_certify_max(most, w->hessian.rows[i][i - w->hessian.first[i]]);
     }
     for (int row = 0; row < w->rows; row++) {
         const double *a = row_of(w, row);
