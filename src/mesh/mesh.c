@@ -117,6 +117,23 @@ static int is_own(const taut_surface *surface)
            taut_basis_degree(taut_surface_v(surface)) == 1;
 }
 
+/* TAUT_INTERRUPTED where the monitor says so. `done` surfaces are. */
+static taut_status tell(const taut_mesh *mesh, const taut_mesh_options *options, double done)
+{
+    const taut_monitor *monitor = &options->monitor;
+    return monitor->progress != NULL &&
+                   monitor->progress(monitor->context, done / mesh->group_count, "mesh") != 0
+               ? TAUT_INTERRUPTED
+               : TAUT_OK;
+}
+
+static taut_status fail_as(taut_error *error, taut_status status)
+{
+    return status == TAUT_INTERRUPTED ? taut_fail(error, TAUT_INTERRUPTED, "interrupted", NULL,
+                                                  taut_none, taut_none, "stopped on request")
+                                      : taut_fail_memory(error);
+}
+
 /* How each surface bends, and along which edges they meet. */
 static taut_status sample_surfaces(const taut_mesh *mesh, mesh_plan *plan,
                                    const taut_mesh_options *options, double relative,
@@ -129,8 +146,12 @@ static taut_status sample_surfaces(const taut_mesh *mesh, mesh_plan *plan,
         const taut_surface *surface = plan->surfaces[i];
         plan->own &= is_own(surface);
         taut_bending *bending = &plan->bendings[i];
-        if (taut_bending_sample(surface, options->threads, scratch, bending) != TAUT_OK) {
-            return TAUT_NO_MEMORY;
+        const taut_status status =
+            tell(mesh, options, 0) == TAUT_OK
+                ? taut_bending_sample(surface, options->threads, scratch, bending)
+                : TAUT_INTERRUPTED;
+        if (status != TAUT_OK) {
+            return status;
         }
         plan->directions[2 * i] = (taut_direction){taut_surface_u(surface), bending->u, 0, NULL};
         plan->directions[2 * i + 1] =
@@ -193,8 +214,9 @@ static taut_status plan_mesh(taut_mesh *mesh, mesh_plan *plan, const taut_mesh_o
     taut_chains chains;
     taut_status status = TAUT_OK;
 
-    if (sample_surfaces(mesh, plan, options, relative, scratch) != TAUT_OK) {
-        return taut_fail_memory(error);
+    status = sample_surfaces(mesh, plan, options, relative, scratch);
+    if (status != TAUT_OK) {
+        return fail_as(error, status);
     }
     refine_thin(mesh, plan, size_of(plan->bendings, mesh->group_count));
     if (taut_chains_new(plan->directions, count, plan->seams, plan->seam_count,
@@ -286,16 +308,13 @@ static taut_status fill_mesh(taut_mesh *mesh, const mesh_plan *plan,
     const taut_weld weld = {plan->seams,  plan->seam_count,  plan->collapsed,   plan->weld,
                             plan->own,    mesh->groups,      mesh->group_count, mesh->positions,
                             mesh->welded, mesh->vertex_count};
-    const taut_monitor *monitor = &options->monitor;
 
     for (int i = 0; i < mesh->group_count; i++) {
-        if (monitor->progress != NULL &&
-            monitor->progress(monitor->context, (double)i / mesh->group_count, "mesh") != 0) {
-            return taut_fail(error, TAUT_INTERRUPTED, "interrupted", NULL, taut_none, taut_none,
-                             "stopped on request");
-        }
-        if (fill_vertices(mesh, plan, i, options->threads) != TAUT_OK) {
-            return taut_fail_memory(error);
+        const taut_status status = tell(mesh, options, i) == TAUT_OK
+                                       ? fill_vertices(mesh, plan, i, options->threads)
+                                       : TAUT_INTERRUPTED;
+        if (status != TAUT_OK) {
+            return fail_as(error, status);
         }
     }
     if (taut_weld_vertices(&weld) != TAUT_OK) {

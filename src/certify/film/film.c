@@ -65,6 +65,7 @@ typedef struct request {
     double tolerance;
     double
         half; /* half the size of the film: of the largest coordinate of a point from the first */
+    taut_pulse *pulse;
 } request;
 
 static int corner_of(int e, int end)
@@ -792,10 +793,11 @@ static taut_status prove(const request *r, taut_certificate *certificate)
         status = settle_rest(r, &found);
     }
     if (status == TAUT_OK) {
-        status = find_stability(r, &found);
+        status = taut_pulse_report(r->pulse) ? TAUT_INTERRUPTED : find_stability(r, &found);
     }
     if (status == TAUT_OK) {
-        status = add_length(r, &found, certificate);
+        status =
+            taut_pulse_report(r->pulse) ? TAUT_INTERRUPTED : add_length(r, &found, certificate);
     }
     if (status == TAUT_OK) {
         status = add_stationary(r, &found, certificate);
@@ -813,11 +815,10 @@ static taut_status certify(const taut_model *model, const void *data, const taut
     request r;
 
     if (problem != NULL && taut_film_is_complex(problem)) {
-        return taut_film_complex_certify(model, problem, certificate, error);
+        return taut_film_complex_certify(model, problem, audit->crew.pulse, certificate, error);
     }
     taut_status status = read_request(model, data, &r, error);
 
-    (void)audit; /* nothing here takes long enough for threads */
     if (status == TAUT_OK) {
         status = add_boundary(&r, certificate, error);
     }
@@ -828,6 +829,7 @@ static taut_status certify(const taut_model *model, const void *data, const taut
     if (status != TAUT_OK) {
         return status;
     }
+    r.pulse = audit->crew.pulse;
     return prove(&r, certificate) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 }
 

@@ -48,7 +48,13 @@ static void look(void *context, int worker, int64_t task)
     const taut_cloth_piece *piece = &s->cloth->pieces[task];
     (void)worker;
     s->status[task] = taut_cloth_look_at(s->cloth, piece, !piece->is_developed, &s->list[task]);
-    taut_cloth_limit_of(s->cloth, piece, &s->limits[task]);
+}
+
+static void find_limit(void *context, int worker, int64_t task)
+{
+    const states *s = context;
+    (void)worker;
+    taut_cloth_limit_of(s->cloth, &s->cloth->pieces[task], &s->limits[task]);
 }
 
 static taut_status look_at_all(const taut_cloth *cloth, taut_arena *arena, taut_cloth_state **list,
@@ -61,8 +67,9 @@ static taut_status look_at_all(const taut_cloth *cloth, taut_arena *arena, taut_
     if (taut_arena_status(arena) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
-    if (taut_crew_run(cloth->crew, taut_crew_workers(cloth->crew, (int64_t)count), (int64_t)count,
-                      work_of_piece, look, &s)) {
+    const int workers = taut_crew_workers(cloth->crew, (int64_t)count);
+    if (taut_crew_run(cloth->crew, workers, (int64_t)count, work_of_piece, look, &s) ||
+        taut_crew_run(cloth->crew, workers, (int64_t)count, work_of_piece, find_limit, &s)) {
         return TAUT_INTERRUPTED;
     }
     *list = s.list;

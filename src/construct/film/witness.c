@@ -212,8 +212,10 @@ taut_status taut_film_witness_add(const taut_film_problem *problem, const taut_s
     } else if (taut_flows_new(surface, radii, &w->flows) &&
                abs(w->flows.exponent) < EXPONENT_MOST) {
         w->pulse = (taut_pulse){.monitor = monitor, .what = "witness", .done = NAN};
-        status = taut_cone_new(TAUT_FLOWS_SHARED, TAUT_FLOWS_OWN, w->flows.cables, ROOM, arena,
-                               &w->cone);
+        status = taut_pulse_report(&w->pulse)
+                     ? TAUT_INTERRUPTED
+                     : taut_cone_new(TAUT_FLOWS_SHARED, TAUT_FLOWS_OWN, w->flows.cables, ROOM,
+                                     arena, &w->cone);
         if (status == TAUT_OK) {
             status = climb(w);
         }

@@ -58,6 +58,7 @@ typedef struct request {
     int settled;
     double lowest, lowest_user;
     int below;
+    taut_pulse *pulse;
 } request;
 
 static taut_status find_surfaces(request *r, taut_error *error)
@@ -716,8 +717,14 @@ static taut_status prove(request *r, taut_certificate *certificate, taut_error *
     if (status == TAUT_OK) {
         status = add_cables(r, certificate, error);
     }
-    if (status == TAUT_OK && (settle(r) != TAUT_OK || find_stability(r) != TAUT_OK)) {
+    if (status == TAUT_OK && settle(r) != TAUT_OK) {
         status = taut_fail_memory(error);
+    }
+    if (status == TAUT_OK && (taut_pulse_report(r->pulse) || find_stability(r) != TAUT_OK)) {
+        status = taut_fail_memory(error); /* stopped or not, as the pulse says */
+    }
+    if (status == TAUT_OK && taut_pulse_report(r->pulse)) {
+        status = TAUT_INTERRUPTED;
     }
     if (status == TAUT_OK) {
         status = add_volume(r, certificate, error);
@@ -738,7 +745,8 @@ static taut_status prove(request *r, taut_certificate *certificate, taut_error *
 }
 
 taut_status taut_film_complex_certify(const taut_model *model, const taut_film_problem *problem,
-                                      taut_certificate *certificate, taut_error *error)
+                                      taut_pulse *pulse, taut_certificate *certificate,
+                                      taut_error *error)
 {
     taut_film_lone room;
     const taut_film_problem *whole = taut_film_complex_of(problem, &room);
@@ -748,7 +756,8 @@ taut_status taut_film_complex_certify(const taut_model *model, const taut_film_p
                  .tolerance = problem->tolerance > 0 ? problem->tolerance : tolerance_default,
                  .lowest = NAN,
                  .lowest_user = NAN,
-                 .below = -1};
+                 .below = -1,
+                 .pulse = pulse};
     const char *method = taut_record_text(taut_record_get(taut_model_details(model), "method"));
     r.all = problem->method == TAUT_FILM_FULL && !(method != NULL && strcmp(method, "normal") == 0);
     taut_status status = taut_film_complex_new(whole, r.arena, &r.complex, error);
