@@ -149,6 +149,17 @@ restart 0 '' ''
 contains restart-film.json '"iterations": [0-9],'
 restart 3 'start /start' 's/"least"/"name": "other", "least"/'
 restart 3 'start /start found 14\.1[0-9]* expected 1\.6[0-9]*e-8' 's/"u1v1": \[[^]]*\]/"u1v1": [9, 9, 9]/'
+# of curves: six patches, which go on from themselves
+rounds() { # rounds MEMBERS: the hexagon of two quads of Schwarz's D
+    printf '{ "taut": 1, "construct": "film", "degree": 4, "count": 6, %s "curves": [{ "line": [[1,1,0],[0,1,1]] }, { "line": [[0,1,1],[1,0,1]] }, { "line": [[1,0,1],[0,0,0]] }, { "line": [[0,0,0],[0,1,-1]] }, { "line": [[0,1,-1],[1,0,-1]] }, { "line": [[1,0,-1],[1,1,0]] }] }' "$1"
+}
+rounds '' > rounds.json
+run 0 make rounds.json -o rounds-film.json
+rounds "\"start\": $(tr -d '\n' < rounds-film.json)," > rounds-again.json
+run 0 make rounds-again.json -o rounds-end.json
+contains rounds-end.json '"iterations": [0-3],'
+sed 's/"name": "film-2"/"name": "other"/' rounds-again.json > rounds-other.json
+refused 3 'start /start' make rounds-other.json --quiet
 # what moves: members that are missing or wrong
 film 3 'missing /edges/v0/slide/point' '"edges": { "v0": { "slide": {} } }'
 film 3 'value /edges/v0/mirror/normal' '"edges": { "v0": { "mirror": { "point": [0,0,0], "normal": [0,0,0] } } }'

@@ -808,6 +808,8 @@ static void film_read(taut_reader *document, taut_problem *problem, void *into)
         check_name(document, data->name);
         read_film_tension(document, data);
         taut_film_document_curves(document, problem, read_curve, data, &parts);
+        taut_film_document_start(document, problem->arena,
+                                 data->patch_count > 0 ? data->patch_count : 1, parts.patches);
     } else {
         read_alone(document, problem, data);
     }

@@ -13,9 +13,8 @@
 enum { DEGREE = 4, COUNT = 12, DEGREE_MOST = 10, COUNT_MOST = 100 };
 static const double gap_closed = 1e-9;              /* of the size */
 static const char *const strangers[] = {"boundary", /* beside "curves" */
-                                        "corners",       "edges",     "points", "patches",
-                                        "seams",         "start",     "u",      "v",
-                                        "force_density", "prestress", NULL};
+                                        "corners",  "edges", "points",        "patches",   "seams",
+                                        "u",        "v",     "force_density", "prestress", NULL};
 
 typedef struct reading {
     taut_problem *problem;
