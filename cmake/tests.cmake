@@ -69,7 +69,11 @@ function(taut_test file)
   target_link_libraries(test-${target} PRIVATE taut_test_support ${links} m)
   set_target_properties(test-${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
   add_test(NAME ${name} COMMAND test-${target} WORKING_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
-  set_tests_properties(${name} PROPERTIES TIMEOUT 600 SKIP_RETURN_CODE 77
+  set(patience 600)
+  if(CMAKE_CROSSCOMPILING_EMULATOR MATCHES "qemu") # fifty times slower
+    set(patience 7200)
+  endif()
+  set_tests_properties(${name} PROPERTIES TIMEOUT ${patience} SKIP_RETURN_CODE 77
     ENVIRONMENT "OPENBLAS_NUM_THREADS=1;${sanitizer_options}${wine_options}")
   if(WIN32)
     set_tests_properties(${name} PROPERTIES FIXTURES_REQUIRED wine)

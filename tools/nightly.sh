@@ -48,7 +48,7 @@ do_aarch64() {
     cmake --preset aarch64 > /dev/null &&
         tests=$(ninja -C build/aarch64 -t targets all | sed -nE "s/^(test-unit-($rooms)-[^:]*): phony$/\\1/p") &&
         xargs ninja -C build/aarch64 -j "$jobs" taut <<< "$tests" &&
-        ctest --preset aarch64 -j "$jobs" -R "^unit/($rooms)/" -E '^unit/io/cad/helper$' --timeout 3600 &&
+        ctest --preset aarch64 -j "$jobs" -R "^unit/($rooms)/" -E '^unit/io/cad/helper$' &&
         tools/same_bytes.sh --within "${NIGHTLY_WITHIN:-60}" "$native" 'qemu-aarch64 build/aarch64/bin/taut'
 }
 do_sanitize() { tools/deps.sh check && preset sanitize; }

@@ -204,6 +204,7 @@ def test_strict_proof():
 SLOW = '''
 import signal, sys
 import taut, numpy as np
+signal.signal(signal.SIGINT, signal.default_int_handler)  # what a shell puts into the background ignores it
 n = 70
 x, y = np.meshgrid(np.linspace(0, 1, n), np.linspace(0, 1, n), indexing="ij")
 points = np.stack([x, y, 0.3 * np.sin(9 * x) * np.cos(11 * y)], axis=-1)

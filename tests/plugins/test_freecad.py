@@ -105,7 +105,7 @@ def test_names(result):
 
 
 def test_refusals(result):
-    for name, words in (("broken", "What to change"), ("three", "found 3 edges; expected four"), ("no radius", "set Radius"),
+    for name, words in (("broken", "What to change"), ("three", "Edges: found 3 edges; expected four"), ("no radius", "Radius: straight edges have no radius: set Radius"),
                         ("trimmed", "is trimmed"), ("too thick", "What to change"), ("gone", "Edge0 has no Edge9 any more"),
                         ("pole", "Ball.Edge1 is a point")):
         assert "Invalid" in result[name]["state"] and words in result[name]["claims"][0], result[name]

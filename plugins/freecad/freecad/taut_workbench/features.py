@@ -122,6 +122,16 @@ def axis_of(part):
     raise taut.InputError("expected two cylinders or two straight edges", "/ends", "type")
 
 
+_PROPERTIES = {"boundary": "Edges", "points": "Edges", "from": "Ends", "to": "Ends", "radii": "Radius"}  # of members that are called otherwise
+
+
+def _said(obj, error):
+    """What failed and what to change, after the name of the property it is about."""
+    member = getattr(error, "where", "").split("/")[1:2]
+    name = _PROPERTIES.get(member[0], member[0].capitalize()) if member else ""
+    return f"{name}: {hosts.told(error)}" if name in obj.PropertiesList else hosts.told(error)
+
+
 # --- Features ----------------------------------------------------------------------------------------------------------------
 
 
@@ -153,8 +163,8 @@ class Feature:
         try:
             self.make(obj)
         except Exception as error:
-            obj.Holds, obj.Claims, obj.Model = "not made", [hosts.told(error)], ""
-            raise RuntimeError(hosts.told(error)) from None
+            obj.Holds, obj.Claims, obj.Model = "not made", [_said(obj, error)], ""
+            raise RuntimeError(_said(obj, error)) from None
 
     def tell(self, obj, holds, lines, document=""):
         """Into the properties and the report view."""
