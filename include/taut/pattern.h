@@ -90,7 +90,8 @@ typedef struct taut_pattern_material {
 
 /* The cloth. Zero: not told. */
 typedef struct taut_pattern_cloth {
-    double width; /* of the roll, in the document's unit; 0: pieces may be as wide as they are */
+    double width;  /* of the roll, in the document's unit; 0: pieces may be as wide as they are */
+    double length; /* that no piece is longer than along the roll; 0: they may be */
     taut_pattern_material material;
     double
         thread; /* the angle from the piece's chord to the warp, in (-pi, pi]; 0: the warp runs along */
@@ -209,6 +210,8 @@ typedef struct taut_pattern_problem {
       "scale it")                                                                                  \
     X("width", "a flat piece is wider than the roll, or no number of strips up to 500 fits",       \
       "take more strips, or a wider roll")                                                         \
+    X("length", "a flat piece is longer than the cloth",                                           \
+      "cut it across by butts: the message says in how many parts")                                \
     X("allowance", "an edge turns inwards more tightly than what is to be left along it",          \
       "leave less there: the message says how much")                                               \
     X("strain", "no number of strips up to 500 is strained as little as that",                     \

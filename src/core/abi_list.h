@@ -400,6 +400,7 @@
 
 #define TAUT_ABI_MEMBERS_taut_pattern_cloth(X) \
     X(taut_pattern_cloth, width, "double") \
+    X(taut_pattern_cloth, length, "double") \
     X(taut_pattern_cloth, material, "taut_pattern_material") \
     X(taut_pattern_cloth, thread, "double") \
     X(taut_pattern_cloth, has_gap, "int") \

@@ -146,6 +146,20 @@ static int are_apart(const placed *a, const placed *b, double room)
     return !is_inside(a->arcs[0].p[0], b) && !is_inside(b->arcs[0].p[0], a);
 }
 
+/* How far a piece reaches along the roll, by many places of the line that is cut. */
+static double reach_along(const taut_cloth *cloth, const taut_cloth_piece *piece)
+{
+    enum { PLACES = 1024 };
+    double low = INFINITY, high = -INFINITY;
+    for (int k = 0; k <= PLACES; k++) {
+        double y[1][3];
+        taut_cloth_line(cloth, piece->cut, 4.0 * k / PLACES, 0, y);
+        low = taut_certify_min(low, y[0][0]);
+        high = taut_certify_max(high, y[0][0]);
+    }
+    return high - low;
+}
+
 taut_status taut_cloth_add_roll(const taut_cloth *cloth, taut_arena *arena,
                                 taut_certificate *certificate)
 {
@@ -174,6 +188,10 @@ taut_status taut_cloth_add_roll(const taut_cloth *cloth, taut_arena *arena,
             is_wrong |= !are_apart(&all[i], &all[k], room);
         }
         is_wrong |= piece->is_turned && cloth->problem != NULL && cloth->problem->cloth.has_nap;
+        if (cloth->problem != NULL && cloth->problem->cloth.length > 0) {
+            const double most = ldexp(cloth->problem->cloth.length, -cloth->unit);
+            is_wrong |= !(reach_along(cloth, piece) <= most + border);
+        }
         w.residual += is_wrong;
         if (is_wrong && w.where[0] == '\0') {
             snprintf(w.where, sizeof w.where, "%.40s", piece->name);

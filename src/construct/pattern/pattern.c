@@ -56,6 +56,8 @@ typedef struct made_pieces {
     taut_pattern_margin *margins;
     double widest; /* extent across of a cut piece, in the carrier's unit */
     int widest_piece;
+    double longest; /* and along */
+    int longest_piece;
     double strain; /* the largest of all principal ones */
 } made_pieces;
 
@@ -220,6 +222,9 @@ static taut_status check_problem(const taut_pattern_problem *problem, taut_error
         status = check_range(problem->cloth.width, 0, 1e300, "value", "/cloth/width", error);
     }
     if (status == TAUT_OK) {
+        status = check_range(problem->cloth.length, 0, 1e300, "value", "/cloth/length", error);
+    }
+    if (status == TAUT_OK) {
         status = check_range(problem->cloth.gap, 0, 1e300, "value", "/cloth/gap", error);
     }
     if (status == TAUT_OK) {
@@ -313,7 +318,7 @@ static taut_status make_outlines(const request *r, made_pieces *made, taut_error
     made->outlines = taut_arena_take(made->arena, (size_t)count, sizeof *made->outlines);
     made->margins = taut_arena_take(made->arena, (size_t)count, sizeof *made->margins);
     taut_status status = taut_arena_status(made->arena);
-    made->widest = made->strain = 0;
+    made->widest = made->longest = made->strain = 0;
     for (int k = 0; status == TAUT_OK && k < count; k++) {
         taut_pattern_outline *outline = &made->outlines[k];
         status = taut_pattern_outline_new(&made->layout, &r->cut, k, made->arena, outline);
@@ -332,6 +337,10 @@ static taut_status make_outlines(const request *r, made_pieces *made, taut_error
         if (outline->high[1] - outline->low[1] > made->widest) {
             made->widest = outline->high[1] - outline->low[1];
             made->widest_piece = k;
+        }
+        if (outline->high[0] - outline->low[0] > made->longest) {
+            made->longest = outline->high[0] - outline->low[0];
+            made->longest_piece = k;
         }
         const taut_pattern_strains strains = taut_pattern_strains_of(&made->layout.pieces[k]);
         made->strain = fmax(made->strain, fmax(strains.high, -strains.low));
@@ -422,6 +431,19 @@ static taut_status fail_width(const made_pieces *made, const taut_carrier *carri
         "piece %s is %.6g wide, and the roll %.6g: take more strips than %d, or \"width\": "
         "true in place of \"count\"",
         made->layout.pieces[made->widest_piece].name, extent, width, made->layout.piece_count);
+}
+
+static taut_status check_length(const request *r, const made_pieces *made, int scale,
+                                taut_error *error)
+{
+    const double most = r->problem->cloth.length, found = ldexp(made->longest, scale);
+    return !(most > 0) || found <= most
+               ? TAUT_OK
+               : taut_fail(error, TAUT_NO_SOLUTION, "length", "/cloth/length", found, most,
+                           "piece %s is %.6g long, and the cloth %.6g: cut it across by butts, in "
+                           "%.0f parts",
+                           made->layout.pieces[made->longest_piece].name, found, most,
+                           ceil(found / most));
 }
 
 /* What pieces are to keep within; 0: nothing of this sort. */
@@ -775,6 +797,9 @@ static taut_status build(void *context, taut_arena *arena, taut_model *model, ta
     }
     if (status == TAUT_OK) {
         status = cut_pieces(r, &all, &made, error);
+    }
+    if (status == TAUT_OK) {
+        status = check_length(r, &made, all.grounds->carrier->scale, error);
     }
     if (status == TAUT_OK) {
         status = fill(r, of, &made, arena, model, error);

@@ -34,7 +34,8 @@ static const char *const curve_members[] = {"curve", "surface", NULL};
 static const char *const butt_members[] = {"butt", "at", NULL};
 static const char *const at_members[] = {"edge", "part", "length", "parameter", NULL};
 static const char *const parameters[] = {"u", "v", NULL};
-static const char *const cloth_members[] = {"width", "material", "thread", "nap", "gap", NULL};
+static const char *const cloth_members[] = {"width", "length", "material", "thread",
+                                            "nap",   "gap",    NULL};
 static const char *const material_members[] = {"E", "nu", "G", NULL};
 static const char *const compensation_members[] = {"warp", "weft", "seam", NULL};
 
@@ -409,6 +410,7 @@ static taut_status read_cloth(const taut_json *at, void *into, taut_error *error
     taut_pattern_cloth *cloth = into;
     taut_reader in = taut_reader_of(at, cloth_members, error);
     taut_reader_optional(&in, "width", read_positive, &cloth->width);
+    taut_reader_optional(&in, "length", read_positive, &cloth->length);
     taut_reader_optional(&in, "material", read_material, &cloth->material);
     taut_reader_optional(&in, "thread", read_thread, &cloth->thread);
     taut_reader_flag(&in, "nap", &cloth->has_nap);

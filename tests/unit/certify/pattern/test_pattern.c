@@ -305,6 +305,8 @@ static void test_asked(void)
                    "\"parameter\" }]"},
         {"layout", "\"seams\": [{ \"geodesic\": [[0.3, 0], [0.3, 1]] }, { \"geodesic\": [[0.7, 0], "
                    "[0.7, 1]] }]"},
+        {"roll", "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 3 }], \"cloth\": { "
+                 "\"length\": 2 }"},
         {"thread", "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 3 }], \"cloth\": { "
                    "\"thread\": \"across\" }"}};
     made_cloth made = cloth_make(SADDLE, strips), held = cloth_make(SADDLE, true_seams);

@@ -639,6 +639,9 @@ static void test_refusals(void)
         {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }], \"cloth\": { \"width\": "
          "0.5 }",
          "width", "/seams/0", TAUT_NO_SOLUTION},
+        {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 4 }], \"cloth\": { \"length\": 1 "
+         "}",
+         "length", "/cloth/length", TAUT_NO_SOLUTION},
         {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }], \"cloth\": { "
          "\"material\": \"silk\" }",
          "material", "/cloth/material", TAUT_BAD_INPUT},
