@@ -77,7 +77,7 @@ typedef struct cli_options {
     int markdown;
     int flag_u; /* refine --u */
     int flag_v;
-    int no_net;
+    int no_net, show_net;
     int exact;
     int short_knots;
     int untrim;
@@ -241,6 +241,14 @@ typedef struct cli_command {
          "pdf: pieces to cut on one page, so much smaller (default 1:1)"},                         \
         {"--no-net", CLI_FLAG, offsetof(cli_options, no_net),       0, 0,                          \
          0,          NULL,     "figures: leave the control net out"},                              \
+        {"--show-net",                                                                             \
+         CLI_FLAG,                                                                                 \
+         offsetof(cli_options, show_net),                                                          \
+         0,                                                                                        \
+         0,                                                                                        \
+         0,                                                                                        \
+         NULL,                                                                                     \
+         "figures: the control net, of pipes too, which are shown without"},                       \
     {                                                                                              \
         "--column", CLI_FLAG, offsetof(cli_options, column), 0, 0, 0, NULL,                        \
             "figures: 88 mm wide, for a paper's column"                                            \

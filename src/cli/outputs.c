@@ -101,7 +101,9 @@ int cli_write_options(const cli_options *options, taut_write_options *chosen)
                                    .threads = options->threads,
                                    .surface = options->surface,
                                    .short_knots = options->short_knots,
-                                   .no_net = options->no_net,
+                                   .no_net = options->no_net     ? 1
+                                             : options->show_net ? -1
+                                                                 : 0,
                                    .title = options->title,
                                    .isolines = options->isolines,
                                    .reflections = options->reflections,

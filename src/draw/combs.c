@@ -2,13 +2,21 @@
 #include "core/elementary/elementary.h"
 #include "core/vec3.h"
 #include "draw/parts.h"
+#include "geometry/exponent.h"
 
 #include <math.h>
 #include <string.h>
 
-/* k from x' and x''. */
-static void bend_of(const double *d1, const double *d2, double bend[3])
+/* What an edge of this length over the size of its surface has left of it is rounding: it is a point, which bends nowhere. */
+static const double point_of_size = 1e-9;
+
+/* k from x' and x''; NaN where x' over the edge's range is no `least` length. */
+static void bend_of(const double *d1, const double *d2, double range, double least, double bend[3])
 {
+    if (!(taut_norm(d1) * range > least)) {
+        bend[0] = bend[1] = bend[2] = (double)NAN;
+        return;
+    }
     const double speed2 = taut_dot(d1, d1), along = taut_dot(d1, d2) / speed2;
     for (int c = 0; c < 3; c++) {
         bend[c] = (d2[c] - along * d1[c]) / speed2;
@@ -36,6 +44,8 @@ static void tooth_parameters(const taut_surface *surface, int edge, int i, doubl
 
 taut_status taut_combs_fill(const taut_surface *surface, taut_combs *combs, double *most)
 {
+    const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
+    const double size = 2 * taut_half_size(taut_point_count(surface), taut_surface_points(surface));
     for (int k = 0; k < 4 * TAUT_COMB_TEETH; k++) {
         const int edge = k / TAUT_COMB_TEETH, i = k % TAUT_COMB_TEETH;
         const int first = edge < 2 ? TAUT_XV : TAUT_XU, second = edge < 2 ? TAUT_XVV : TAUT_XUU;
@@ -46,7 +56,10 @@ taut_status taut_combs_fill(const taut_surface *surface, taut_combs *combs, doub
             return status;
         }
         memcpy(combs->foot[edge][i], values[TAUT_X], sizeof values[TAUT_X]);
-        bend_of(values[first], values[second], bend);
+        bend_of(values[first], values[second],
+                edge < 2 ? taut_basis_hi(v) - taut_basis_lo(v)
+                         : taut_basis_hi(u) - taut_basis_lo(u),
+                point_of_size * size, bend);
         *most =
             fmax(*most, taut_hypot(taut_hypot(bend[0], bend[1]), bend[2])); /* passes over NaN */
     }

@@ -164,15 +164,23 @@ static size_t size_of(net n)
     return (size_t)n.nu * (size_t)n.nv;
 }
 
+/* Unless it is asked for, pipes are shown without: their nets stand far off, and say nothing of them. */
+static int has_nets(const taut_pane *pane, const taut_write_options *options)
+{
+    const taut_certificate *certificate = taut_model_certificate(pane->model);
+    const char *name = certificate != NULL ? taut_certificate_construct(certificate) : "";
+    return options->no_net < 0 || (options->no_net == 0 && strcmp(name, "pipe") != 0);
+}
+
 static int draws_net(const taut_pane *pane, const taut_write_options *options, int i)
 {
     const net n = net_of(pane, i);
-    return !options->no_net && !taut_camera_is_far(&pane->core, size_of(n), n.points);
+    return has_nets(pane, options) && !taut_camera_is_far(&pane->core, size_of(n), n.points);
 }
 
 int taut_pane_nets(const taut_pane *pane, const taut_write_options *options)
 {
-    return options->no_net ? 0 : pane->sheet_count + pane->curve_count;
+    return has_nets(pane, options) ? pane->sheet_count + pane->curve_count : 0;
 }
 
 int taut_pane_far_nets(const taut_pane *pane, const taut_write_options *options)

@@ -85,6 +85,15 @@ contains run.svg '> *100 mm<'
 [ "$(wc -c < k.svg)" -lt 800000 ] || complain "a figure of $(wc -c < k.svg) bytes"
 grep -q '<image' k.svg && complain "a figure holds pixels"
 
+# Pipes are shown without their nets, unless these are asked for.
+"$TAUT" example pipe-run | "$TAUT" make - --quiet -o without.svg -o run.json
+cmp -s without.svg run.svg || complain "a pipe has a net"
+run 0 convert run.json -o with.svg --show-net
+[ "$(wc -c < with.svg)" -gt "$(($(wc -c < run.svg) + 2000))" ] || complain "--show-net shows none"
+# A cap's middle is a point: it bends nowhere. A pipe of radius 8 bends by 1/8, its blends by less.
+"$TAUT" example pipe-run-coil | "$TAUT" make - --quiet -o caps.svg --combs
+contains caps.svg 'the longest tooth is a curvature of 0.125/mm'
+
 run 0 convert saddle.json -o w.png --width 200
 refused 2 'value --colour Q found null expected H, K, I or gap' convert saddle.json -o x.svg --colour Q
 refused 2 'value --width 8 found 8' convert saddle.json -o x.png --width 8
