@@ -401,6 +401,8 @@ taut_status taut_lath_trace(const taut_carrier *carrier, taut_linefield_kind kin
     take_end(lath, 1, &walks[1]);
     taut_carrier_cell(carrier, at, NULL, span);
     taut_walk_start(carrier, kind, at, span, along, &state);
+    taut_carrier_cell(carrier, at, state.y + TAUT_WALK_A, span); /* the one that it goes on into */
+    taut_walk_start(carrier, kind, at, span, along, &state);
     memcpy(lath->seed_tangent, state.tangent, sizeof lath->seed_tangent);
     taut_walk_station(kind, &state, &lath->at_seed);
     lath->at_seed.s = lath->seed_s;

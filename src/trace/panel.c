@@ -1,7 +1,8 @@
 /* panel.c
  *
  *     of each step p, q from node to node on a curve of the first family: on both curves that cross there the next nodes
- *     r, t to the left; a quad where those are on one curve, and next to each other
+ *     r, t to one side; a quad where those are on one curve, and next to each other. It lies to the left of one of its two curves and
+ *     to the right of the other, or on one side of both, where they run against each other
  */
 #include "trace/panel.h"
 
@@ -72,8 +73,9 @@ static void tangent_at(const taut_net *net, int lath, int node, double tangent[3
                     bend);
 }
 
-/* The next node on the curve that crosses `lath` at `node`, to the left of it; -1 where there is none. */
-static int next_left(const taut_net *net, const row *rows, int lath, int node)
+/* The next node on the curve that crosses `lath` at `node`, to the left of it (side 1) or the right (-1); -1 where there is
+ * none. */
+static int next_beside(const taut_net *net, const row *rows, int lath, int node, int side)
 {
     const taut_node *n = &net->nodes.list[node];
     const int other = n->laths[n->laths[0] == lath ? 1 : 0];
@@ -83,7 +85,7 @@ static int next_left(const taut_net *net, const row *rows, int lath, int node)
     tangent_at(net, lath, node, along);
     tangent_at(net, other, node, across);
     taut_cross(n->normal, along, left);
-    const int next = taut_dot(left, across) > 0 ? place + 1 : place - 1;
+    const int next = side * taut_dot(left, across) > 0 ? place + 1 : place - 1;
     return next >= 0 && next < rows[other].count ? rows[other].nodes[next] : -1;
 }
 
@@ -103,27 +105,28 @@ static double planarity_of(const taut_net *net, const int corners[4])
     return area > 0 ? fabs(taut_dot(side, across)) / (area * mean) : 0;
 }
 
-static void look_left(const taut_net *net, const row *rows, int lath, int k, taut_panels *panels)
+static void look_beside(const taut_net *net, const row *rows, int lath, int k, int side,
+                        taut_panels *panels)
 {
     const int p = rows[lath].nodes[k], q = rows[lath].nodes[k + 1];
-    const int r = next_left(net, rows, lath, p), t = next_left(net, rows, lath, q);
-    double here[3], there[3];
+    const int r = next_beside(net, rows, lath, p, side), t = next_beside(net, rows, lath, q, side);
 
     if (r < 0 || t < 0 || net->nodes.list[r].laths[0] != net->nodes.list[t].laths[0] ||
         net->nodes.list[p].laths[1] == net->nodes.list[q].laths[1]) {
         return;
     }
     const int far = net->nodes.list[r].laths[0];
-    if (far == lath || abs(place_in(&rows[far], r) - place_in(&rows[far], t)) != 1) {
+    const int from = place_in(&rows[far], r), to = place_in(&rows[far], t);
+    if (far == lath || abs(from - to) != 1) {
         return;
     }
-    tangent_at(net, lath, p, here);
-    tangent_at(net, far, r, there);
-    if (taut_dot(here, there) < 0 && far < lath) {
-        return; /* it lies to the left of that one too */
+    const int is_against = to < from; /* then it lies to this side of that one too */
+    if (is_against ? far < lath : side < 0) {
+        return;
     }
     taut_panel *panel = &panels->list[panels->count++];
-    *panel = (taut_panel){.corners = {p, q, t, r}};
+    *panel =
+        side > 0 ? (taut_panel){.corners = {p, q, t, r}} : (taut_panel){.corners = {q, p, r, t}};
     panel->planarity = planarity_of(net, panel->corners);
     panels->planarity = fmax(panels->planarity, panel->planarity);
 }
@@ -132,14 +135,16 @@ taut_status taut_panels_of(const taut_net *net, taut_panels *panels)
 {
     row *rows = taut_arena_take(net->arena, (size_t)net->count + 1, sizeof *rows);
 
-    *panels = (taut_panels){.list = taut_arena_take(net->arena, (size_t)net->nodes.count + 1,
-                                                    sizeof *panels->list)}; /* one a node at most */
+    *panels = (taut_panels){
+        .list = taut_arena_take(net->arena, 2 * (size_t)net->nodes.count + 1,
+                                sizeof *panels->list)}; /* of a step on both sides at most */
     if (rows == NULL || panels->list == NULL || make_rows(net, rows) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
     for (int i = 0; i < net->count; i++) {
         for (int k = 0; net->laths[i].family == 0 && k + 1 < rows[i].count; k++) {
-            look_left(net, rows, i, k, panels);
+            look_beside(net, rows, i, k, 1, panels);
+            look_beside(net, rows, i, k, -1, panels);
         }
     }
     return TAUT_OK;

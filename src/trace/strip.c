@@ -329,6 +329,9 @@ static taut_lath_bending bending_at(const taut_net *net, const taut_lath *lath, 
 
 /* ---- one lath ---- */
 
+/* A place that is a station's, over the length of the lath. */
+static const double at_station = 1e-12;
+
 typedef struct extremes {
     taut_lath_most weak, flat, twist, ribbon, combined;
 } extremes;
@@ -337,12 +340,23 @@ static void take_stress(const cut *c, const taut_lath *lath, const extremes *mos
                         taut_strip *strip)
 {
     const taut_trace_material *m = &c->laths->material;
-    const taut_lath_bending b = bending_at(c->net, lath, most->combined.at, NULL);
+    int segment = 0;
+    taut_lath_bending b = bending_at(c->net, lath, most->combined.at, &segment);
     strip->has_stress = c->thickness > 0 && m->e > 0;
     if (!strip->has_stress) {
         return;
     }
     strip->stress = stress_of(c, weak_size(&b, c), twist_size(&b, c));
+    for (int k = segment; k < segment + 2 && k < lath->count; k++) {
+        /* stations know more: a surface may bend more beyond a knot, and at its end a net has no direction */
+        const taut_station *at = k == segment ? &lath->segments[k].to : &lath->segments[k].from;
+        b = (taut_lath_bending){{at->k_n, at->k_g, at->tau_g}};
+        const taut_strip_stress there = stress_of(c, weak_size(&b, c), twist_size(&b, c));
+        if (fabs(at->s - most->combined.at) <= at_station * lath->length &&
+            there.combined > strip->stress.combined) {
+            strip->stress = there;
+        }
+    }
     strip->stress.at = most->combined.at;
     strip->stress.thickest =
         most->weak.value > 0 ? 2 * m->strength / (m->e * most->weak.value) : INFINITY;

@@ -457,6 +457,7 @@ static const attack_row rows[] = {
     {"trace", "asymptotic", "trace-enneper", lath_middle, ONE_WAY},
     {"trace", "geodesic", "trace-geodesics", lath_middle, ONE_WAY},
     {"trace", "length", "trace-principal", axis_start, ONE_WAY},
+    {"trace", "figures", "trace-principal", lath_middle, ONE_WAY},
     {"trace", "ends", "trace-principal", lath_name, ANY | ONE_WAY},
     {"trace", "seams", "trace-carried", second_surface, ONE_WAY},
     {"trace", "nodes", "trace-principal", lath_middle, ONE_WAY},

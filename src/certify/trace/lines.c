@@ -151,3 +151,27 @@ int taut_net_line_window(const taut_net_line *line, double t, double at[2], int 
     }
     return 0;
 }
+
+static const taut_net_line *line_of(const taut_net_lines *lines, const char *name, size_t length)
+{
+    for (int k = 0; k < lines->count; k++) {
+        const char *one = taut_curve_name(lines->lines[k].space);
+        if (strlen(one) == length && strncmp(one, name, length) == 0) {
+            return &lines->lines[k];
+        }
+    }
+    return NULL;
+}
+
+int taut_net_lines_of_node(const taut_net_lines *lines, const char *name,
+                           const taut_net_line *both[2])
+{
+    size_t first = 1;
+    while (name[0] != '\0' && name[first] >= '0' && name[first] <= '9') {
+        first++;
+    }
+    const size_t rest = name[0] != '\0' ? strcspn(name + first, ".") : 0;
+    both[0] = name[0] != '\0' ? line_of(lines, name, first) : NULL;
+    both[1] = rest > 0 ? line_of(lines, name + first, rest) : NULL;
+    return both[0] != NULL && both[1] != NULL && both[0] != both[1];
+}

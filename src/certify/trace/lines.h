@@ -38,4 +38,8 @@ taut_status taut_net_lines_new(taut_arena *arena, const taut_model *model,
 /* The window's place at t of a line, its range's, and the surface it is of; 0 where no stretch holds it. */
 int taut_net_line_window(const taut_net_line *line, double t, double at[2], int *on);
 
+/* The two curves that a node's name is made of, "A3B5" or "A3B5.2"; 0 where there are no such two. */
+int taut_net_lines_of_node(const taut_net_lines *lines, const char *name,
+                           const taut_net_line *both[2]);
+
 #endif /* TAUT_CERTIFY_TRACE_LINES_H */

@@ -39,10 +39,13 @@
 #include "certify/trace/cells.h"
 #include "certify/trace/complete.h"
 #include "certify/trace/compose.h"
+#include "certify/trace/crossings.h"
 #include "certify/trace/everywhere.h"
+#include "certify/trace/figures.h"
 #include "certify/trace/isometric.h"
 #include "certify/trace/laths.h"
 #include "certify/trace/lines.h"
+#include "certify/trace/panels.h"
 #include "certify/trace/pieces.h"
 #include "certify/trace/seams.h"
 #include "certify/trace/side.h"
@@ -61,7 +64,7 @@
 enum { PLACES = 8, NODES = 16, QUINTIC = TAUT_NET_QUINTIC };
 static const double tolerance_default = 1e-6, net_limit = 1e-6, length_limit = 1e-9,
                     ends_limit = 1e-9, crease_limit = 1e-9, spacing_limit = 1e-9,
-                    isometric_limit = 1e-9;
+                    isometric_limit = 1e-9, figures_limit = 1e-6;
 /* So near to an end without a border, over the size, the net may be anything. */
 static const double near_end = 1e-3;
 /* Ends and middles of curves that are one, over their length. */
@@ -83,6 +86,7 @@ typedef struct request {
     taut_net_seams seams;          /* where they join */
     taut_net_cells *cells;         /* their polynomials, of one thread */
     taut_net_composer *composer;   /* as well */
+    const taut_net_rule *rule;
     int unit;
     double size;                /* of it */
     double roundest;            /* the largest R of a grid */
@@ -209,6 +213,7 @@ static int is_soft(const request *r, const taut_net_line *line, double t)
 
 typedef struct found {
     worst distance, net, length;
+    taut_net_off figures;
     int is_proved, is_bounded; /* the net's claim exactly, the distance by a bound */
 } found;
 
@@ -359,6 +364,11 @@ static void prove_straight(const request *r, const taut_net_line *line, found *f
     }
 }
 
+static taut_net_audit audit_of(const request *r)
+{
+    return (taut_net_audit){&r->lines, r->cells, r->rule, r->problem, r->unit, r->size};
+}
+
 static void look_at_line(const request *r, const taut_net_line *line, found *f)
 {
     const taut_basis *basis = taut_curve_t(line->space);
@@ -391,6 +401,8 @@ static void look_at_line(const request *r, const taut_net_line *line, found *f)
     if (is_geodesic) {
         take(&f->net, turn, taut_curve_name(line->space), breaks[0]);
     }
+    const taut_net_audit audit = audit_of(r);
+    taut_net_figures_of(&audit, line, clear, &f->figures);
     if (is_straight) {
         prove_straight(r, line, f);
     } else {
@@ -572,30 +584,6 @@ static taut_status add_ends(const request *r, taut_certificate *certificate)
 
 /* ---- nodes ---- */
 
-static const taut_net_line *line_of(const request *r, const char *name, size_t length)
-{
-    for (int k = 0; k < r->lines.count; k++) {
-        const char *one = taut_curve_name(r->lines.lines[k].space);
-        if (strlen(one) == length && strncmp(one, name, length) == 0) {
-            return &r->lines.lines[k];
-        }
-    }
-    return NULL;
-}
-
-/* The two curves that a node's name is made of, "A3B5" or "A3B5.2". */
-static int lines_of_node(const request *r, const char *name, const taut_net_line *lines[2])
-{
-    size_t first = 1;
-    while (name[0] != '\0' && name[first] >= '0' && name[first] <= '9') {
-        first++;
-    }
-    const size_t rest = name[0] != '\0' ? strcspn(name + first, ".") : 0;
-    lines[0] = name[0] != '\0' ? line_of(r, name, first) : NULL;
-    lines[1] = rest > 0 ? line_of(r, name + first, rest) : NULL;
-    return lines[0] != NULL && lines[1] != NULL && lines[0] != lines[1];
-}
-
 /* The surface of this name, where there are several. */
 static int surface_named(const request *r, const taut_record *name)
 {
@@ -641,7 +629,7 @@ static taut_status add_nodes(const request *r, taut_certificate *certificate)
         const char *name = taut_record_text(taut_record_get(node, "node"));
         const taut_net_line *lines[2];
         double x[2][3], residual = INFINITY;
-        if (lines_of_node(r, name, lines)) {
+        if (taut_net_lines_of_node(&r->lines, name, lines)) {
             taut_status status = TAUT_OK;
             for (int side = 0; status == TAUT_OK && side < 2; side++) {
                 const taut_basis *basis = taut_curve_t(lines[side]->space);
@@ -722,7 +710,7 @@ static taut_status add_isometric(const request *r, taut_certificate *certificate
 {
     const char *name = NULL;
     worst w = {0, ""};
-    w.residual = taut_net_isometric(&r->lines, r->surfaces, r->unit, r->problem, &name);
+    w.residual = taut_net_isometric(&r->lines, r->cells, r->unit, r->problem, &name);
     if (w.residual < 0) {
         return TAUT_OK;
     }
@@ -857,6 +845,10 @@ static taut_status look_at_lines(const request *r, taut_arena *arena, found *f)
         merge(&f->distance, &all.found[k].distance);
         merge(&f->net, &all.found[k].net);
         merge(&f->length, &all.found[k].length);
+        if (all.found[k].figures.where[0] != '\0' &&
+            !(all.found[k].figures.residual <= f->figures.residual)) {
+            f->figures = all.found[k].figures;
+        }
         f->is_proved &= all.found[k].is_proved;
         f->is_bounded &= all.found[k].is_bounded;
     }
@@ -872,6 +864,11 @@ static taut_status prove(const request *r, taut_arena *arena, taut_certificate *
     if (status != TAUT_OK) {
         return status;
     }
+    const taut_net_audit audit = audit_of(r);
+    taut_net_crossings_look(&audit, &f.figures);
+    if (taut_net_panels_look(&audit, arena, &f.figures) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
     status = add(certificate, "on-surface", f.is_bounded ? TAUT_BOUND : TAUT_CHECK, &f.distance,
                  r->tolerance);
     if (status == TAUT_OK) {
@@ -880,6 +877,11 @@ static taut_status prove(const request *r, taut_arena *arena, taut_certificate *
     }
     if (status == TAUT_OK) {
         status = add(certificate, "length", TAUT_CHECK, &f.length, length_limit);
+    }
+    if (status == TAUT_OK) {
+        worst w = {f.figures.residual, ""};
+        snprintf(w.where, sizeof w.where, "%.90s", f.figures.where);
+        status = add(certificate, "figures", TAUT_CHECK, &w, figures_limit);
     }
     if (status == TAUT_OK) {
         status = add_ends(r, certificate);
@@ -940,6 +942,7 @@ static taut_status certify_in(taut_arena *arena, const taut_model *model,
     request r = {.problem = problem,
                  .tolerance = audit->tolerance > 0 ? audit->tolerance : tolerance_default,
                  .crew = &audit->crew};
+    taut_net_rule rule;
     taut_status status = taut_net_lines_new(arena, model, problem, &r.lines, error);
 
     if (status != TAUT_OK) {
@@ -952,6 +955,8 @@ static taut_status certify_in(taut_arena *arena, const taut_model *model,
     }
     r.size = ldexp(r.lines.size, -r.unit);
     r.is_minimal = 1;
+    taut_net_rule_fill(&rule);
+    r.rule = &rule;
     for (int k = 0; k < r.lines.surface_count; k++) {
         look_at_surface(&r, r.surfaces[k]);
     }

@@ -175,7 +175,7 @@ static void describe_lath(const taut_net *net, int index, const taut_lath_summar
     add_ended(lath, 0, ended);
     add_ended(lath, 1, ended);
     taut_record_add_number(at, "length", ldexp(lath->length, scale));
-    taut_record_add_number(at, "twist", lath->twist);
+    taut_record_add_number(at, "twist", s->twist);
     taut_record_add_number(at, "turn", s->turn);
     taut_record_add_number(at, "steps", lath->steps);
     add_nodes_of(net, index, at);

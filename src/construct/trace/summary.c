@@ -3,11 +3,63 @@
 
 #include "core/crew.h"
 #include "core/vec3.h"
+#include "numeric/quadrature.h"
 #include "trace/straight.h"
+
+enum { HALVINGS = 50 };
 
 static double size_of(const taut_lath_bending *bending, const void *which)
 {
     return fabs(bending->value[*(const int *)which]);
+}
+
+static double bend_at(const taut_lath_samples *samples, int which, double t)
+{
+    return taut_lath_bending_at(samples->kind, samples->segment, t).value[which];
+}
+
+/* Between two samples of different sign, where the bend vanishes. */
+static double root_between(const taut_lath_samples *samples, int which, int i)
+{
+    double low = samples->t[i], high = samples->t[i + 1];
+    for (int round = 0; round < HALVINGS; round++) {
+        const double middle = (low + high) / 2;
+        if ((bend_at(samples, which, middle) > 0) == (samples->at[i].value[which] > 0)) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    return low;
+}
+
+/* |int bend ds| over a part of the segment, over its length. */
+static double sum_part(const taut_lath_samples *samples, int which, double from, double to)
+{
+    double nodes[TAUT_BENDING_NODES], weights[TAUT_BENDING_NODES], sum = 0;
+    taut_gauss_rule(TAUT_BENDING_NODES, nodes, weights);
+    for (int k = 0; k < TAUT_BENDING_NODES; k++) {
+        sum += weights[k] / 2 * bend_at(samples, which, from + (to - from) * (1 + nodes[k]) / 2);
+    }
+    return fabs(sum) * (to - from);
+}
+
+/* int |bend| ds over the segment's length; in parts where it changes its sign, and *changes is set. */
+static double sum_of(const taut_lath_samples *samples, int which, int *changes)
+{
+    double from = 0, sum = 0, plain = 0;
+    for (int i = 1; i <= TAUT_BENDING_NODES; i++) {
+        plain += samples->weight[i] * fabs(samples->at[i].value[which]);
+    }
+    for (int i = 0; i < TAUT_BENDING_NODES + 1; i++) {
+        if (samples->at[i].value[which] * samples->at[i + 1].value[which] < 0) {
+            const double root = root_between(samples, which, i);
+            sum += sum_part(samples, which, from, root);
+            from = root;
+            *changes = 1;
+        }
+    }
+    return from > 0 ? sum + sum_part(samples, which, from, 1) : plain;
 }
 
 static void sum_segment(const taut_net *net, const taut_lath *lath, const taut_segment *segment,
@@ -16,11 +68,12 @@ static void sum_segment(const taut_net *net, const taut_lath *lath, const taut_s
     const taut_linefield_kind kind = {net->problem->net, lath->family};
     const double length = segment->to.s - segment->from.s;
     taut_lath_samples samples;
+    int changes = 0;
 
     taut_lath_bending_sample(kind, segment, &samples);
-    for (int i = 1; i <= TAUT_BENDING_NODES; i++) {
-        s->turn += samples.weight[i] * length * fabs(samples.at[i].value[TAUT_K_G]);
-    }
+    s->turn += length * sum_of(&samples, TAUT_K_G, &changes);
+    s->twist += segment->near_parabolic ? segment->to.twist - segment->from.twist
+                                        : length * sum_of(&samples, TAUT_TAU_G, &s->is_turning);
     for (int k = 0; k < TAUT_BENDINGS; k++) {
         taut_lath_take_most(&samples, size_of, &k, 0, &s->most[k]);
     }
@@ -80,6 +133,7 @@ static void look_at(void *context, int worker, int64_t task)
     for (int k = 0; k < lath->count; k++) {
         sum_segment(all->net, lath, &lath->segments[k], s);
     }
+    s->twist = s->is_turning ? s->twist : lath->twist; /* a step sums |tau_g| ill where it turns */
     for (int end = 0; arena != NULL && end < 2; end++) {
         s->drift = fmax(s->drift, drift_at(all->net, lath, end, arena));
     }

@@ -6,7 +6,8 @@
 #include "trace/net.h"
 
 typedef struct taut_lath_summary {
-    double turn; /* int |k_g| ds */
+    double turn, twist; /* int |k_g| ds, int |tau_g| ds */
+    int is_turning;     /* tau_g changes its sign */
     taut_lath_most most[TAUT_BENDINGS];
     double
         drift; /* how far an end moves where the curve is followed at a hundredth of the tolerance */

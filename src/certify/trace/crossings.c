@@ -1,0 +1,445 @@
+/* crossings.c
+ *
+ *     the angle of the two tangents; of -K = tau^2, H by the forms at the node
+ *     at height h a lath that stands goes along T + h n', n' = -k_n T - tau S: the acute angle of the two there
+ */
+#include "certify/trace/crossings.h"
+
+#include "certify/common/verdict.h"
+#include "core/elementary/elementary.h"
+#include "core/unit.h"
+#include "core/vec3.h"
+
+#include <string.h>
+
+enum { HEIGHTS = 16 };
+/* Of slots, unless the document says otherwise, in mm. */
+static const double play_default = 0.2;
+
+static double number_of(const taut_record *at, const char *member)
+{
+    return taut_record_number(taut_record_get(at, member));
+}
+
+static const char *text_of(const taut_record *at, const char *member)
+{
+    return taut_record_text(taut_record_get(at, member));
+}
+
+static const taut_record *nodes_of(const taut_net_audit *audit)
+{
+    return taut_record_get(taut_model_details(audit->lines->model), "nodes");
+}
+
+int taut_net_spots_of_node(const taut_net_audit *audit, const taut_record *node,
+                           taut_net_spot spots[2])
+{
+    const taut_net_line *both[2];
+    int is_found = taut_net_lines_of_node(audit->lines, text_of(node, "node"), both);
+
+    for (int side = 0; is_found && side < 2; side++) {
+        const taut_basis *range = taut_curve_t(both[side]->space);
+        const double s =
+            taut_record_number(taut_record_at(taut_record_get(node, "s"), (size_t)side));
+        is_found =
+            !isnan(s) && taut_net_spot_at(audit->cells, audit->lines->net, both[side],
+                                          fmin(fmax(s, taut_basis_lo(range)), taut_basis_hi(range)),
+                                          &spots[side]);
+    }
+    return is_found;
+}
+
+static double acute_angle(const double a[3], const double b[3])
+{
+    double across[3];
+    taut_cross(a, b, across);
+    return taut_atan2(taut_length(across), fabs(taut_dot(a, b)));
+}
+
+/* Where a lath that stands goes at height h. */
+static void way_at(const taut_net_spot *spot, double h, double way[3])
+{
+    for (int c = 0; c < 3; c++) {
+        way[c] = (1 - h * spot->k_n) * spot->tangent[c] - h * spot->tau * spot->sideways[c];
+    }
+}
+
+/* The largest cotangent of half the angle over the heights of the slot of one side. */
+static double twisted_of(const taut_net_spot spots[2], int side, double width)
+{
+    double least = INFINITY;
+    for (int k = 0; k <= HEIGHTS; k++) {
+        const double h = (side == 0 ? 1 : -1) * width / 2 * k / HEIGHTS;
+        double way[2][3];
+        way_at(&spots[0], h, way[0]);
+        way_at(&spots[1], h, way[1]);
+        least = taut_certify_min(acute_angle(way[0], way[1]), least);
+    }
+    return taut_cos(least / 2) / taut_sin(least / 2);
+}
+
+/* The width of laths that stand; 0 where there are none. */
+static double width_of(const taut_net_audit *audit)
+{
+    const taut_record *lath =
+        taut_record_at(taut_record_get(taut_model_details(audit->lines->model), "laths"), 0);
+    const taut_trace_laths *asked = audit->problem != NULL ? audit->problem->laths : NULL;
+    const char *strip = text_of(lath, "strip");
+    const int stands =
+        asked != NULL
+            ? asked->strip == TAUT_TRACE_STANDING || asked->strip == TAUT_TRACE_DEVELOPABLE
+            : strcmp(strip, "standing") == 0 || strcmp(strip, "developable") == 0;
+    const double width = asked != NULL ? asked->width : number_of(lath, "width");
+    return stands && width > 0 && (audit->problem == NULL || asked != NULL)
+               ? ldexp(width, -audit->unit)
+               : 0;
+}
+
+static int surface_of(const taut_net_audit *audit, const char *name)
+{
+    int on = 0;
+    for (int k = 1; k < audit->lines->surface_count; k++) {
+        on = strcmp(taut_surface_name(audit->cells->surfaces[k]), name) == 0 ? k : on;
+    }
+    return on;
+}
+
+/* Is a node on a knot line of the surface, beyond which that may bend otherwise? */
+static int is_on_knot(const taut_net_audit *audit, const taut_record *node)
+{
+    const taut_record *at = taut_record_get(node, "at");
+    const double place[2] = {taut_record_number(taut_record_at(at, 0)),
+                             taut_record_number(taut_record_at(at, 1))};
+    return taut_net_is_on_knot(audit->cells->surfaces[surface_of(audit, text_of(node, "surface"))],
+                               place);
+}
+
+/* Of K and H: differences over the larger of what they are and of what the size would have; of a place on a knot line the least
+ * from any side. */
+static void look_at_forms(const taut_net_audit *audit, const taut_record *node, const char *name,
+                          taut_net_off *off)
+{
+    const taut_record *place = taut_record_get(node, "at");
+    const int on = surface_of(audit, text_of(node, "surface"));
+    const taut_surface *surface = audit->cells->surfaces[on];
+    const double size = audit->size;
+    const double tau = ldexp(number_of(node, "tau"), audit->unit) * size;
+    const double mean = ldexp(number_of(node, "H"), audit->unit) * size;
+    double worst[2] = {INFINITY, INFINITY};
+
+    for (int side = 0; side < 4; side++) {
+        double at[2];
+        taut_forms forms;
+        for (int d = 0; d < 2; d++) {
+            const taut_basis *basis = d == 0 ? taut_surface_u(surface) : taut_surface_v(surface);
+            const double lo = taut_basis_lo(basis), hi = taut_basis_hi(basis);
+            const double aside = (side >> d & 1 ? 1 : -1) * TAUT_NET_AT_KNOT * (hi - lo);
+            at[d] = taut_record_number(taut_record_at(place, (size_t)d)) + aside;
+            at[d] = isnan(at[d]) ? lo : fmin(fmax(at[d], lo), hi);
+        }
+        if (taut_net_cells_look(audit->cells, on, at, NULL, &forms)) {
+            const double square = fmax(-forms.gaussian * size * size, 0);
+            worst[0] = fmin(worst[0], fabs(tau * tau - square) / fmax(1, square));
+            worst[1] =
+                fmin(worst[1], fabs(mean - forms.mean * size) / fmax(1, fabs(forms.mean) * size));
+        }
+    }
+    taut_net_off_take(off, isnan(tau) ? tau : worst[0], name, "tau");
+    taut_net_off_take(off, isnan(mean) ? mean : worst[1], name, "H");
+}
+
+/* How far an angle is from that of the curves' own tangents, as the field may jump there: the least, seen from both sides. */
+static double own_angle_off(const taut_net_audit *audit, const taut_record *node, double told)
+{
+    const taut_net_line *both[2];
+    double tangent[2][2][3], least = INFINITY;
+
+    if (!taut_net_lines_of_node(audit->lines, text_of(node, "node"), both)) {
+        return NAN;
+    }
+    for (int k = 0; k < 4; k++) {
+        const taut_net_line *line = both[k / 2];
+        const taut_basis *range = taut_curve_t(line->space);
+        const double lo = taut_basis_lo(range), hi = taut_basis_hi(range);
+        const double s =
+            taut_record_number(taut_record_at(taut_record_get(node, "s"), (size_t)(k / 2)));
+        const double aside = s + (2 * (k % 2) - 1) * TAUT_NET_AT_KNOT * (hi - lo);
+        double x[2][3];
+        if (isnan(s) ||
+            taut_curve_eval(line->space, fmin(fmax(aside, lo), hi), 1, x[0]) != TAUT_OK) {
+            return NAN;
+        }
+        const double length = taut_norm(x[1]);
+        for (int c = 0; c < 3; c++) {
+            tangent[k / 2][k % 2][c] = x[1][c] / length;
+        }
+    }
+    for (int k = 0; k < 4; k++) {
+        least =
+            taut_certify_min(fabs(told - acute_angle(tangent[0][k % 2], tangent[1][k / 2])), least);
+    }
+    return least;
+}
+
+void taut_net_crossings_look(const taut_net_audit *audit, taut_net_off *off)
+{
+    const taut_record *nodes = nodes_of(audit);
+    const double width = width_of(audit);
+
+    for (size_t k = 0; k < taut_record_count(nodes); k++) {
+        const taut_record *node = taut_record_at(nodes, k);
+        const char *name = text_of(node, "node");
+        taut_net_spot spots[2];
+        if (!taut_net_spots_of_node(audit, node, spots)) {
+            taut_net_off_take(off, INFINITY, name, "s");
+            continue;
+        }
+        const double told = number_of(node, "angle");
+        const double slot = taut_cos(told / 2) / taut_sin(told / 2);
+        const double away = fabs(told - acute_angle(spots[0].tangent, spots[1].tangent));
+        const double own = own_angle_off(audit, node, told);
+        taut_net_off_take(off, taut_certify_min(away, own), name, "angle");
+        taut_net_off_take(off, fabs(number_of(node, "slot") - slot) / slot, name, "slot");
+        look_at_forms(audit, node, name, off);
+        if (width > 0 && taut_record_get(node, "slot_twisted") != NULL &&
+            !is_on_knot(audit, node)) {
+            const double twisted = fmax(twisted_of(spots, 0, width), twisted_of(spots, 1, width));
+            taut_net_off_take(off,
+                              fabs(number_of(node, "slot_twisted") - twisted) / (twisted * twisted),
+                              name, "slot_twisted");
+        }
+    }
+}
+
+/* ---- of a lath ---- */
+
+/* Which of a node's curves a line is; -1 for none. */
+static int side_of(const taut_net_audit *audit, const taut_record *node, const taut_net_line *line)
+{
+    const taut_net_line *both[2];
+    if (!taut_net_lines_of_node(audit->lines, text_of(node, "node"), both)) {
+        return -1;
+    }
+    return both[0] == line ? 0 : both[1] == line ? 1 : -1;
+}
+
+static double length_at(const taut_record *node, int side)
+{
+    return taut_record_number(taut_record_at(taut_record_get(node, "s"), (size_t)side));
+}
+
+void taut_net_passed_look(const taut_net_audit *audit, const taut_net_line *line,
+                          const taut_record *lath, taut_net_off *off)
+{
+    const taut_record *nodes = nodes_of(audit), *passed = taut_record_get(lath, "nodes");
+    const size_t count = taut_record_count(passed);
+    size_t found = 0;
+
+    for (size_t k = 0; k < taut_record_count(nodes); k++) { /* both in one order */
+        const taut_record *node = taut_record_at(nodes, k);
+        const int side = side_of(audit, node, line);
+        const taut_record *pair = taut_record_at(passed, found);
+        if (side >= 0) {
+            const double s = taut_record_number(taut_record_at(pair, 1));
+            const int is_same =
+                strcmp(taut_record_text(taut_record_at(pair, 0)), text_of(node, "node")) == 0 &&
+                s == length_at(node, side);
+            taut_net_off_take(off, is_same ? 0 : INFINITY, taut_curve_name(line->space), "nodes");
+            found++;
+        }
+    }
+    taut_net_off_take(off, found == count ? 0 : INFINITY, taut_curve_name(line->space), "nodes");
+}
+
+/* The slot of a node in the list of a lath. */
+static const taut_record *slot_of(const taut_record *slots, const char *node)
+{
+    for (size_t k = 0; k < taut_record_count(slots); k++) {
+        if (strcmp(text_of(taut_record_at(slots, k), "node"), node) == 0) {
+            return taut_record_at(slots, k);
+        }
+    }
+    return NULL;
+}
+
+/* Times 2^-unit. */
+static double play_of(const taut_net_audit *audit)
+{
+    const taut_trace_laths *asked = audit->problem->laths;
+    const char *unit = taut_model_unit(audit->lines->model);
+    const double play = asked->has_play
+                            ? asked->play
+                            : fmin(play_default * taut_unit_ratio("mm", unit), asked->thickness);
+    return ldexp(play, -audit->unit);
+}
+
+static void look_at_slot(const taut_net_audit *audit, const taut_record *node, int side,
+                         const taut_record *slot, const taut_net_course *course, const char *name,
+                         taut_net_off *off)
+{
+    const taut_net_cut *cut = &course->cut;
+    const double length = course->spans[course->count].cut;
+    const double at = ldexp(number_of(slot, "at"), -audit->unit);
+    const double wide = ldexp(number_of(slot, "width"), -audit->unit);
+    const double depth = ldexp(number_of(slot, "depth"), -audit->unit);
+    const double place = taut_net_course_see(course, length_at(node, side)).cut;
+    const char *from = text_of(slot, "from");
+    taut_net_spot spots[2];
+
+    const int is_side = strcmp(from, side == 0 ? "n" : "-n") == 0;
+    taut_net_off_take(off, is_side ? fabs(at - place) / length : INFINITY, name, "slots");
+    taut_net_off_take(off, fabs(depth - cut->width / 2) / cut->width, name, "slots depth");
+    if (audit->problem != NULL && !is_on_knot(audit, node)) {
+        const double twisted =
+            taut_net_spots_of_node(audit, node, spots) ? twisted_of(spots, side, cut->width) : NAN;
+        const double need = twisted * cut->thickness + play_of(audit);
+        taut_net_off_take(off, fabs(wide - need) / (need * fmax(1, twisted)), name, "slots width");
+    }
+}
+
+void taut_net_slots_look(const taut_net_audit *audit, const taut_net_line *line,
+                         const taut_record *lath, const taut_net_course *course, taut_net_off *off)
+{
+    const taut_net_cut *cut = &course->cut;
+    const taut_record *nodes = nodes_of(audit), *slots = taut_record_get(lath, "slots");
+    const char *name = taut_curve_name(line->space);
+    const int stands = cut->strip == TAUT_TRACE_STANDING || cut->strip == TAUT_TRACE_DEVELOPABLE;
+    size_t count = 0;
+
+    for (size_t k = 0;
+         stands && cut->width > 0 && cut->thickness > 0 && k < taut_record_count(nodes); k++) {
+        const taut_record *node = taut_record_at(nodes, k);
+        const int side = side_of(audit, node, line);
+        if (side >= 0) {
+            look_at_slot(audit, node, side, slot_of(slots, text_of(node, "node")), course, name,
+                         off);
+            count++;
+        }
+    }
+    taut_net_off_take(off, taut_record_count(slots) == count ? 0 : INFINITY, name, "slots");
+}
+
+/* ---- flat pieces ---- */
+
+/* Where a piece lies: the axis point at `cut`, x along (c, s). */
+typedef struct pose {
+    double at[2], c, s; /* the pattern's origin, and its x on the sheet */
+} pose;
+
+static double corner_of(const taut_record *outline, size_t k, size_t d)
+{
+    return taut_record_number(taut_record_at(taut_record_at(outline, k), d));
+}
+
+/* Both ends of the axis of an outline: the middles of its first and last point, and of the two that are halfway. */
+static void axis_ends(const taut_record *piece, double ends[2][2])
+{
+    const taut_record *outline = taut_record_get(piece, "outline");
+    const size_t count = taut_record_count(outline), half = count / 2;
+    for (size_t d = 0; d < 2; d++) {
+        ends[0][d] = (corner_of(outline, 0, d) + corner_of(outline, count - 1, d)) / 2;
+        ends[1][d] = (corner_of(outline, half - 1, d) + corner_of(outline, half, d)) / 2;
+    }
+}
+
+/* The pattern that goes from `from` to `to` laid on an axis. */
+static pose pose_of(const double from[2], const double to[2], double ends[2][2])
+{
+    const double x = to[0] - from[0], y = to[1] - from[1], square = x * x + y * y;
+    const double u = ends[1][0] - ends[0][0], v = ends[1][1] - ends[0][1];
+    pose p = {.c = (x * u + y * v) / square, .s = (x * v - y * u) / square};
+    p.at[0] = ends[0][0] - (p.c * from[0] - p.s * from[1]);
+    p.at[1] = ends[0][1] - (p.s * from[0] + p.c * from[1]);
+    return p;
+}
+
+/* How far the corners of a slot are from where they are to be, over the length. */
+static double hole_off(const taut_record *hole, const taut_record *slot,
+                       const taut_net_course_at *at, const pose *p, double half, double scale)
+{
+    const taut_record *outline = taut_record_get(hole, "outline");
+    const double side = strcmp(text_of(slot, "from"), "n") == 0 ? 1 : -1;
+    const double wide = number_of(slot, "width") / 2, depth = number_of(slot, "depth");
+    const double along[4] = {-wide, -wide, wide, wide};
+    const double up[4] = {half, half - depth, half - depth, half};
+    double off = taut_record_count(outline) == 4 ? 0 : INFINITY;
+
+    for (size_t k = 0; off < INFINITY && k < 4; k++) {
+        const double c = taut_cos(at->theta), s = taut_sin(at->theta);
+        const double x = at->x / scale + along[k] * c - side * up[k] * s;
+        const double y = at->y / scale + along[k] * s + side * up[k] * c;
+        const double away = taut_hypot(corner_of(outline, k, 0) - (p->at[0] + p->c * x - p->s * y),
+                                       corner_of(outline, k, 1) - (p->at[1] + p->s * x + p->c * y));
+        off = taut_certify_max(off, isnan(away) ? INFINITY : away);
+    }
+    return off;
+}
+
+/* A piece whose pattern begins at `from`; how many slots it has. */
+static size_t look_at_piece(const taut_net_audit *audit, const taut_net_line *line,
+                            const taut_record *lath, const taut_record *piece, const pose *p,
+                            const taut_net_course *course, taut_net_off *off)
+{
+    const taut_record *holes = taut_record_get(piece, "slots");
+    const taut_record *slots = taut_record_get(lath, "slots"), *nodes = nodes_of(audit);
+    const double scale = ldexp(1, -audit->unit);
+    const char *name = taut_curve_name(line->space);
+
+    for (size_t k = 0; k < taut_record_count(holes); k++) {
+        const taut_record *hole = taut_record_at(holes, k);
+        const taut_record *slot = slot_of(slots, text_of(hole, "node")), *node = NULL;
+        for (size_t j = 0; j < taut_record_count(nodes); j++) {
+            const taut_record *one = taut_record_at(nodes, j);
+            node = strcmp(text_of(one, "node"), text_of(hole, "node")) == 0 ? one : node;
+        }
+        const int side = node != NULL ? side_of(audit, node, line) : -1;
+        if (slot == NULL || side < 0) {
+            taut_net_off_take(off, INFINITY, name, "pieces slots");
+            continue;
+        }
+        const taut_net_course_at at = taut_net_course_see(course, length_at(node, side));
+        const double away = hole_off(hole, slot, &at, p, course->cut.width / scale / 2, scale);
+        taut_net_off_take(off, away * scale / course->spans[course->count].cut, name,
+                          "pieces slots");
+    }
+    return taut_record_count(holes);
+}
+
+void taut_net_holes_look(const taut_net_audit *audit, const taut_net_line *line,
+                         const taut_record *lath, const taut_net_course *course, taut_net_off *off)
+{
+    const taut_record *pieces = taut_record_get(taut_model_details(audit->lines->model), "pieces");
+    const taut_net_bent *last = &course->spans[course->count];
+    const char *name = taut_curve_name(line->space);
+    const double scale = ldexp(1, -audit->unit);
+    size_t found = 0, parts = 0;
+    double from = 0;
+
+    for (size_t k = 0; k < taut_record_count(pieces); k++) {
+        parts += strcmp(text_of(taut_record_at(pieces, k), "lath"), name) == 0;
+    }
+    for (size_t k = 0; k < taut_record_count(pieces); k++) {
+        const taut_record *piece = taut_record_at(pieces, k);
+        if (strcmp(text_of(piece, "lath"), name) != 0 ||
+            taut_record_count(taut_record_get(piece, "outline")) < 4) {
+            continue;
+        }
+        double ends[2][2];
+        axis_ends(piece, ends);
+        const double length = taut_hypot(ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]);
+        if (parts == 1) {
+            const double origin[2] = {0, 0}, end[2] = {last->x / scale, last->y / scale};
+            const pose p = pose_of(origin, end, ends);
+            found += look_at_piece(audit, line, lath, piece, &p, course, off);
+        } else if (course->cut.flat < 0) {
+            const double begin[2] = {from, 0}, end[2] = {from + length, 0};
+            const pose p = pose_of(begin, end, ends);
+            found += look_at_piece(audit, line, lath, piece, &p, course, off);
+            from += length;
+        } else {
+            found += taut_record_count(taut_record_get(piece, "slots"));
+        }
+    }
+    const size_t count = taut_record_count(taut_record_get(lath, "slots"));
+    taut_net_off_take(off, parts == 0 || found == count ? 0 : INFINITY, name, "pieces slots");
+}

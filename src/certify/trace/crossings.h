@@ -1,0 +1,28 @@
+/* crossings.h -- are the figures of nodes those of the curves that cross there, and laths cut to fit each other? */
+#ifndef TAUT_CERTIFY_TRACE_CROSSINGS_H
+#define TAUT_CERTIFY_TRACE_CROSSINGS_H
+
+#include "certify/trace/figures.h"
+
+/* Both curves of a node of details, at its lengths; 0 where there are none. */
+int taut_net_spots_of_node(const taut_net_audit *audit, const taut_record *node,
+                           taut_net_spot spots[2]);
+
+/* Of each node `angle`, `tau`, `H`, `slot` and, of laths that stand, `slot_twisted`. */
+void taut_net_crossings_look(const taut_net_audit *audit, taut_net_off *off);
+
+/* Does the list `nodes` of a lath have all of its nodes, at their lengths? */
+void taut_net_passed_look(const taut_net_audit *audit, const taut_net_line *line,
+                          const taut_record *lath, taut_net_off *off);
+
+/* `slots` of a lath that stands: one a node, at its place of the pattern, from its side, as wide as the other lath needs
+ * that has turned against it, half as deep as the lath is wide. */
+void taut_net_slots_look(const taut_net_audit *audit, const taut_net_line *line,
+                         const taut_record *lath, const taut_net_course *course, taut_net_off *off);
+
+/* Are the slots of its flat pieces where `slots` says, and as large? Of one piece by its pattern, laid so that its axis begins
+ * and ends as the outline does; of several by their lengths, where the pattern is straight. */
+void taut_net_holes_look(const taut_net_audit *audit, const taut_net_line *line,
+                         const taut_record *lath, const taut_net_course *course, taut_net_off *off);
+
+#endif /* TAUT_CERTIFY_TRACE_CROSSINGS_H */

@@ -1,0 +1,492 @@
+/* figures.c
+ *
+ *     family, from, to         the name's, and the ends of the curve in the window
+ *     twist, turn              int |tau_g| ds, int |k_g| ds
+ *     k_n, k_g, tau_g          at the seed; the largest at its place, and at no node a larger one
+ *     lengths, pattern_end     the sums of certify/trace/course.h
+ *     least_radius, stress     the formulas of docs/trace.md of these bends
+ */
+#include "certify/trace/figures.h"
+
+#include "certify/common/verdict.h"
+#include "certify/trace/crossings.h"
+#include "certify/trace/laths.h"
+#include "core/elementary/elementary.h"
+#include "core/vec3.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum { SEEK = 8, CLOSER = 3 };
+/* Where k_g grows without bound at an end, its integral is held to so much less. */
+static const double soft_share = 1e-5;
+/* So much less what is cut of strips whose edges are more than twice as long as their axes, where the root has an edge. */
+static const double sharp_share = 1e-3;
+/* Parts of a span that k_g is seen on once more, each of the one before. */
+static const double closer = 1.0 / 16;
+/* The largest curvature's share that the curvatures of a lath are held to, over the limit. */
+static const double bend_share = 0.1;
+/* Over the range: places nearer to a break are seen from beyond it too. And of k_g: below, it is not looked at closer. */
+static const double at_break = TAUT_NET_AT_KNOT, close_enough = 1e-7;
+
+void taut_net_off_take(taut_net_off *off, double residual, const char *name, const char *member)
+{
+    const double found = isnan(residual) ? INFINITY : residual;
+    if (off->where[0] == '\0' || found > off->residual) {
+        snprintf(off->where, sizeof off->where, "%.40s %.40s", name, member);
+        off->residual = found;
+    }
+}
+
+int taut_net_is_on_knot(const taut_surface *surface, const double at[2])
+{
+    int is_on = 0;
+    for (int d = 0; d < 2; d++) {
+        const taut_basis *basis = d == 0 ? taut_surface_u(surface) : taut_surface_v(surface);
+        const double *breaks = taut_basis_breaks(basis);
+        const double room = TAUT_NET_AT_KNOT * (taut_basis_hi(basis) - taut_basis_lo(basis));
+        for (int k = 1; k < taut_basis_span_count(basis); k++) {
+            is_on |= fabs(at[d] - breaks[k]) <= room;
+        }
+    }
+    return is_on;
+}
+
+static double number_of(const taut_record *at, const char *member)
+{
+    return taut_record_number(taut_record_get(at, member));
+}
+
+static double member_of(const taut_record *at, const char *list, size_t k)
+{
+    return taut_record_number(taut_record_at(taut_record_get(at, list), k));
+}
+
+/* ---- what the lath is ---- */
+
+static taut_net_cut cut_of(const taut_net_audit *audit, const taut_record *lath)
+{
+    static const char *const strips[] = {"standing", "plank", "developable", "envelope"};
+    const taut_trace_laths *asked = audit->problem != NULL ? audit->problem->laths : NULL;
+    const double width = asked != NULL ? asked->width : number_of(lath, "width");
+    const double thickness = asked != NULL ? asked->thickness : number_of(lath, "thickness");
+    const char *strip = taut_record_text(taut_record_get(lath, "strip"));
+    taut_net_cut cut = {.is_cut = audit->problem != NULL ? asked != NULL : strip[0] != '\0',
+                        .width = width > 0 ? ldexp(width, -audit->unit) : 0,
+                        .thickness = thickness > 0 ? ldexp(thickness, -audit->unit) : 0};
+
+    for (int k = 0; k < 4; k++) {
+        if (asked != NULL ? (int)asked->strip == k : strcmp(strip, strips[k]) == 0) {
+            cut.strip = (taut_trace_strip)k;
+        }
+    }
+    const int lies = cut.strip == TAUT_TRACE_PLANK || cut.strip == TAUT_TRACE_ENVELOPE;
+    const taut_trace_net straight = lies ? TAUT_TRACE_GEODESIC : TAUT_TRACE_ASYMPTOTIC;
+    cut.weak = lies ? TAUT_NET_K_N : TAUT_NET_K_G;
+    cut.flat = audit->lines->net == straight ? -1 : lies ? TAUT_NET_K_G : TAUT_NET_K_N;
+    cut.only_bends =
+        cut.is_cut && (cut.strip == TAUT_TRACE_DEVELOPABLE || cut.strip == TAUT_TRACE_ENVELOPE);
+    cut.is_mean = asked != NULL ? asked->cut == TAUT_TRACE_CUT_MEAN
+                                : number_of(lath, "cut_length") != number_of(lath, "length");
+    return cut;
+}
+
+/* ---- ends ---- */
+
+/* Of `from` and `to`, over the window. */
+static double end_off(const taut_net_audit *audit, const taut_net_line *line,
+                      const taut_record *lath, int end)
+{
+    const taut_basis *range = taut_curve_t(line->space);
+    double at[2], off = 0;
+    int on = 0;
+
+    if (!taut_net_line_window(line, end == 0 ? taut_basis_lo(range) : taut_basis_hi(range), at,
+                              &on)) {
+        return INFINITY;
+    }
+    for (int d = 0; d < 2; d++) {
+        const taut_surface *surface = audit->cells->surfaces[on];
+        const taut_basis *basis = d == 0 ? taut_surface_u(surface) : taut_surface_v(surface);
+        const double told = member_of(lath, end == 0 ? "from" : "to", (size_t)d);
+        off = taut_certify_max(off,
+                               fabs(told - at[d]) / (taut_basis_hi(basis) - taut_basis_lo(basis)));
+    }
+    return off;
+}
+
+static int is_at(const double a[2], const double b[2], const double room[2])
+{
+    return fabs(a[0] - b[0]) <= room[0] && fabs(a[1] - b[1]) <= room[1];
+}
+
+/* May it be said that the curve ended so? Words that name a border or another place are held to it; what the others say of the
+ * surface is the claim `ends`. */
+static int is_ended_so(const taut_net_audit *audit, const taut_net_line *line,
+                       const taut_record *lath, int end)
+{
+    static const char *const others[] = {"parabolic", "envelope", "flat",    "umbilic", "crease",
+                                         "singular",  "length",   "stalled", "sink"};
+    static const char *const edges[] = {"u0", "u1", "v0", "v1"};
+    const char *word =
+        taut_record_text(taut_record_at(taut_record_get(lath, "ended"), (size_t)end));
+    const taut_basis *range = taut_curve_t(line->space);
+    double ends[2][2], room[2];
+    char known[32];
+    int on[2], is_so = 0, touched[4];
+
+    if (!taut_net_line_window(line, taut_basis_lo(range), ends[0], &on[0]) ||
+        !taut_net_line_window(line, taut_basis_hi(range), ends[1], &on[1])) {
+        return 0;
+    }
+    for (int d = 0; d < 2; d++) {
+        const taut_surface *surface = audit->cells->surfaces[on[end]];
+        const taut_basis *basis = d == 0 ? taut_surface_u(surface) : taut_surface_v(surface);
+        room[d] = at_break * (taut_basis_hi(basis) - taut_basis_lo(basis));
+        touched[2 * d] = ends[end][d] <= taut_basis_lo(basis) + room[d];
+        touched[2 * d + 1] = ends[end][d] >= taut_basis_hi(basis) - room[d];
+    }
+    for (int e = 0; e < 4; e++) {
+        snprintf(known, sizeof known, "edge %s", edges[e]);
+        is_so |= touched[e] && strcmp(word, known) == 0;
+        snprintf(known, sizeof known, "corner %s%s", edges[e % 2], edges[2 + e / 2]);
+        is_so |= touched[e % 2] && touched[2 + e / 2] && strcmp(word, known) == 0;
+    }
+    const double seed[2] = {member_of(lath, "seed", 0), member_of(lath, "seed", 1)};
+    const double to[2] = {member_of(lath, end == 0 ? "from" : "to", 0),
+                          member_of(lath, end == 0 ? "from" : "to", 1)};
+    is_so |=
+        strcmp(word, "seed") == 0 && (is_at(ends[end], seed, room) || is_at(ends[end], to, room));
+    is_so |= strcmp(word, "closed") == 0 && on[0] == on[1];
+    for (size_t k = 0; k < sizeof others / sizeof *others; k++) {
+        is_so |= strcmp(word, others[k]) == 0;
+    }
+    return is_so;
+}
+
+static int is_of_family(const taut_net_audit *audit, const taut_net_line *line,
+                        const taut_record *lath)
+{
+    static const char *const families[4][2] = {{"+", "-"}, {"max", "min"}, {"G", "G"}, {"u", "v"}};
+    return strcmp(taut_record_text(taut_record_get(lath, "family")),
+                  families[audit->lines->net][line->family]) == 0;
+}
+
+/* ---- bends ---- */
+
+/* The surface that the seed is on. */
+static int surface_of(const taut_net_audit *audit, const taut_record *lath)
+{
+    const char *name = taut_record_text(taut_record_get(lath, "surface"));
+    int on = 0;
+    for (int k = 1; k < audit->lines->surface_count; k++) {
+        on = strcmp(taut_surface_name(audit->cells->surfaces[k]), name) == 0 ? k : on;
+    }
+    return on;
+}
+
+/* Is the seed on a knot line? Surfaces may bend otherwise beyond it, though the curve goes on to one side. */
+static int is_on_knot(const taut_net_audit *audit, const taut_record *lath)
+{
+    const double at[2] = {member_of(lath, "seed", 0), member_of(lath, "seed", 1)};
+    return taut_net_is_on_knot(audit->cells->surfaces[surface_of(audit, lath)], at);
+}
+
+/* The parameter at which the line passes the seed: the nearest of some places, then along the tangent. *away: how far it
+ * does, over the size. */
+static double seed_at(const taut_net_audit *audit, const taut_net_line *line,
+                      const taut_record *lath, double *away)
+{
+    const taut_basis *range = taut_curve_t(line->space);
+    const double *breaks = taut_basis_breaks(range);
+    const double lo = taut_basis_lo(range), hi = taut_basis_hi(range);
+    const int on = surface_of(audit, lath);
+    double seed[3], x[2][3], way[3], best = lo, nearest = INFINITY;
+
+    if (taut_surface_eval(audit->cells->surfaces[on], member_of(lath, "seed", 0),
+                          member_of(lath, "seed", 1), 0, seed) != TAUT_OK) {
+        return NAN;
+    }
+    for (int c = 0; c < 3; c++) {
+        seed[c] = ldexp(seed[c], audit->unit);
+    }
+    for (int i = 0; i < taut_basis_span_count(range); i++) {
+        for (int k = 0; k <= SEEK; k++) {
+            const double t = breaks[i] + (breaks[i + 1] - breaks[i]) * k / SEEK;
+            if (taut_curve_eval(line->space, t, 0, x[0]) == TAUT_OK &&
+                taut_distance(x[0], seed) < nearest) {
+                nearest = taut_distance(x[0], seed);
+                best = t;
+            }
+        }
+    }
+    for (int round = 0; round < SEEK; round++) {
+        if (taut_curve_eval(line->space, best, 1, x[0]) != TAUT_OK) {
+            return NAN;
+        }
+        taut_difference(seed, x[0], way);
+        best = fmin(fmax(best + taut_dot(way, x[1]) / taut_dot(x[1], x[1]), lo), hi);
+        *away = ldexp(taut_norm(way), -audit->unit) / audit->size;
+    }
+    return best;
+}
+
+static double bend_size(const taut_net_course *course, const taut_net_course_at *at, int bend)
+{
+    (void)course;
+    return fabs(at->bend[bend]);
+}
+
+static double normal_size(const taut_net_course *course, const taut_net_course_at *at)
+{
+    return bend_size(course, at, TAUT_NET_K_N);
+}
+
+static double sideways_size(const taut_net_course *course, const taut_net_course_at *at)
+{
+    return bend_size(course, at, TAUT_NET_K_G);
+}
+
+static double twist_size(const taut_net_course *course, const taut_net_course_at *at)
+{
+    return bend_size(course, at, TAUT_NET_TAU);
+}
+
+static taut_net_measure *const sizes[] = {normal_size, sideways_size, twist_size};
+
+/* How far a bend is from what it is at a parameter, from either side of it, as surfaces may bend otherwise beyond a break;
+ * `of_size`: from its absolute value. */
+static double bend_off(const taut_net_audit *audit, const taut_net_line *line,
+                       const taut_net_course *course, int bend, double t, double told, int of_size)
+{
+    const taut_basis *range = taut_curve_t(line->space);
+    const double room = at_break * (taut_basis_hi(range) - taut_basis_lo(range));
+    double least = INFINITY;
+
+    for (int side = 0; !isnan(t) && side < 2; side++) {
+        const double at = side == 0 ? t - room : t + room;
+        double value =
+            (side == 0 ? taut_net_course_see : taut_net_course_beyond)(course, at).bend[bend];
+        double away = fabs(told - (of_size ? fabs(value) : value));
+        double part = closer;
+        for (int k = 0; bend == TAUT_NET_K_G && away > close_enough * fabs(told) && k < CLOSER;
+             k++) {
+            if (taut_net_course_closer(audit->cells, audit->lines->net, line, course, at, side,
+                                       part, &value)) {
+                away = fmin(away, fabs(told - (of_size ? fabs(value) : value)));
+            }
+            part *= closer;
+        }
+        least = taut_certify_min(away, least);
+    }
+    return isnan(t) ? t : least;
+}
+
+static void look_at_bends(const taut_net_audit *audit, const taut_net_line *line,
+                          const taut_record *lath, const taut_net_course *course,
+                          const double clear[2], taut_net_off *off)
+{
+    static const char *const names[] = {"k_n", "k_g", "tau_g"};
+    const char *name = taut_curve_name(line->space);
+    double far = INFINITY;
+    const double seed = seed_at(audit, line, lath, &far);
+    const int is_seed_clear = !(seed < clear[0]) && !(seed > clear[1]) && !is_on_knot(audit, lath);
+    double most[TAUT_NET_BENDS], scale = 1 / audit->size;
+
+    taut_net_off_take(off, far, name, "seed");
+    for (int k = 0; k < TAUT_NET_BENDS; k++) {
+        most[k] = taut_net_course_most(course, sizes[k], clear[0], clear[1], 0);
+        scale = fmax(scale, most[k]);
+    }
+    for (int k = 0; k < TAUT_NET_BENDS; k++) {
+        const taut_record *bend = taut_record_get(lath, names[k]);
+        const double at = number_of(bend, "max_at"),
+                     largest = ldexp(number_of(bend, "max"), audit->unit);
+        const int is_clear = !(at < clear[0]) && !(at > clear[1]);
+        double away = is_seed_clear ? bend_off(audit, line, course, k, seed,
+                                               ldexp(number_of(bend, "seed"), audit->unit), 0)
+                                    : 0;
+        away = taut_certify_max(away,
+                                is_clear ? bend_off(audit, line, course, k, at, largest, 1) : 0) /
+               scale;
+        away = taut_certify_max(away, (most[k] - largest) / scale);
+        taut_net_off_take(off, bend_share * away, name, names[k]);
+    }
+}
+
+/* ---- what is cut ---- */
+
+/* Of the ribbon: the largest curvature of a line in it; of strips about their rulings, over their width. */
+static double ribbon_size(const taut_net_course *course, const taut_net_course_at *at)
+{
+    const taut_net_cut *cut = &course->cut;
+    const double bend = fabs(at->bend[cut->weak]), tau = at->bend[TAUT_NET_TAU];
+    if (!cut->only_bends) {
+        return bend / 2 + sqrt(bend * bend / 4 + tau * tau);
+    }
+    const double round = 1 + at->skew * at->skew;
+    const double rate = at->slope - (cut->flat >= 0 ? at->bend[cut->flat] : 0) * round;
+    return bend * round / (1 - cut->width / 2 * fabs(rate));
+}
+
+static void look_at_lengths(const taut_net_audit *audit, const taut_net_line *line,
+                            const taut_record *lath, const taut_net_course *course,
+                            taut_net_off *off)
+{
+    const taut_net_cut *cut = &course->cut;
+    const taut_net_bent *end = &course->spans[course->count];
+    const char *name = taut_curve_name(line->space);
+    const double length = course->length;
+    const double share = course->edge > length ? sharp_share : 1;
+
+    if (cut->width > 0) { /* relative to what they are part of */
+        const double stretch = ldexp(number_of(lath, "mean_stretch"), -audit->unit);
+        const double found = length + course->stretch;
+        taut_net_off_take(off, share * fabs(stretch - course->stretch) / found, name,
+                          "mean_stretch");
+    }
+    if (cut->width > 0 && !cut->only_bends) { /* of those the claim isometric */
+        const double edge = ldexp(number_of(lath, "edge_length"), -audit->unit);
+        const double found = length + course->edge;
+        taut_net_off_take(off, share * fabs(edge - found) / found, name, "edge_length");
+    }
+    taut_net_off_take(
+        off, fabs(ldexp(number_of(lath, "cut_length"), -audit->unit) - end->cut) * share / end->cut,
+        name, "cut_length");
+    const double x = ldexp(member_of(lath, "pattern_end", 0), -audit->unit) - end->x;
+    const double y = ldexp(member_of(lath, "pattern_end", 1), -audit->unit) - end->y;
+    const double theta = member_of(lath, "pattern_end", 2) - end->theta;
+    taut_net_off_take(off, taut_certify_max(share * taut_hypot(x, y) / end->cut, fabs(theta)), name,
+                      "pattern_end");
+}
+
+static void look_at_radius(const taut_net_audit *audit, const taut_net_line *line,
+                           const taut_record *lath, const taut_net_course *course,
+                           const double clear[2], taut_net_off *off)
+{
+    const double most = taut_net_course_most(course, ribbon_size, clear[0], clear[1], 1);
+    const taut_record *told = taut_record_get(lath, "least_radius");
+    const double bend = told != NULL ? ldexp(1 / taut_record_number(told), audit->unit) : 0;
+    const int is_whole = isinf(clear[0]) && isinf(clear[1]);
+    const double away = (is_whole ? fabs(bend - most) : fmax(most - bend, 0)) * audit->size;
+    taut_net_off_take(off, away / fmax(1, most * audit->size), taut_curve_name(line->space),
+                      "least_radius");
+}
+
+/* ---- stresses, of the document's material ---- */
+
+typedef struct stress {
+    double bending, torsion, helix, combined;
+} stress;
+
+static stress stress_at(const taut_trace_material *m, const taut_net_course *course,
+                        const taut_net_course_at *at)
+{
+    const taut_net_cut *cut = &course->cut;
+    if (cut->only_bends) {
+        const double bending = m->e * cut->thickness * ribbon_size(course, at) / 2;
+        return (stress){bending, 0, 0, bending};
+    }
+    const double tau = fabs(at->bend[TAUT_NET_TAU]), across = cut->width * tau;
+    stress s = {m->e * cut->thickness * fabs(at->bend[cut->weak]) / 2, m->g * cut->thickness * tau,
+                m->e * across * across / 12, 0};
+    s.combined = sqrt((s.bending + s.helix) * (s.bending + s.helix) + 3 * s.torsion * s.torsion);
+    return s;
+}
+
+static void look_at_stress(const taut_net_audit *audit, const taut_net_line *line,
+                           const taut_record *lath, const taut_net_course *course,
+                           const double clear[2], taut_net_off *off)
+{
+    const taut_trace_material *m = &audit->problem->laths->material;
+    const taut_record *told = taut_record_get(lath, "stress");
+    const char *name = taut_curve_name(line->space);
+    const double at = number_of(told, "at");
+    const double room = at_break * (course->spans[course->count - 1].to - course->spans[0].from);
+    const taut_net_course_at sides[2] = {taut_net_course_see(course, at - room),
+                                         taut_net_course_beyond(course, at + room)};
+    const stress left = stress_at(m, course, &sides[0]), right = stress_at(m, course, &sides[1]);
+    const stress s = left.combined > right.combined ? left : right;
+    const double combined = number_of(told, "combined");
+    const int is_soft = !isinf(clear[0]) || !isinf(clear[1]);
+    const int is_clear = !(at < clear[0]) && !(at > clear[1]);
+    double away = fabs(number_of(told, "use") * m->strength - combined);
+
+    if (is_clear) {
+        away = taut_certify_max(away, isnan(at) ? at : fabs(combined - s.combined));
+        away = taut_certify_max(away, fabs(number_of(told, "bending") - s.bending));
+        away = taut_certify_max(away, fabs(number_of(told, "torsion") - s.torsion));
+        away = taut_certify_max(away, fabs(number_of(told, "helix") - s.helix));
+    }
+    for (int i = 0; i < course->count; i++) { /* none is larger */
+        for (int k = 0; k < TAUT_NET_NODES; k++) {
+            const taut_net_bent *span = &course->spans[i];
+            const double t =
+                span->from + (span->to - span->from) * (1 + course->rule->nodes[k]) / 2;
+            taut_net_course_at here = {.skew = span->skew[k], .slope = span->slope[k]};
+            for (int j = 0; j < TAUT_NET_BENDS; j++) {
+                here.bend[j] = span->bend[j][k];
+            }
+            if (t >= clear[0] && t <= clear[1]) {
+                away = taut_certify_max(away, stress_at(m, course, &here).combined - combined);
+            }
+        }
+    }
+    taut_net_off_take(off, away / combined, name, "stress");
+    const double weak =
+        course->cut.only_bends
+            ? 2 * s.bending / (m->e * course->cut.thickness)
+            : taut_net_course_most(course, sizes[course->cut.weak], clear[0], clear[1], 1);
+    const double thickest = ldexp(number_of(told, "t_max"), -audit->unit);
+    if (taut_record_get(told, "t_max") != NULL) {
+        const double bent = 2 * m->strength / (m->e * thickest);
+        away = (is_soft && bent > weak ? 0 : fabs(bent - weak)) * audit->size;
+        taut_net_off_take(off, away / fmax(1, weak * audit->size), name, "stress t_max");
+    }
+    const double twist = taut_net_course_most(course, twist_size, clear[0], clear[1], 1);
+    const double widest = ldexp(number_of(told, "w_max"), -audit->unit);
+    if (taut_record_get(told, "w_max") != NULL) {
+        away = fabs(sqrt(12 * m->strength / m->e) / widest - twist) * audit->size;
+        taut_net_off_take(off, away / fmax(1, twist * audit->size), name, "stress w_max");
+    }
+}
+
+/* ---- the whole of a lath ---- */
+
+void taut_net_figures_of(const taut_net_audit *audit, const taut_net_line *line,
+                         const double clear[2], taut_net_off *off)
+{
+    const taut_record *lath = taut_net_lath_of(audit->lines, line);
+    const char *name = taut_curve_name(line->space);
+    const taut_net_cut cut = cut_of(audit, lath);
+    taut_net_course course;
+
+    if (lath == NULL || !taut_net_course_new(audit->cells, audit->lines, line, audit->rule, &cut,
+                                             audit->unit, &course)) {
+        taut_net_off_take(off, INFINITY, name, "bends");
+        return;
+    }
+    taut_net_off_take(off, is_of_family(audit, line, lath) ? 0 : INFINITY, name, "family");
+    taut_net_off_take(off, end_off(audit, line, lath, 0), name, "from");
+    taut_net_off_take(off, end_off(audit, line, lath, 1), name, "to");
+    const int is_so = is_ended_so(audit, line, lath, 0) && is_ended_so(audit, line, lath, 1);
+    taut_net_off_take(off, is_so ? 0 : INFINITY, name, "ended");
+    const double twist = taut_net_course_sum(&course, TAUT_NET_TAU);
+    const double turn = taut_net_course_sum(&course, TAUT_NET_K_G);
+    taut_net_off_take(off, fabs(number_of(lath, "twist") - twist) / fmax(1, twist), name, "twist");
+    const double share = isinf(clear[0]) && isinf(clear[1]) ? 1 : soft_share;
+    taut_net_off_take(off, share * fabs(number_of(lath, "turn") - turn) / fmax(1, turn), name,
+                      "turn");
+    look_at_bends(audit, line, lath, &course, clear, off);
+    taut_net_passed_look(audit, line, lath, off);
+    if (cut.is_cut) {
+        look_at_lengths(audit, line, lath, &course, off);
+        look_at_radius(audit, line, lath, &course, clear, off);
+        taut_net_slots_look(audit, line, lath, &course, off);
+        taut_net_holes_look(audit, line, lath, &course, off);
+    }
+    if (cut.is_cut && audit->problem != NULL && cut.thickness > 0 &&
+        audit->problem->laths->material.e > 0) {
+        look_at_stress(audit, line, lath, &course, clear, off);
+    }
+}
