@@ -192,4 +192,15 @@ prose=$(ls README.md CHANGELOG.md CONTRIBUTING.md docs/*.md docs/tutorial/*.md d
         }
     }
     END { exit long }' $prose || bad=1
+# Words of a private idiom, which a reader has to guess at.
+# shellcheck disable=SC2086
+[ -z "$prose" ] || awk '
+    FNR == 1 { code = 0 }
+    /^ *```/ { code = !code }
+    code || /^    / || FILENAME ~ /CHANGELOG/ { next }
+    match(" " tolower($0) " ", /[^a-z`_](told|stands|unless said|lie apart|at the most)[^a-z`_]/) {
+        printf "%s:%d: \"%s\" is no plain word\n", FILENAME, FNR, substr(" " $0 " ", RSTART + 1, RLENGTH - 2)
+        private = 1
+    }
+    END { exit private }' $prose || bad=1
 exit $bad

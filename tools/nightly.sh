@@ -86,7 +86,7 @@ write_page() { # write_page STEP VERDICT SECONDS WHAT: its row in place of the o
         cat << 'HEAD'
 # What runs at night
 
-`tools/nightly.sh` writes this page: the last run of each step. What the steps are stands at its head.
+`tools/nightly.sh` writes this page: the last run of each step. What the steps are is said at its head.
 
 | step | day | commit | seconds | verdict | it says |
 |---|---|---|---|---|---|

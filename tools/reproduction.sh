@@ -46,7 +46,7 @@ in [papers](papers), the keys in [references.bib](references.bib).
 | `unnormalised_max N`, `unnormalised_mean N` | of \|H\| W, the normal not made unit: how one paper computed curvatures |
 | `cotes_point P I J` | point (i, j) when the rows are solved with a Newton-Cotes rule of P panels, as one paper did |
 | `basis_k U`, `basis_m U` | the numbers k and m (k_h, m_h) of the c- or h- basis along u or v |
-| `literal_index`, `literal_h42`, `literal_slope` | how far off one printed formula is when taken literally; 0.0 stands for what the paper says: that it is exact |
+| `literal_index`, `literal_h42`, `literal_slope` | how far off one printed formula is when taken literally; 0.0 is what the paper says: that it is exact |
 
 END
 if ! "$taut" reproduce --markdown >> "$page"; then

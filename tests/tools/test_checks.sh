@@ -113,6 +113,7 @@ catches docs docs/x.md 'a line of 130 characters' "$long\n"
 fresh
 printf '| %s |\n\n    %s\n' "$long" "$long" > "$tree/docs/x.md"
 passes docs
+catches docs docs/x.md '"at the most" is no plain word' 'ten at the most\n'
 catches docs docs/x.md 'a cell of 163 characters' "| a | $long$(printf '%030d' 0)\\\\|b |\n"
 fresh
 printf '| %s | %s |\n' "$long" "$long" > "$tree/docs/x.md"
