@@ -371,6 +371,12 @@ static int is_level(state *s)
            limits.gain_flat * s->here.value.area * curvature; /* half of what is asked */
 }
 
+/* Does the net come to the barrier, or to it with the next step? Then that may be why a model gains nothing. */
+static int is_folding(const state *s)
+{
+    return s->is_barred || s->here.value.least < 1.5 * s->barrier;
+}
+
 /* Has the area come so near its least that steps are not worth making? The net still slides within
  * the surface, each step for less. */
 static int is_slow(const state *s)
@@ -497,7 +503,7 @@ static taut_status advance(state *s, int *at_rest)
         }
         raise_theta(s, tries);
     }
-    *at_rest = gains_nothing(s);
+    *at_rest = gains_nothing(s) && (!is_folding(s) || is_level(s));
     s->theta = fmax(least, s->theta);
     return *at_rest ? TAUT_OK : TAUT_CHECK_FAILED;
 }
@@ -669,7 +675,7 @@ static taut_status give_up(const state *s, ending why, taut_error *error)
                          "be no least area; make the points of that edge known",
                          why.sentence, s->here.residual);
     }
-    if (s->is_barred || s->here.value.least < 1.5 * s->barrier) {
+    if (is_folding(s)) {
         const double next = s->is_barred ? s->there.value.least : s->here.value.least;
         const double least = fmin(next, s->here.value.least);
         return taut_fail(error, TAUT_NOT_CONVERGED, "folds", NULL, least, s->barrier,

@@ -233,6 +233,31 @@ static void test_weights_apart(void)
     problem_free(&net);
 }
 
+/* A saddle so steep that the net of its least area would fold: at the barrier no step gains, which is no rest. */
+static void test_folding(void)
+{
+    enum { COUNT = 20 };
+    test_problem net = problem_new(basis_uniform(3, COUNT), basis_uniform(3, COUNT));
+    taut_model *model = NULL;
+    taut_error error = {.status = TAUT_OK};
+
+    for (int i = 0; i < COUNT; i++) {
+        for (int j = 0; j < COUNT; j++) {
+            const double x = greville_uniform(COUNT, i), y = greville_uniform(COUNT, j);
+            const double a = 2 * x - 1, b = 2 * y - 1;
+            if (i % (COUNT - 1) == 0 || j % (COUNT - 1) == 0) {
+                problem_know(&net, i, j, x, y, 1.5 * (a * a - b * b));
+            }
+        }
+    }
+    const taut_plateau_problem problem = film_problem(&net, TAUT_PLATEAU_FULL);
+    const taut_status status = taut_plateau_make(&problem, NULL, &model, &error);
+    CHECK(status == TAUT_NOT_CONVERGED && strcmp(error.reason, "folds") == 0, "%d, %s", (int)status,
+          error.message);
+    taut_model_free(model);
+    problem_free(&net);
+}
+
 int main(void)
 {
     test_numbers();
@@ -240,5 +265,6 @@ int main(void)
     test_fits();
     test_range();
     test_weights_apart();
+    test_folding();
     return check_failures != 0;
 }
