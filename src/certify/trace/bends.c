@@ -87,6 +87,10 @@ int taut_net_spot_at(taut_net_cells *cells, taut_trace_net net, const taut_net_l
         return 0;
     }
     double ab[2] = {window[1][0], window[1][1]};
+    if (net == TAUT_TRACE_ISOPARAMETRIC) {
+        ab[line->family == 0 ? 0 : 1] =
+            0; /* what is left there is rounding, and its slope large on short spans */
+    }
     s->speed = sqrt(f.e * ab[0] * ab[0] + 2 * f.f * ab[0] * ab[1] + f.g * ab[1] * ab[1]);
     correct(net, &f, ab);
     const double speed = sqrt(f.e * ab[0] * ab[0] + 2 * f.f * ab[0] * ab[1] + f.g * ab[1] * ab[1]);
