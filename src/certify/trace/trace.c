@@ -45,6 +45,7 @@
 #include "certify/trace/isometric.h"
 #include "certify/trace/laths.h"
 #include "certify/trace/lines.h"
+#include "certify/trace/met.h"
 #include "certify/trace/panels.h"
 #include "certify/trace/pieces.h"
 #include "certify/trace/seams.h"
@@ -619,7 +620,7 @@ static double node_off(const request *r, const taut_record *node, const double x
     return forms.regular ? taut_certify_max(away, taut_distance(normal, forms.normal)) : away;
 }
 
-static taut_status add_nodes(const request *r, taut_certificate *certificate)
+static taut_status add_nodes(const request *r, taut_arena *arena, taut_certificate *certificate)
 {
     const taut_record *nodes = taut_record_get(taut_model_details(r->lines.model), "nodes");
     worst w = {0, ""};
@@ -651,7 +652,13 @@ static taut_status add_nodes(const request *r, taut_certificate *certificate)
         }
         take(&w, residual, name, taut_record_number(taut_record_at(s, 0)));
     }
-    return add(certificate, "nodes", TAUT_CHECK, &w, r->tolerance);
+    char where[96];
+    double unmet = 0;
+    const taut_status status = taut_net_met(&r->lines, arena, &unmet, where);
+    if (unmet > 0) {
+        take(&w, INFINITY, where, 0);
+    }
+    return status == TAUT_OK ? add(certificate, "nodes", TAUT_CHECK, &w, r->tolerance) : status;
 }
 
 /* ---- right angles ---- */
@@ -890,7 +897,7 @@ static taut_status prove(const request *r, taut_arena *arena, taut_certificate *
         status = taut_net_seams_add(&r->seams, &r->lines, certificate);
     }
     if (status == TAUT_OK) {
-        status = add_nodes(r, certificate);
+        status = add_nodes(r, arena, certificate);
     }
     if (status == TAUT_OK) {
         status = add_right_angled(r, certificate);

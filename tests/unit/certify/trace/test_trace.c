@@ -91,11 +91,35 @@ static void test_told(void)
     nodes = taut_record_add_list(details, "nodes");
     CHECK(judge(&made, changed(made.model, -1, 0, 0, details), "complete") == TAUT_FALSE,
           "no nodes");
+    CHECK(judge(&made, changed(made.model, -1, 0, 0, details), "nodes") == TAUT_FALSE, "missing");
     taut_record *node = taut_record_add_object(nodes, NULL);
     taut_record_add_text(node, "node", "A1B1");
     const double s[2] = {0.1, 0.1};
     taut_record_add_numbers(node, "s", 2, s);
     CHECK(judge(&made, changed(made.model, -1, 0, 0, details), "nodes") == TAUT_FALSE, "elsewhere");
+    taut_record_free(details);
+    net_free(&made);
+}
+
+/* Geodesics that cross where details have no node, and the same where they have it. */
+static void test_missing(void)
+{
+    made_net made = net_make("geodesic", CATENOID,
+                             "\"seeds\": [{ \"at\": [0.5, 0.5], \"direction\": [1, 0.3], "
+                             "\"both\": true }, { \"at\": [0, 0.2], \"direction\": [-0.4, 1], "
+                             "\"both\": true }]");
+    const taut_record *old = taut_model_details(made.model);
+    taut_record *details = taut_record_new();
+
+    CHECK(claim_of(made.proof, "nodes")->holds == TAUT_TRUE, "%s", made.error.message);
+    CHECK(taut_record_count(taut_record_get(old, "nodes")) > 0, "they cross");
+    for (size_t k = 0; k < taut_record_count(old); k++) {
+        if (strcmp(taut_record_key(old, k), "nodes") != 0) {
+            taut_record_add_record(details, taut_record_key(old, k), taut_record_at(old, k));
+        }
+    }
+    taut_record_add_list(details, "nodes");
+    CHECK(judge(&made, changed(made.model, -1, 0, 0, details), "nodes") == TAUT_FALSE, "missing");
     taut_record_free(details);
     net_free(&made);
 }
@@ -618,6 +642,7 @@ int main(void)
     test_seams();
     test_moved();
     test_told();
+    test_missing();
     test_pieces();
     test_right_angled();
     test_spacing();
