@@ -216,9 +216,10 @@ static double root_of(const taut_net_rule *rule, const double *values, int i)
     return low;
 }
 
-double taut_net_course_sum(const taut_net_course *course, int bend)
+double taut_net_course_sum(const taut_net_course *course, int bend, int *changes)
 {
     double sum = 0;
+    *changes = 0;
     for (int i = 0; i < course->count; i++) {
         const taut_net_bent *span = &course->spans[i];
         const double *values = span->bend[bend];
@@ -229,6 +230,7 @@ double taut_net_course_sum(const taut_net_course *course, int bend)
                 const double root = root_of(course->rule, values, k);
                 parts += part_of(course->rule, values, from, root);
                 from = root;
+                *changes = 1;
             }
         }
         sum += span->half * (from == -1 ? plain : parts + part_of(course->rule, values, from, 1));

@@ -63,8 +63,8 @@ int taut_net_course_closer(taut_net_cells *cells, taut_trace_net net, const taut
                            const taut_net_course *course, double t, int beyond, double part,
                            double *k_g);
 
-/* The integral of |bend| over the whole. */
-double taut_net_course_sum(const taut_net_course *course, int bend);
+/* The integral of |bend| over the whole; *changes: does it change its sign within a span? */
+double taut_net_course_sum(const taut_net_course *course, int bend, int *changes);
 
 /* What a bend makes of a place, not negative. */
 typedef double taut_net_measure(const taut_net_course *course, const taut_net_course_at *at);

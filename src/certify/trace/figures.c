@@ -20,6 +20,8 @@
 enum { SEEK = 8, CLOSER = 3 };
 /* Where k_g grows without bound at an end, its integral is held to so much less. */
 static const double soft_share = 1e-5;
+/* And where a bend changes its sign, as nets of version 0.1 were summed by a rule across the kink. */
+static const double kink_share = 1e-2;
 /* So much less what is cut of strips whose edges are more than twice as long as their axes, where the root has an edge. */
 static const double sharp_share = 1e-3;
 /* Parts of a span that k_g is seen on once more, each of the one before. */
@@ -453,6 +455,22 @@ static void look_at_stress(const taut_net_audit *audit, const taut_net_line *lin
 
 /* ---- the whole of a lath ---- */
 
+static void look_at_sums(const taut_record *lath, const char *name, const taut_net_course *course,
+                         const double clear[2], taut_net_off *off)
+{
+    int changes[2];
+    const double twist = taut_net_course_sum(course, TAUT_NET_TAU, &changes[0]);
+    const double turn = taut_net_course_sum(course, TAUT_NET_K_G, &changes[1]);
+    const double soft = isinf(clear[0]) && isinf(clear[1]) ? 1 : soft_share;
+    const double twisted = changes[0] ? kink_share : 1, turned = changes[1] ? kink_share : 1;
+
+    taut_net_off_take(off, twisted * fabs(number_of(lath, "twist") - twist) / fmax(1, twist), name,
+                      "twist");
+    taut_net_off_take(off,
+                      fmin(soft, turned) * fabs(number_of(lath, "turn") - turn) / fmax(1, turn),
+                      name, "turn");
+}
+
 void taut_net_figures_of(const taut_net_audit *audit, const taut_net_line *line,
                          const double clear[2], taut_net_off *off)
 {
@@ -471,12 +489,7 @@ void taut_net_figures_of(const taut_net_audit *audit, const taut_net_line *line,
     taut_net_off_take(off, end_off(audit, line, lath, 1), name, "to");
     const int is_so = is_ended_so(audit, line, lath, 0) && is_ended_so(audit, line, lath, 1);
     taut_net_off_take(off, is_so ? 0 : INFINITY, name, "ended");
-    const double twist = taut_net_course_sum(&course, TAUT_NET_TAU);
-    const double turn = taut_net_course_sum(&course, TAUT_NET_K_G);
-    taut_net_off_take(off, fabs(number_of(lath, "twist") - twist) / fmax(1, twist), name, "twist");
-    const double share = isinf(clear[0]) && isinf(clear[1]) ? 1 : soft_share;
-    taut_net_off_take(off, share * fabs(number_of(lath, "turn") - turn) / fmax(1, turn), name,
-                      "turn");
+    look_at_sums(lath, name, &course, clear, off);
     look_at_bends(audit, line, lath, &course, clear, off);
     taut_net_passed_look(audit, line, lath, off);
     if (cut.is_cut) {

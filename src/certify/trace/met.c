@@ -137,27 +137,70 @@ static int is_near_end(const taut_net_lines *lines, const taut_net_line *line, d
     return t < taut_basis_lo(basis) + room || t > taut_basis_hi(basis) - room;
 }
 
-/* Is there a node of these two curves at these lengths? */
-static int has_node(const taut_net_lines *lines, const taut_net_line *const both[2],
-                    const double t[2])
+/* The nodes of details, of each pair of curves together. */
+typedef struct known {
+    int count;      /* of curves */
+    size_t *first;  /* [count^2 + 1] */
+    double (*s)[2]; /* lengths on both */
+} known;
+
+/* i count + j of the two curves of a node; count^2 where there are none. */
+static size_t pair_of(const taut_net_lines *lines, const taut_record *node)
+{
+    const size_t count = (size_t)lines->count;
+    const taut_net_line *both[2];
+    return taut_net_lines_of_node(lines, taut_record_text(taut_record_get(node, "node")), both)
+               ? (size_t)(both[0] - lines->lines) * count + (size_t)(both[1] - lines->lines)
+               : count * count;
+}
+
+static taut_status known_new(const taut_net_lines *lines, taut_arena *arena, known *all)
 {
     const taut_record *nodes = taut_record_get(taut_model_details(lines->model), "nodes");
-    for (size_t k = 0; k < taut_record_count(nodes); k++) {
-        const taut_record *node = taut_record_at(nodes, k), *s = taut_record_get(node, "s");
-        const taut_net_line *named[2];
-        const char *name = taut_record_text(taut_record_get(node, "node"));
-        if (taut_net_lines_of_node(lines, name, named) && named[0] == both[0] &&
-            named[1] == both[1] &&
-            fabs(taut_record_number(taut_record_at(s, 0)) - t[0]) <= same_node * lines->size &&
-            fabs(taut_record_number(taut_record_at(s, 1)) - t[1]) <= same_node * lines->size) {
+    const size_t pairs = (size_t)lines->count * (size_t)lines->count;
+    const size_t count = taut_record_count(nodes);
+    size_t *pair = taut_arena_take(arena, count + 1, sizeof *pair);
+    size_t *filled = taut_arena_take(arena, pairs + 2, sizeof *filled);
+
+    *all = (known){.count = lines->count,
+                   .first = taut_arena_take(arena, pairs + 2, sizeof *all->first),
+                   .s = taut_arena_take(arena, count + 1, sizeof *all->s)};
+    if (pair == NULL || filled == NULL || all->first == NULL || all->s == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    for (size_t k = 0; k < count; k++) {
+        pair[k] = pair_of(lines, taut_record_at(nodes, k));
+        all->first[pair[k] + 1]++;
+    }
+    for (size_t k = 0; k <= pairs; k++) {
+        all->first[k + 1] += all->first[k];
+    }
+    for (size_t k = 0; k < count; k++) {
+        const taut_record *s = taut_record_get(taut_record_at(nodes, k), "s");
+        double *at = all->s[all->first[pair[k]] + filled[pair[k]]++];
+        at[0] = taut_record_number(taut_record_at(s, 0));
+        at[1] = taut_record_number(taut_record_at(s, 1));
+    }
+    return TAUT_OK;
+}
+
+/* Is there a node of these two curves at these lengths? */
+static int has_node(const taut_net_lines *lines, const known *all,
+                    const taut_net_line *const both[2], const double t[2])
+{
+    const size_t pair =
+        (size_t)(both[0] - lines->lines) * (size_t)all->count + (size_t)(both[1] - lines->lines);
+    const double room = same_node * lines->size;
+    for (size_t k = all->first[pair]; k < all->first[pair + 1]; k++) {
+        if (fabs(all->s[k][0] - t[0]) <= room && fabs(all->s[k][1] - t[1]) <= room) {
             return 1;
         }
     }
     return 0;
 }
 
-static int unmet_of_spans(const taut_net_lines *lines, const taut_net_line *const both[2],
-                          const span *a, const span *b)
+static int unmet_of_spans(const taut_net_lines *lines, const known *all,
+                          const taut_net_line *const both[2], const span *a, const span *b)
 {
     int unmet = 0;
     for (int i = 0; i < CHORDS; i++) {
@@ -169,14 +212,14 @@ static int unmet_of_spans(const taut_net_lines *lines, const taut_net_line *cons
             }
             double t[2] = {a->t[i] + part[0] * step[0], b->t[j] + part[1] * step[1]};
             unmet += refine(lines, both, step, t) && !is_near_end(lines, both[0], t[0]) &&
-                     !is_near_end(lines, both[1], t[1]) && !has_node(lines, both, t);
+                     !is_near_end(lines, both[1], t[1]) && !has_node(lines, all, both, t);
         }
     }
     return unmet;
 }
 
-static int unmet_of(const taut_net_lines *lines, const taut_net_line *const both[2],
-                    const course *a, const course *b)
+static int unmet_of(const taut_net_lines *lines, const known *all,
+                    const taut_net_line *const both[2], const course *a, const course *b)
 {
     int unmet = 0;
     if (are_apart(a->low, a->high, b->low, b->high)) {
@@ -190,7 +233,7 @@ static int unmet_of(const taut_net_lines *lines, const taut_net_line *const both
         for (int j = 0; j < b->count; j++) {
             const span *o = &b->spans[j];
             if (s->on == o->on && !are_apart(s->low, s->high, o->low, o->high)) {
-                unmet += unmet_of_spans(lines, both, s, o);
+                unmet += unmet_of_spans(lines, all, both, s, o);
             }
         }
     }
@@ -201,7 +244,11 @@ taut_status taut_net_met(const taut_net_lines *lines, taut_arena *arena, double 
                          char where[96])
 {
     course *courses = taut_arena_take(arena, (size_t)lines->count + 1, sizeof *courses);
+    known all;
     *unmet = 0;
+    if (known_new(lines, arena, &all) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
     for (int k = 0; courses != NULL && k < lines->count; k++) {
         if (course_new(lines, &lines->lines[k], arena, &courses[k]) != TAUT_OK) {
             return TAUT_NO_MEMORY;
@@ -213,7 +260,7 @@ taut_status taut_net_met(const taut_net_lines *lines, taut_arena *arena, double 
             const int is_pair = lines->net == TAUT_TRACE_GEODESIC
                                     ? i < j
                                     : both[0]->family == 0 && both[1]->family == 1;
-            const int found = is_pair ? unmet_of(lines, both, &courses[i], &courses[j]) : 0;
+            const int found = is_pair ? unmet_of(lines, &all, both, &courses[i], &courses[j]) : 0;
             if (found > 0 && *unmet == 0) {
                 snprintf(where, 96, "%.40s and %.40s", taut_curve_name(both[0]->space),
                          taut_curve_name(both[1]->space));
