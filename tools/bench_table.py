@@ -92,7 +92,7 @@ def summary():
         ["the same with first and second derivatives", "SISL s1506",
          digits(taut["second"] / sisl["second"], 2)]]
     return (f"From file to file: {origin(whole)}; the others: {origin(solve)}.\n\n"
-            + table(["", "beside", "faster by"], rows))
+            + table(["", "beside", "times as fast"], rows))
 
 
 def processes():

@@ -59,7 +59,7 @@ const cli_command cli_command_certify = {
     .summary = "prove a saved model again, from its numbers alone",
     .text =
         "With the problem every claim is judged; without it those that the model alone decides.\n"
-        "Exit 1 when a claim does not hold, and when one is left undecided.\n",
+        "Exit 1 when a claim does not hold, and when one other than `least` is left undecided.\n",
     .example = "taut certify model.json problem.json\n",
     .files_min = 1,
     .files_max = 2,

@@ -54,6 +54,28 @@ static int stage_report(taut_outputs *outputs, const char *path, const cli_repor
     return !is_whole ? cli_no_memory() : status == TAUT_OK ? 0 : cli_fail_at(path, &error);
 }
 
+/* Why it ends with 1: the claims that are false, and the files that are not there therefore. */
+static void say_false(const cli_options *options, const taut_certificate *certificate)
+{
+    int left_out = 0;
+
+    fprintf(stderr, "taut: not all claims hold:");
+    for (int i = 0; i < taut_certificate_claim_count(certificate); i++) {
+        const taut_claim *claim = taut_certificate_claim(certificate, i);
+        if (claim->holds == TAUT_FALSE) {
+            fprintf(stderr, " %.60s", claim->claim);
+        }
+    }
+    for (int i = 0; i < options->output_count; i++) {
+        if (!cli_is_json(options->outputs[i])) {
+            fprintf(stderr, "%s %s", left_out == 0 ? "; only JSON is written then, not" : ",",
+                    options->outputs[i]);
+            left_out++;
+        }
+    }
+    fprintf(stderr, "\n");
+}
+
 /* Writes everything and tells what happened. */
 static int deliver(const cli_options *options, cli_report *report)
 {
@@ -82,6 +104,9 @@ static int deliver(const cli_options *options, cli_report *report)
         cli_report_print(report);
     }
     if (code == 0 && taut_certificate_holds(report->certificate) == TAUT_FALSE) {
+        if (!options->json) {
+            say_false(options, report->certificate);
+        }
         code = 1;
     }
     free(bounds);

@@ -66,6 +66,9 @@ absent c.json
 run 1 make "$example/asymptotic-3.json" -o c.json
 contains err.txt 'regular +DOES NOT HOLD'
 [ -s c.json ] || complain "the singular model was not written"
+run 1 make "$example/asymptotic-3.json" --quiet -o c.json -o c.step
+contains err.txt '^taut: not all claims hold: regular; only JSON is written then, not c\.step$'
+absent c.step
 
 # What does not exist: 4, with the condition and what is nearest.
 sed 's/"curvature": \[1, 1\]/"curvature": [1, 1.3]/; t' "$example/asymptotic-1.json" |
