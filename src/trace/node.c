@@ -116,16 +116,21 @@ static void describe(const search *w, const taut_station at[2], taut_node *node)
     node->is_on_border = is_border(w->carrier, node->at);
 }
 
-/* Is there one like it already, of these two laths? */
+/* Is there one like it already, of these two laths? A curve that winds about another comes to the same place at other
+ * lengths; one that is closed has two at its end. */
 static int is_known(const search *w, const taut_node *node)
 {
+    const double room = 1e3 * same * w->carrier->size;
+    const int is_closed = w->laths[node->laths[1]].ended[1] == TAUT_END_CLOSED;
+
     for (int k = w->nodes->count - 1; k >= 0; k--) {
         const taut_node *other = &w->nodes->list[k];
         if (other->laths[0] != node->laths[0] || other->laths[1] != node->laths[1]) {
             return 0;
         }
         if (taut_length_between(other->x, node->x) <= same * w->carrier->size &&
-            fabs(other->s[0] - node->s[0]) <= 1e3 * same * w->carrier->size) {
+            fabs(other->s[0] - node->s[0]) <= room &&
+            (is_closed || fabs(other->s[1] - node->s[1]) <= room)) {
             return 1;
         }
     }
