@@ -76,6 +76,7 @@ REMEDIES = {
     'large': 'take it apart',
     'large-panels': 'use more panels',
     'leg-too-short': 'ask for the bend radius named, or make the leg as long as named',
+    'length': 'cut it across by butts: the message says in how many parts',
     'library': 'try the other of STEP and IGES',
     'mask': 'give the whole boundary, and null inside; or give two opposite rows or columns, with "fit" the whole boundary, and null elsewhere',
     'material': 'give a name that the message tells, or E and G above 0 with nu^2 below E_warp/E_weft; or give E, G and strength in N/mm^2, or a name that the message tells',

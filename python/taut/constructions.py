@@ -136,7 +136,7 @@ def dirichlet(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None
 def film(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None, v: BasisLike | None = None,
         unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, name: str | None = None,
         corners: Mapping[str, Union[npt.ArrayLike, None, Mapping[str, npt.ArrayLike], Mapping[str, Any]]] | None = None,
-        edges: Mapping[str, Union[Literal["fixed"], Mapping[str, Union[CurveLike, Union[Mapping[str, npt.ArrayLike], Mapping[str, Mapping[str, Any]]]]], Mapping[str, Any], Mapping[str, Mapping[str, npt.ArrayLike]], Mapping[str, None]]] | None = None,
+        edges: Mapping[str, Union[Literal["fixed"], Mapping[str, Union[CurveLike, Union[Mapping[str, npt.ArrayLike], Mapping[str, Mapping[str, Any]]]]], Mapping[str, Any], Mapping[str, Mapping[str, npt.ArrayLike]]]] | None = None,
         seams: Sequence[Any] | None = None, patches: Sequence[Any] | None = None, cables: Sequence[Any] | None = None,
         cells: Sequence[Any] | None = None, curves: Sequence[Any] | None = None,
         boundary: Union[str, Mapping[str, Any]] | None = None, degree: int | None = None, count: int | None = None,
@@ -320,7 +320,7 @@ def plateau(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None, 
     tolerance              above 0; 1e-10 if not given
     max_iterations         at least 1; 500 if not given
     method                 one of "full", "normal"; "full" if not given
-    curves                 the boundary, in place of points: fitted to u and v
+    curves                 the boundary, in place of points: fitted to u and v where these are given
     boundary               a file with four curves (.step, .igs, .dxf, .json), beside this document; they bound the net;
                            or with others that are joined to four; or a file and which of its curves and edges
     degree                 with boundary: at least these along u and v
@@ -384,7 +384,7 @@ def pattern(*, pattern: Literal["cloth"], of: Union[str, Mapping[str, Any]], sea
     of                     the surface: a model, a problem that is made first, or the name of a file that holds one
     seams                  how it is cut in pieces
     unit                   of lengths; nothing is converted; one of "mm", "m", "cm", "in", "ft"; "mm" if not given
-    surface                its name, where the model has several
+    surface                of several, the one to cut; all if not given
     seam_length            the mean of what both sides have alone, or that of the surface; one of "shared", "true";
                            "shared" if not given
     cloth                  the roll that the pieces are cut from
