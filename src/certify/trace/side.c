@@ -12,10 +12,16 @@ void taut_net_side_forms(const taut_surface *surface, const int span[2], const d
 {
     static const int no_shift[2] = {0, 0};
     static const int power[6][2] = {{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}};
-    double values[6][3];
+    double values[6][3],
+        place[2]; /* in the span, which ends at a break that rounding may put it beyond */
     taut_spot spot;
 
-    taut_spot_at(surface, span[0], span[1], at[0], at[1], 2, 0, no_shift, &spot);
+    for (int d = 0; d < 2; d++) {
+        const double *breaks =
+            taut_basis_breaks(d == 0 ? taut_surface_u(surface) : taut_surface_v(surface));
+        place[d] = fmin(fmax(at[d], breaks[span[d]]), breaks[span[d] + 1]);
+    }
+    taut_spot_at(surface, span[0], span[1], place[0], place[1], 2, 0, no_shift, &spot);
     for (int k = 0; k < 6; k++) {
         const double factorial = power[k][0] == 2 || power[k][1] == 2 ? 2 : 1;
         for (int c = 0; c < 3; c++) {
