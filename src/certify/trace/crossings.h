@@ -2,7 +2,7 @@
 #ifndef TAUT_CERTIFY_TRACE_CROSSINGS_H
 #define TAUT_CERTIFY_TRACE_CROSSINGS_H
 
-#include "certify/trace/figures.h"
+#include "certify/trace/audit.h"
 
 /* Both curves of a node of details, at its lengths; 0 where there are none. */
 int taut_net_spots_of_node(const taut_net_audit *audit, const taut_record *node,
