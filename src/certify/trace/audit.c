@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 void taut_net_off_take(taut_net_off *off, double residual, const char *name, const char *member)
 {
@@ -24,4 +25,24 @@ int taut_net_is_on_knot(const taut_surface *surface, const double at[2])
         }
     }
     return is_on;
+}
+
+double taut_net_number(const taut_record *at, const char *member)
+{
+    return taut_record_number(taut_record_get(at, member));
+}
+
+const char *taut_net_text(const taut_record *at, const char *member)
+{
+    return taut_record_text(taut_record_get(at, member));
+}
+
+int taut_net_surface_of(const taut_net_audit *audit, const taut_record *at)
+{
+    const char *name = taut_net_text(at, "surface");
+    int on = 0;
+    for (int k = 1; k < audit->lines->surface_count; k++) {
+        on = strcmp(taut_surface_name(audit->cells->surfaces[k]), name) == 0 ? k : on;
+    }
+    return on;
 }

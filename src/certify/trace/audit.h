@@ -28,4 +28,11 @@ typedef struct taut_net_audit {
     double size; /* times 2^-unit */
 } taut_net_audit;
 
+/* A member of a record of details; NaN, or "", where it is not there. */
+double taut_net_number(const taut_record *at, const char *member);
+const char *taut_net_text(const taut_record *at, const char *member);
+
+/* The surface that a record names, where there are several; else the first one. */
+int taut_net_surface_of(const taut_net_audit *audit, const taut_record *at);
+
 #endif /* TAUT_CERTIFY_TRACE_AUDIT_H */

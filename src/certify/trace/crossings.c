@@ -16,16 +16,6 @@ enum { HEIGHTS = 16 };
 /* Of slots, unless the document says otherwise, in mm. */
 static const double play_default = 0.2;
 
-static double number_of(const taut_record *at, const char *member)
-{
-    return taut_record_number(taut_record_get(at, member));
-}
-
-static const char *text_of(const taut_record *at, const char *member)
-{
-    return taut_record_text(taut_record_get(at, member));
-}
-
 static const taut_record *nodes_of(const taut_net_audit *audit)
 {
     return taut_record_get(taut_model_details(audit->lines->model), "nodes");
@@ -35,7 +25,7 @@ int taut_net_spots_of_node(const taut_net_audit *audit, const taut_record *node,
                            taut_net_spot spots[2])
 {
     const taut_net_line *both[2];
-    int is_found = taut_net_lines_of_node(audit->lines, text_of(node, "node"), both);
+    int is_found = taut_net_lines_of_node(audit->lines, taut_net_text(node, "node"), both);
 
     for (int side = 0; is_found && side < 2; side++) {
         const taut_basis *range = taut_curve_t(both[side]->space);
@@ -84,24 +74,15 @@ static double width_of(const taut_net_audit *audit)
     const taut_record *lath =
         taut_record_at(taut_record_get(taut_model_details(audit->lines->model), "laths"), 0);
     const taut_trace_laths *asked = audit->problem != NULL ? audit->problem->laths : NULL;
-    const char *strip = text_of(lath, "strip");
+    const char *strip = taut_net_text(lath, "strip");
     const int stands =
         asked != NULL
             ? asked->strip == TAUT_TRACE_STANDING || asked->strip == TAUT_TRACE_DEVELOPABLE
             : strcmp(strip, "standing") == 0 || strcmp(strip, "developable") == 0;
-    const double width = asked != NULL ? asked->width : number_of(lath, "width");
+    const double width = asked != NULL ? asked->width : taut_net_number(lath, "width");
     return stands && width > 0 && (audit->problem == NULL || asked != NULL)
                ? ldexp(width, -audit->unit)
                : 0;
-}
-
-static int surface_of(const taut_net_audit *audit, const char *name)
-{
-    int on = 0;
-    for (int k = 1; k < audit->lines->surface_count; k++) {
-        on = strcmp(taut_surface_name(audit->cells->surfaces[k]), name) == 0 ? k : on;
-    }
-    return on;
 }
 
 /* Is a node on a knot line of the surface, beyond which that may bend otherwise? */
@@ -110,8 +91,7 @@ static int is_on_knot(const taut_net_audit *audit, const taut_record *node)
     const taut_record *at = taut_record_get(node, "at");
     const double place[2] = {taut_record_number(taut_record_at(at, 0)),
                              taut_record_number(taut_record_at(at, 1))};
-    return taut_net_is_on_knot(audit->cells->surfaces[surface_of(audit, text_of(node, "surface"))],
-                               place);
+    return taut_net_is_on_knot(audit->cells->surfaces[taut_net_surface_of(audit, node)], place);
 }
 
 /* Of K and H: differences over the larger of what they are and of what the size would have; of a place on a knot line the least
@@ -120,11 +100,11 @@ static void look_at_forms(const taut_net_audit *audit, const taut_record *node, 
                           taut_net_off *off)
 {
     const taut_record *place = taut_record_get(node, "at");
-    const int on = surface_of(audit, text_of(node, "surface"));
+    const int on = taut_net_surface_of(audit, node);
     const taut_surface *surface = audit->cells->surfaces[on];
     const double size = audit->size;
-    const double tau = ldexp(number_of(node, "tau"), audit->unit) * size;
-    const double mean = ldexp(number_of(node, "H"), audit->unit) * size;
+    const double tau = ldexp(taut_net_number(node, "tau"), audit->unit) * size;
+    const double mean = ldexp(taut_net_number(node, "H"), audit->unit) * size;
     double worst[2] = {INFINITY, INFINITY};
 
     for (int side = 0; side < 4; side++) {
@@ -154,7 +134,7 @@ static double own_angle_off(const taut_net_audit *audit, const taut_record *node
     const taut_net_line *both[2];
     double tangent[2][2][3], least = INFINITY;
 
-    if (!taut_net_lines_of_node(audit->lines, text_of(node, "node"), both)) {
+    if (!taut_net_lines_of_node(audit->lines, taut_net_text(node, "node"), both)) {
         return NAN;
     }
     for (int k = 0; k < 4; k++) {
@@ -188,25 +168,25 @@ void taut_net_crossings_look(const taut_net_audit *audit, taut_net_off *off)
 
     for (size_t k = 0; k < taut_record_count(nodes); k++) {
         const taut_record *node = taut_record_at(nodes, k);
-        const char *name = text_of(node, "node");
+        const char *name = taut_net_text(node, "node");
         taut_net_spot spots[2];
         if (!taut_net_spots_of_node(audit, node, spots)) {
             taut_net_off_take(off, INFINITY, name, "s");
             continue;
         }
-        const double told = number_of(node, "angle");
+        const double told = taut_net_number(node, "angle");
         const double slot = taut_cos(told / 2) / taut_sin(told / 2);
         const double away = fabs(told - acute_angle(spots[0].tangent, spots[1].tangent));
         const double own = own_angle_off(audit, node, told);
         taut_net_off_take(off, taut_certify_min(away, own), name, "angle");
-        taut_net_off_take(off, fabs(number_of(node, "slot") - slot) / slot, name, "slot");
+        taut_net_off_take(off, fabs(taut_net_number(node, "slot") - slot) / slot, name, "slot");
         look_at_forms(audit, node, name, off);
         if (width > 0 && taut_record_get(node, "slot_twisted") != NULL &&
             !is_on_knot(audit, node)) {
             const double twisted = fmax(twisted_of(spots, 0, width), twisted_of(spots, 1, width));
-            taut_net_off_take(off,
-                              fabs(number_of(node, "slot_twisted") - twisted) / (twisted * twisted),
-                              name, "slot_twisted");
+            taut_net_off_take(
+                off, fabs(taut_net_number(node, "slot_twisted") - twisted) / (twisted * twisted),
+                name, "slot_twisted");
         }
     }
 }
@@ -217,7 +197,7 @@ void taut_net_crossings_look(const taut_net_audit *audit, taut_net_off *off)
 static int side_of(const taut_net_audit *audit, const taut_record *node, const taut_net_line *line)
 {
     const taut_net_line *both[2];
-    if (!taut_net_lines_of_node(audit->lines, text_of(node, "node"), both)) {
+    if (!taut_net_lines_of_node(audit->lines, taut_net_text(node, "node"), both)) {
         return -1;
     }
     return both[0] == line ? 0 : both[1] == line ? 1 : -1;
@@ -241,9 +221,9 @@ void taut_net_passed_look(const taut_net_audit *audit, const taut_net_line *line
         const taut_record *pair = taut_record_at(passed, found);
         if (side >= 0) {
             const double s = taut_record_number(taut_record_at(pair, 1));
-            const int is_same =
-                strcmp(taut_record_text(taut_record_at(pair, 0)), text_of(node, "node")) == 0 &&
-                s == length_at(node, side);
+            const int is_same = strcmp(taut_record_text(taut_record_at(pair, 0)),
+                                       taut_net_text(node, "node")) == 0 &&
+                                s == length_at(node, side);
             taut_net_off_take(off, is_same ? 0 : INFINITY, taut_curve_name(line->space), "nodes");
             found++;
         }
@@ -255,7 +235,7 @@ void taut_net_passed_look(const taut_net_audit *audit, const taut_net_line *line
 static const taut_record *slot_of(const taut_record *slots, const char *node)
 {
     for (size_t k = 0; k < taut_record_count(slots); k++) {
-        if (strcmp(text_of(taut_record_at(slots, k), "node"), node) == 0) {
+        if (strcmp(taut_net_text(taut_record_at(slots, k), "node"), node) == 0) {
             return taut_record_at(slots, k);
         }
     }
@@ -279,11 +259,11 @@ static void look_at_slot(const taut_net_audit *audit, const taut_record *node, i
 {
     const taut_net_cut *cut = &course->cut;
     const double length = course->spans[course->count].cut;
-    const double at = ldexp(number_of(slot, "at"), -audit->unit);
-    const double wide = ldexp(number_of(slot, "width"), -audit->unit);
-    const double depth = ldexp(number_of(slot, "depth"), -audit->unit);
+    const double at = ldexp(taut_net_number(slot, "at"), -audit->unit);
+    const double wide = ldexp(taut_net_number(slot, "width"), -audit->unit);
+    const double depth = ldexp(taut_net_number(slot, "depth"), -audit->unit);
     const double place = taut_net_course_see(course, length_at(node, side)).cut;
-    const char *from = text_of(slot, "from");
+    const char *from = taut_net_text(slot, "from");
     taut_net_spot spots[2];
 
     const int is_side = strcmp(from, side == 0 ? "n" : "-n") == 0;
@@ -311,8 +291,8 @@ void taut_net_slots_look(const taut_net_audit *audit, const taut_net_line *line,
         const taut_record *node = taut_record_at(nodes, k);
         const int side = side_of(audit, node, line);
         if (side >= 0) {
-            look_at_slot(audit, node, side, slot_of(slots, text_of(node, "node")), course, name,
-                         off);
+            look_at_slot(audit, node, side, slot_of(slots, taut_net_text(node, "node")), course,
+                         name, off);
             count++;
         }
     }
@@ -358,8 +338,8 @@ static double hole_off(const taut_record *hole, const taut_record *slot,
                        const taut_net_course_at *at, const pose *p, double half, double scale)
 {
     const taut_record *outline = taut_record_get(hole, "outline");
-    const double side = strcmp(text_of(slot, "from"), "n") == 0 ? 1 : -1;
-    const double wide = number_of(slot, "width") / 2, depth = number_of(slot, "depth");
+    const double side = strcmp(taut_net_text(slot, "from"), "n") == 0 ? 1 : -1;
+    const double wide = taut_net_number(slot, "width") / 2, depth = taut_net_number(slot, "depth");
     const double along[4] = {-wide, -wide, wide, wide};
     const double up[4] = {half, half - depth, half - depth, half};
     double off = taut_record_count(outline) == 4 ? 0 : INFINITY;
@@ -387,10 +367,11 @@ static size_t look_at_piece(const taut_net_audit *audit, const taut_net_line *li
 
     for (size_t k = 0; k < taut_record_count(holes); k++) {
         const taut_record *hole = taut_record_at(holes, k);
-        const taut_record *slot = slot_of(slots, text_of(hole, "node")), *node = NULL;
+        const taut_record *slot = slot_of(slots, taut_net_text(hole, "node")), *node = NULL;
         for (size_t j = 0; j < taut_record_count(nodes); j++) {
             const taut_record *one = taut_record_at(nodes, j);
-            node = strcmp(text_of(one, "node"), text_of(hole, "node")) == 0 ? one : node;
+            node =
+                strcmp(taut_net_text(one, "node"), taut_net_text(hole, "node")) == 0 ? one : node;
         }
         const int side = node != NULL ? side_of(audit, node, line) : -1;
         if (slot == NULL || side < 0) {
@@ -416,11 +397,11 @@ void taut_net_holes_look(const taut_net_audit *audit, const taut_net_line *line,
     double from = 0;
 
     for (size_t k = 0; k < taut_record_count(pieces); k++) {
-        parts += strcmp(text_of(taut_record_at(pieces, k), "lath"), name) == 0;
+        parts += strcmp(taut_net_text(taut_record_at(pieces, k), "lath"), name) == 0;
     }
     for (size_t k = 0; k < taut_record_count(pieces); k++) {
         const taut_record *piece = taut_record_at(pieces, k);
-        if (strcmp(text_of(piece, "lath"), name) != 0 ||
+        if (strcmp(taut_net_text(piece, "lath"), name) != 0 ||
             taut_record_count(taut_record_get(piece, "outline")) < 4) {
             continue;
         }

@@ -31,11 +31,6 @@ static const double bend_share = 0.1;
 /* Over the range: places nearer to a break are seen from beyond it too. And of k_g: below, it is not looked at closer. */
 static const double at_break = TAUT_NET_AT_KNOT, close_enough = 1e-7;
 
-static double number_of(const taut_record *at, const char *member)
-{
-    return taut_record_number(taut_record_get(at, member));
-}
-
 static double member_of(const taut_record *at, const char *list, size_t k)
 {
     return taut_record_number(taut_record_at(taut_record_get(at, list), k));
@@ -47,8 +42,8 @@ static taut_net_cut cut_of(const taut_net_audit *audit, const taut_record *lath)
 {
     static const char *const strips[] = {"standing", "plank", "developable", "envelope"};
     const taut_trace_laths *asked = audit->problem != NULL ? audit->problem->laths : NULL;
-    const double width = asked != NULL ? asked->width : number_of(lath, "width");
-    const double thickness = asked != NULL ? asked->thickness : number_of(lath, "thickness");
+    const double width = asked != NULL ? asked->width : taut_net_number(lath, "width");
+    const double thickness = asked != NULL ? asked->thickness : taut_net_number(lath, "thickness");
     const char *strip = taut_record_text(taut_record_get(lath, "strip"));
     taut_net_cut cut = {.is_cut = audit->problem != NULL ? asked != NULL : strip[0] != '\0',
                         .width = width > 0 ? ldexp(width, -audit->unit) : 0,
@@ -65,8 +60,9 @@ static taut_net_cut cut_of(const taut_net_audit *audit, const taut_record *lath)
     cut.flat = audit->lines->net == straight ? -1 : lies ? TAUT_NET_K_G : TAUT_NET_K_N;
     cut.only_bends =
         cut.is_cut && (cut.strip == TAUT_TRACE_DEVELOPABLE || cut.strip == TAUT_TRACE_ENVELOPE);
-    cut.is_mean = asked != NULL ? asked->cut == TAUT_TRACE_CUT_MEAN
-                                : number_of(lath, "cut_length") != number_of(lath, "length");
+    cut.is_mean = asked != NULL
+                      ? asked->cut == TAUT_TRACE_CUT_MEAN
+                      : taut_net_number(lath, "cut_length") != taut_net_number(lath, "length");
     return cut;
 }
 
@@ -153,22 +149,11 @@ static int is_of_family(const taut_net_audit *audit, const taut_net_line *line,
 
 /* ---- bends ---- */
 
-/* The surface that the seed is on. */
-static int surface_of(const taut_net_audit *audit, const taut_record *lath)
-{
-    const char *name = taut_record_text(taut_record_get(lath, "surface"));
-    int on = 0;
-    for (int k = 1; k < audit->lines->surface_count; k++) {
-        on = strcmp(taut_surface_name(audit->cells->surfaces[k]), name) == 0 ? k : on;
-    }
-    return on;
-}
-
 /* Is the seed on a knot line? Surfaces may bend otherwise beyond it, though the curve goes on to one side. */
 static int is_on_knot(const taut_net_audit *audit, const taut_record *lath)
 {
     const double at[2] = {member_of(lath, "seed", 0), member_of(lath, "seed", 1)};
-    return taut_net_is_on_knot(audit->cells->surfaces[surface_of(audit, lath)], at);
+    return taut_net_is_on_knot(audit->cells->surfaces[taut_net_surface_of(audit, lath)], at);
 }
 
 /* The parameter at which the line passes the seed: the nearest of some places, then along the tangent. *away: how far it
@@ -179,7 +164,7 @@ static double seed_at(const taut_net_audit *audit, const taut_net_line *line,
     const taut_basis *range = taut_curve_t(line->space);
     const double *breaks = taut_basis_breaks(range);
     const double lo = taut_basis_lo(range), hi = taut_basis_hi(range);
-    const int on = surface_of(audit, lath);
+    const int on = taut_net_surface_of(audit, lath);
     double seed[3], x[2][3], way[3], best = lo, nearest = INFINITY;
 
     if (taut_surface_eval(audit->cells->surfaces[on], member_of(lath, "seed", 0),
@@ -279,11 +264,11 @@ static void look_at_bends(const taut_net_audit *audit, const taut_net_line *line
     }
     for (int k = 0; k < TAUT_NET_BENDS; k++) {
         const taut_record *bend = taut_record_get(lath, names[k]);
-        const double at = number_of(bend, "max_at"),
-                     largest = ldexp(number_of(bend, "max"), audit->unit);
+        const double at = taut_net_number(bend, "max_at"),
+                     largest = ldexp(taut_net_number(bend, "max"), audit->unit);
         const int is_clear = !(at < clear[0]) && !(at > clear[1]);
         double away = is_seed_clear ? bend_off(audit, line, course, k, seed,
-                                               ldexp(number_of(bend, "seed"), audit->unit), 0)
+                                               ldexp(taut_net_number(bend, "seed"), audit->unit), 0)
                                     : 0;
         away = taut_certify_max(away,
                                 is_clear ? bend_off(audit, line, course, k, at, largest, 1) : 0) /
@@ -319,19 +304,20 @@ static void look_at_lengths(const taut_net_audit *audit, const taut_net_line *li
     const double share = course->edge > length ? sharp_share : 1;
 
     if (cut->width > 0) { /* relative to what they are part of */
-        const double stretch = ldexp(number_of(lath, "mean_stretch"), -audit->unit);
+        const double stretch = ldexp(taut_net_number(lath, "mean_stretch"), -audit->unit);
         const double found = length + course->stretch;
         taut_net_off_take(off, share * fabs(stretch - course->stretch) / found, name,
                           "mean_stretch");
     }
     if (cut->width > 0 && !cut->only_bends) { /* of those the claim isometric */
-        const double edge = ldexp(number_of(lath, "edge_length"), -audit->unit);
+        const double edge = ldexp(taut_net_number(lath, "edge_length"), -audit->unit);
         const double found = length + course->edge;
         taut_net_off_take(off, share * fabs(edge - found) / found, name, "edge_length");
     }
-    taut_net_off_take(
-        off, fabs(ldexp(number_of(lath, "cut_length"), -audit->unit) - end->cut) * share / end->cut,
-        name, "cut_length");
+    taut_net_off_take(off,
+                      fabs(ldexp(taut_net_number(lath, "cut_length"), -audit->unit) - end->cut) *
+                          share / end->cut,
+                      name, "cut_length");
     const double x = ldexp(member_of(lath, "pattern_end", 0), -audit->unit) - end->x;
     const double y = ldexp(member_of(lath, "pattern_end", 1), -audit->unit) - end->y;
     const double theta = member_of(lath, "pattern_end", 2) - end->theta;
@@ -380,22 +366,22 @@ static void look_at_stress(const taut_net_audit *audit, const taut_net_line *lin
     const taut_trace_material *m = &audit->problem->laths->material;
     const taut_record *told = taut_record_get(lath, "stress");
     const char *name = taut_curve_name(line->space);
-    const double at = number_of(told, "at");
+    const double at = taut_net_number(told, "at");
     const double room = at_break * (course->spans[course->count - 1].to - course->spans[0].from);
     const taut_net_course_at sides[2] = {taut_net_course_see(course, at - room),
                                          taut_net_course_beyond(course, at + room)};
     const stress left = stress_at(m, course, &sides[0]), right = stress_at(m, course, &sides[1]);
     const stress s = left.combined > right.combined ? left : right;
-    const double combined = number_of(told, "combined");
+    const double combined = taut_net_number(told, "combined");
     const int is_soft = !isinf(clear[0]) || !isinf(clear[1]);
     const int is_clear = !(at < clear[0]) && !(at > clear[1]);
-    double away = fabs(number_of(told, "use") * m->strength - combined);
+    double away = fabs(taut_net_number(told, "use") * m->strength - combined);
 
     if (is_clear) {
         away = taut_certify_max(away, isnan(at) ? at : fabs(combined - s.combined));
-        away = taut_certify_max(away, fabs(number_of(told, "bending") - s.bending));
-        away = taut_certify_max(away, fabs(number_of(told, "torsion") - s.torsion));
-        away = taut_certify_max(away, fabs(number_of(told, "helix") - s.helix));
+        away = taut_certify_max(away, fabs(taut_net_number(told, "bending") - s.bending));
+        away = taut_certify_max(away, fabs(taut_net_number(told, "torsion") - s.torsion));
+        away = taut_certify_max(away, fabs(taut_net_number(told, "helix") - s.helix));
     }
     for (int i = 0; i < course->count; i++) { /* none is larger */
         for (int k = 0; k < TAUT_NET_NODES; k++) {
@@ -416,14 +402,14 @@ static void look_at_stress(const taut_net_audit *audit, const taut_net_line *lin
         course->cut.only_bends
             ? 2 * s.bending / (m->e * course->cut.thickness)
             : taut_net_course_most(course, sizes[course->cut.weak], clear[0], clear[1], 1);
-    const double thickest = ldexp(number_of(told, "t_max"), -audit->unit);
+    const double thickest = ldexp(taut_net_number(told, "t_max"), -audit->unit);
     if (taut_record_get(told, "t_max") != NULL) {
         const double bent = 2 * m->strength / (m->e * thickest);
         away = (is_soft && bent > weak ? 0 : fabs(bent - weak)) * audit->size;
         taut_net_off_take(off, away / fmax(1, weak * audit->size), name, "stress t_max");
     }
     const double twist = taut_net_course_most(course, twist_size, clear[0], clear[1], 1);
-    const double widest = ldexp(number_of(told, "w_max"), -audit->unit);
+    const double widest = ldexp(taut_net_number(told, "w_max"), -audit->unit);
     if (taut_record_get(told, "w_max") != NULL) {
         away = fabs(sqrt(12 * m->strength / m->e) / widest - twist) * audit->size;
         taut_net_off_take(off, away / fmax(1, twist * audit->size), name, "stress w_max");
@@ -441,11 +427,11 @@ static void look_at_sums(const taut_record *lath, const char *name, const taut_n
     const double soft = isinf(clear[0]) && isinf(clear[1]) ? 1 : soft_share;
     const double twisted = changes[0] ? kink_share : 1, turned = changes[1] ? kink_share : 1;
 
-    taut_net_off_take(off, twisted * fabs(number_of(lath, "twist") - twist) / fmax(1, twist), name,
-                      "twist");
-    taut_net_off_take(off,
-                      fmin(soft, turned) * fabs(number_of(lath, "turn") - turn) / fmax(1, turn),
-                      name, "turn");
+    taut_net_off_take(off, twisted * fabs(taut_net_number(lath, "twist") - twist) / fmax(1, twist),
+                      name, "twist");
+    taut_net_off_take(
+        off, fmin(soft, turned) * fabs(taut_net_number(lath, "turn") - turn) / fmax(1, turn), name,
+        "turn");
 }
 
 void taut_net_figures_of(const taut_net_audit *audit, const taut_net_line *line,
