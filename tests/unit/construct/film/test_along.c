@@ -1,5 +1,6 @@
 /* test_along.c -- cables of all laws on films of many patches, and cables along several edges, against closed forms. */
 #include "check.h"
+#include "refused.h"
 
 #include "taut/taut.h"
 
@@ -251,23 +252,6 @@ static void test_other(void)
     taut_problem_free(problems[1]);
 }
 
-static void refuse(const char *text, taut_status status, const char *reason, const char *where)
-{
-    taut_problem *problem = NULL;
-    taut_model *model = NULL;
-    taut_error error = {.status = TAUT_OK};
-    taut_status found = taut_problem_read_text(text, strlen(text), "text", &problem, &error);
-
-    if (found == TAUT_OK) {
-        found = taut_make(problem, NULL, &model, &error);
-    }
-    CHECK(found == status && strcmp(error.reason, reason) == 0 && strcmp(error.where, where) == 0,
-          "%s at %s: status %d, %s at %s: %s", reason, where, (int)found, error.reason, error.where,
-          error.message);
-    taut_model_free(model);
-    taut_problem_free(problem);
-}
-
 static void test_refused(void)
 {
     static const struct {
@@ -304,13 +288,14 @@ static void test_refused(void)
 
     for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
         snprintf(text, sizeof text, lone, rows[k].edges, rows[k].cables);
-        refuse(text, rows[k].status, rows[k].reason, rows[k].where);
+        check_document_refused(text, rows[k].status, rows[k].reason, rows[k].where);
     }
     snprintf(text, sizeof text, square, "\"force\":2", "\"length\":1.5", "\"force\":2",
              "\"force\":2");
-    refuse(text, TAUT_NO_SOLUTION, "cable-too-short", "/patches/1/edges/u1/cable/length");
+    check_document_refused(text, TAUT_NO_SOLUTION, "cable-too-short",
+                           "/patches/1/edges/u1/cable/length");
     snprintf(text, sizeof text, ring, "\"sag\":0.1", "\"force\":0.3");
-    refuse(text, TAUT_BAD_INPUT, "value", "/patches/0/edges/v1/cable/sag");
+    check_document_refused(text, TAUT_BAD_INPUT, "value", "/patches/0/edges/v1/cable/sag");
 }
 
 int main(void)

@@ -1,5 +1,6 @@
 /* test_cells.c -- films under pressure against closed forms: caps, an unduloid, a lens, two bubbles; what is refused. */
 #include "check.h"
+#include "refused.h"
 
 #include "taut/taut.h"
 
@@ -259,27 +260,6 @@ static void test_bubbles(void)
 
 /* ---- what is refused ---- */
 
-static void check_refused(const char *document, taut_status status, const char *reason,
-                          const char *where)
-{
-    taut_problem *problem = NULL;
-    taut_model *model = NULL;
-    taut_error error = {.status = TAUT_OK};
-    taut_status said = taut_problem_read_text(document, strlen(document), "text", &problem, &error);
-
-    if (said == TAUT_OK) {
-        said = taut_make(problem, NULL, &model, &error);
-    }
-    CHECK(said == status && strcmp(error.reason, reason) == 0 && strcmp(error.where, where) == 0,
-          "%s at %s: status %d, %s at %s: %s", reason, where, (int)said, error.reason, error.where,
-          error.message);
-    if (strcmp(reason, "pressure-too-high") == 0) { /* proved, not found */
-        CHECK_NEAR(error.limit, 2, 1e-6, "the pressure that the unit circle holds");
-    }
-    taut_model_free(model);
-    taut_problem_free(problem);
-}
-
 static void test_refused(void)
 {
     static const struct {
@@ -300,14 +280,18 @@ static void test_refused(void)
 
     for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
         put_ring(&t, 1, 1, rows[k].end, rows[k].cell);
-        check_refused(t.at, rows[k].status, rows[k].reason, rows[k].where);
+        const taut_error error =
+            check_document_refused(t.at, rows[k].status, rows[k].reason, rows[k].where);
+        if (strcmp(rows[k].reason, "pressure-too-high") == 0) { /* proved, not found */
+            CHECK_NEAR(error.limit, 2, 1e-6, "the pressure that the unit circle holds");
+        }
     }
     put_double(&t, 6, "\"-m0\",\"-m1\",\"-l2\"");
-    check_refused(t.at, TAUT_BAD_INPUT, "cell-sides", "/cells/1/sides/5");
+    check_document_refused(t.at, TAUT_BAD_INPUT, "cell-sides", "/cells/1/sides/5");
     put_double(&t, 6, "\"-m0\",\"-m1\"");
-    check_refused(t.at, TAUT_NO_SOLUTION, "open-cell", "/cells/1/from");
+    check_document_refused(t.at, TAUT_NO_SOLUTION, "open-cell", "/cells/1/from");
     put_double(&t, 6, "\"-m0\",\"-m1\",\"-n2\"");
-    check_refused(t.at, TAUT_BAD_INPUT, "name", "/cells/1/sides/5");
+    check_document_refused(t.at, TAUT_BAD_INPUT, "name", "/cells/1/sides/5");
 }
 
 int main(void)

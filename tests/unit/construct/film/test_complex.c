@@ -1,5 +1,6 @@
 /* test_complex.c -- films of many patches against closed forms, and what is refused. */
 #include "check.h"
+#include "refused.h"
 
 #include "taut/taut.h"
 
@@ -121,24 +122,6 @@ static void test_catenoid(void)
     check_energy(catenoid, acos(-1) * c * c * (sinh(1 / c) + 1 / c), 2e-8, "catenoid");
 }
 
-static void check_refused(const char *text, taut_status status, const char *reason,
-                          const char *where)
-{
-    taut_problem *problem = NULL;
-    taut_model *model = NULL;
-    taut_error error = {.status = TAUT_OK};
-    taut_status found = taut_problem_read_text(text, strlen(text), "text", &problem, &error);
-
-    if (found == TAUT_OK) {
-        found = taut_make(problem, NULL, &model, &error);
-    }
-    CHECK(found == status && strcmp(error.reason, reason) == 0 && strcmp(error.where, where) == 0,
-          "%s at %s: status %d, %s at %s: %s", reason, where, (int)found, error.reason, error.where,
-          error.message);
-    taut_model_free(model);
-    taut_problem_free(problem);
-}
-
 #define TWO(n, corner, edge, seams)                                                                \
     "{\"taut\":1,\"construct\":\"film\",\"patches\":[{\"name\":\"a\",\"u\":" B(2, 4) ",\"v\":" B(  \
         2, 4) ",\"corners\":{\"u0v0\":[0,0,0],\"u1v0\":[1,0,0],\"u0v1\":[0,1,0],"                  \
@@ -149,27 +132,27 @@ static void check_refused(const char *text, taut_status status, const char *reas
 
 static void test_refused(void)
 {
-    check_refused(TWO(B(2, 5), "[1,0,0]", "", "[\"a.u1\",\"b.u0\"]"), TAUT_BAD_INPUT,
-                  "seam-mismatch", "/seams/0");
-    check_refused(TWO("{\"type\":\"bspline\",\"degree\":2,\"knots\":[0,0,0,0.4,1,1,1]}", "[1,0,0]",
-                      "", "[\"a.u1\",\"b.u0\"]"),
-                  TAUT_BAD_INPUT, "seam-mismatch", "/seams/0");
-    check_refused(TWO(B(2, 4), "[1,0,1e-6]", "", "[\"a.u1\",\"b.u0\"]"), TAUT_BAD_INPUT,
-                  "corner-conflict", "/patches/1/corners/u0v0");
-    check_refused(TWO(B(2, 4), "[1,0,0]", ",\"edges\":{\"u1\":{\"cable\":{\"force\":1}}}",
-                      "[\"a.u1\",\"b.u0\"]"),
-                  TAUT_BAD_INPUT, "edge-conflict", "/seams/0/0");
-    check_refused(TWO(B(2, 4), "[1,0,0]", "", "[\"a.u1\",\"b.u0\"],[\"b.u0\",\"a.u0\"]"),
-                  TAUT_BAD_INPUT, "edge-conflict", "/seams/0/1");
-    check_refused(TWO(B(2, 4), "[1,0,0]", "", "[\"a.u1\",\"b.w0\"]"), TAUT_BAD_INPUT, "name",
-                  "/seams/0/1");
-    check_refused(TWO(B(2, 4), "null", "", ""), TAUT_BAD_INPUT, "corner-missing",
-                  "/patches/1/edges/u0");
-    check_refused("{\"taut\":1,\"construct\":\"film\",\"patches\":[{" SLIDES
-                  ",\"corners\":{\"u0v0\":{\"near\":[0,0,0]},\"u1v0\":{\"near\":[1,0,0]},"
-                  "\"u0v1\":{\"near\":[0,0,1]},\"u1v1\":{\"near\":[1,0,1]}}}],"
-                  "\"seams\":[[\"film-0.u0\",\"film-0.u1\"]]}",
-                  TAUT_NO_SOLUTION, "floating", "/patches");
+    check_document_refused(TWO(B(2, 5), "[1,0,0]", "", "[\"a.u1\",\"b.u0\"]"), TAUT_BAD_INPUT,
+                           "seam-mismatch", "/seams/0");
+    check_document_refused(TWO("{\"type\":\"bspline\",\"degree\":2,\"knots\":[0,0,0,0.4,1,1,1]}",
+                               "[1,0,0]", "", "[\"a.u1\",\"b.u0\"]"),
+                           TAUT_BAD_INPUT, "seam-mismatch", "/seams/0");
+    check_document_refused(TWO(B(2, 4), "[1,0,1e-6]", "", "[\"a.u1\",\"b.u0\"]"), TAUT_BAD_INPUT,
+                           "corner-conflict", "/patches/1/corners/u0v0");
+    check_document_refused(TWO(B(2, 4), "[1,0,0]", ",\"edges\":{\"u1\":{\"cable\":{\"force\":1}}}",
+                               "[\"a.u1\",\"b.u0\"]"),
+                           TAUT_BAD_INPUT, "edge-conflict", "/seams/0/0");
+    check_document_refused(TWO(B(2, 4), "[1,0,0]", "", "[\"a.u1\",\"b.u0\"],[\"b.u0\",\"a.u0\"]"),
+                           TAUT_BAD_INPUT, "edge-conflict", "/seams/0/1");
+    check_document_refused(TWO(B(2, 4), "[1,0,0]", "", "[\"a.u1\",\"b.w0\"]"), TAUT_BAD_INPUT,
+                           "name", "/seams/0/1");
+    check_document_refused(TWO(B(2, 4), "null", "", ""), TAUT_BAD_INPUT, "corner-missing",
+                           "/patches/1/edges/u0");
+    check_document_refused("{\"taut\":1,\"construct\":\"film\",\"patches\":[{" SLIDES
+                           ",\"corners\":{\"u0v0\":{\"near\":[0,0,0]},\"u1v0\":{\"near\":[1,0,0]},"
+                           "\"u0v1\":{\"near\":[0,0,1]},\"u1v1\":{\"near\":[1,0,1]}}}],"
+                           "\"seams\":[[\"film-0.u0\",\"film-0.u1\"]]}",
+                           TAUT_NO_SOLUTION, "floating", "/patches");
 }
 
 /* Every claim sees its own harm: ten times its limit. */

@@ -1,5 +1,6 @@
 /* test_tip.c -- films of one patch with an edge that is a point: sails of three corners, sectors, and what is refused. */
 #include "check.h"
+#include "refused.h"
 
 #include "taut/taut.h"
 
@@ -101,45 +102,29 @@ static void test_space(void)
     CHECK_NEAR(energy_of(tip), energy_of(curves), 2e-9, "two layouts");
 }
 
-static void check_refused(const char *text, taut_status status, const char *reason,
-                          const char *where)
-{
-    taut_problem *problem = NULL;
-    taut_model *model = NULL;
-    taut_error error = {.status = TAUT_OK};
-    taut_status found = taut_problem_read_text(text, strlen(text), "text", &problem, &error);
-
-    if (found == TAUT_OK) {
-        found = taut_make(problem, NULL, &model, &error);
-    }
-    CHECK(found == status && strcmp(error.reason, reason) == 0 && strcmp(error.where, where) == 0,
-          "%s at %s: status %d, %s at %s: %s", reason, where, (int)found, error.reason, error.where,
-          error.message);
-    taut_model_free(model);
-    taut_problem_free(problem);
-}
-
 #define TIP(pole, corners, beside)                                                                 \
     FILM("\"corners\":{" corners "\"u1v0\":[2,0,0],\"u1v1\":[1,1.8,0]},\"edges\":{\"u0\":{"        \
          "\"pole\":" pole "},\"v0\":" beside ",\"v1\":" beside "}")
 
 static void test_refused(void)
 {
-    check_refused(TIP("[0,0,0]", "\"u0v0\":[0,0,1],", "\"fixed\""), TAUT_BAD_INPUT,
-                  "corner-conflict", "/edges/u0/pole");
-    check_refused(TIP("[0,0,0]", "\"u0v1\":null,", "\"fixed\""), TAUT_BAD_INPUT, "corner-conflict",
-                  "/edges/u0/pole");
-    check_refused(TIP("null", "\"u0v0\":[0,0,0],\"u0v1\":[0,0,1],", "\"fixed\""), TAUT_BAD_INPUT,
-                  "corner-conflict", "/corners/u0v1");
-    check_refused(TIP("[0,0]", "", "\"fixed\""), TAUT_BAD_INPUT, "type", "/edges/u0/pole");
-    check_refused(TIP("null", "", "\"fixed\""), TAUT_BAD_INPUT, "corner-missing", "/edges/v0");
-    check_refused(TIP("null", "", CABLE("3")), TAUT_NO_SOLUTION, "no-corner", "/edges/u0");
-    check_refused(TIP("[0,0,0]", "", SLIDE(0, 0, 1)), TAUT_NO_SOLUTION, "point-support",
-                  "/edges/u0");
-    check_refused(FILM("\"seams\":[[\"u0\",\"u1\"]],\"edges\":{\"v0\":{\"pole\":[0,0,1]},\"v1\":{"
-                       "\"fixed\":{\"circle\":{\"center\":[0,0,0],\"normal\":[0,0,1],\"radius\":1}}"
-                       "}}"),
-                  TAUT_NO_SOLUTION, "point-support", "/edges/v0/pole");
+    check_document_refused(TIP("[0,0,0]", "\"u0v0\":[0,0,1],", "\"fixed\""), TAUT_BAD_INPUT,
+                           "corner-conflict", "/edges/u0/pole");
+    check_document_refused(TIP("[0,0,0]", "\"u0v1\":null,", "\"fixed\""), TAUT_BAD_INPUT,
+                           "corner-conflict", "/edges/u0/pole");
+    check_document_refused(TIP("null", "\"u0v0\":[0,0,0],\"u0v1\":[0,0,1],", "\"fixed\""),
+                           TAUT_BAD_INPUT, "corner-conflict", "/corners/u0v1");
+    check_document_refused(TIP("[0,0]", "", "\"fixed\""), TAUT_BAD_INPUT, "type", "/edges/u0/pole");
+    check_document_refused(TIP("null", "", "\"fixed\""), TAUT_BAD_INPUT, "corner-missing",
+                           "/edges/v0");
+    check_document_refused(TIP("null", "", CABLE("3")), TAUT_NO_SOLUTION, "no-corner", "/edges/u0");
+    check_document_refused(TIP("[0,0,0]", "", SLIDE(0, 0, 1)), TAUT_NO_SOLUTION, "point-support",
+                           "/edges/u0");
+    check_document_refused(
+        FILM("\"seams\":[[\"u0\",\"u1\"]],\"edges\":{\"v0\":{\"pole\":[0,0,1]},\"v1\":{"
+             "\"fixed\":{\"circle\":{\"center\":[0,0,0],\"normal\":[0,0,1],\"radius\":1}}"
+             "}}"),
+        TAUT_NO_SOLUTION, "point-support", "/edges/v0/pole");
 }
 
 int main(void)
