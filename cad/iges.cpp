@@ -252,7 +252,7 @@ TopoDS_Shape occt_read_iges(const taut_cad_job &job, const occt_sink &sink, occt
         throw occt_failure(TAUT_BAD_INPUT, "broken", "this is no IGES file, or a broken one");
     }
     const Handle(IGESData_IGESModel) model = reader.IGESModel();
-    occt_check_loaded(model, STANDARD_TYPE(IGESData_IGESEntity));
+    const std::vector<iges_shape> shapes = occt_iges_shapes(model, sink);
     for (const unit_row &row : units) {
         if (model->GlobalSection().UnitFlag() == row.flag) {
             unit = row.unit;
@@ -272,6 +272,9 @@ TopoDS_Shape occt_read_iges(const taut_cad_job &job, const occt_sink &sink, occt
     }
     model->SetGlobalSection(global);
     sink.unit(sink.context, unit);
+    reader
+        .NbRootsForTransfer(); /* what is to be read, before parts of what is broken hang on nothing */
+    occt_take_broken(shapes);
     reader.TransferRoots();
     const Handle(Transfer_TransientProcess) process =
         reader.WS()->TransferReader()->TransientProcess();
@@ -283,5 +286,13 @@ TopoDS_Shape occt_read_iges(const taut_cad_job &job, const occt_sink &sink, occt
             names.add(TransferBRep::ShapeResult(binder), entity->NameValue()->ToCString());
         }
     }
-    return reader.OneShape();
+    const TopoDS_Shape shape = reader.OneShape();
+    const int left_out = occt_name_left_out_iges(model, process, shapes, sink);
+    if (left_out > 0 && shape.IsNull()) {
+        throw occt_failure(TAUT_BAD_INPUT, "broken",
+                           !shapes[0].fault.empty()
+                               ? shapes[0].fault
+                               : "none of its " + std::to_string(left_out) + " shapes can be read");
+    }
+    return shape;
 }

@@ -5,6 +5,7 @@
 #include "io/cad/wire.h"
 
 #include <Geom_BSplineSurface.hxx>
+#include <IGESData_IGESEntity.hxx>
 #include <Interface_InterfaceModel.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
@@ -13,6 +14,7 @@
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 /* A failure with its status and its reason (TAUT_FILE_REASON_LIST); the message is a sentence. */
 class occt_failure : public std::runtime_error
@@ -64,22 +66,50 @@ struct occt_names {
 TopoDS_Shape occt_read_step(const taut_cad_job &job, const occt_sink &sink, occt_names &names);
 TopoDS_Shape occt_read_iges(const taut_cad_job &job, const occt_sink &sink, occt_names &names);
 
-/* TAUT_BAD_INPUT if the library found fault with the file, or with an entity of it that is not to
- * be done without. */
-void occt_check_loaded(const Handle(Interface_InterfaceModel) & model,
+/* What an entity is called in its file: "#12", "D3". */
+std::string occt_label(const Handle(Interface_InterfaceModel) & model,
+                       const Handle(Standard_Transient) & entity);
+
+/* TAUT_BAD_INPUT if the library found fault with the file as a whole. */
+void occt_check_whole(const Handle(Interface_InterfaceModel) & model);
+
+/* What is wrong with the i-th entity, if it is of a kind; empty: nothing. */
+std::string occt_fault(const Handle(Interface_InterfaceModel) & model, int i,
                        const Handle(Standard_Type) & needed);
 
-/* Faces of a STEP file that are left out, each with the reason. */
+/* What the library says where it makes nothing of an entity; empty: nothing. */
+std::string occt_words(const Handle(Transfer_TransientProcess) & process,
+                       const Handle(Standard_Transient) & entity);
+
+/* The sentence about what is not read: "face #12", its name, why. */
+void occt_say_left_out(const occt_sink &sink, const std::string &what, const std::string &name,
+                       const std::string &why);
+
+/* Faces and curves that are left out, each with the reason. */
 using occt_faults = std::map<const void *, std::string>;
 
-/* The same for STEP, whose faces are worth having without those that are broken: these get no surface. TAUT_BAD_INPUT where
- * what is broken is a part of no face. */
-void occt_leave_out_broken(const Handle(Interface_InterfaceModel) & model, occt_faults &faults);
+/* A file's faces are worth having without those that something broken is a part of: these get no surface. TAUT_BAD_INPUT where
+ * what is broken holds faces, and is a part of none. */
+void occt_leave_out_broken_step(const Handle(Interface_InterfaceModel) & model,
+                                occt_faults &faults);
 
 /* Names all faces that the library made nothing of; how many they are. */
-int occt_name_left_out(const Handle(Interface_InterfaceModel) & model,
-                       const Handle(Transfer_TransientProcess) & process, const occt_faults &faults,
-                       const occt_sink &sink);
+int occt_name_left_out_step(const Handle(Interface_InterfaceModel) & model,
+                            const Handle(Transfer_TransientProcess) & process,
+                            const occt_faults &faults, const occt_sink &sink);
+
+/* The same for IGES, whose curves are worth having too: first the shapes, faces and curves that are a part of no other, each
+ * with what is broken in it. */
+struct iges_shape {
+    Handle(IGESData_IGESEntity) entity;
+    std::string fault; /* empty: nothing */
+};
+std::vector<iges_shape> occt_iges_shapes(const Handle(Interface_InterfaceModel) & model,
+                                         const occt_sink &sink);
+void occt_take_broken(const std::vector<iges_shape> &shapes);
+int occt_name_left_out_iges(const Handle(Interface_InterfaceModel) & model,
+                            const Handle(Transfer_TransientProcess) & process,
+                            const std::vector<iges_shape> &shapes, const occt_sink &sink);
 
 /* A plane within one circle, or between two about one centre, as a surface; null where the face is no such one. */
 Handle(Geom_BSplineSurface)

@@ -163,7 +163,7 @@ TopoDS_Shape occt_read_step(const taut_cad_job &job, const occt_sink &sink, occt
     if (reader.ReadFile(job.path) != IFSelect_RetDone) {
         throw occt_failure(TAUT_BAD_INPUT, "broken", "this is no STEP file, or a broken one");
     }
-    occt_leave_out_broken(reader.Model(), faults);
+    occt_leave_out_broken_step(reader.Model(), faults);
     reader.FileUnits(lengths, angles, solid_angles);
     if (lengths.Length() > 0 && unit_of(lengths.First()) != nullptr) {
         unit = unit_of(lengths.First());
@@ -197,7 +197,7 @@ TopoDS_Shape occt_read_step(const taut_cad_job &job, const occt_sink &sink, occt
     add_products(process, names);
     add_colours(reader.WS(), process, names);
     const TopoDS_Shape shape = reader.OneShape();
-    const int left_out = occt_name_left_out(reader.Model(), process, faults, sink);
+    const int left_out = occt_name_left_out_step(reader.Model(), process, faults, sink);
     if (left_out > 0 && size_of(shape) == 0) {
         throw occt_failure(TAUT_BAD_INPUT, "broken",
                            faults.empty()

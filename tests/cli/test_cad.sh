@@ -115,6 +115,27 @@ PY
     run 3 convert body.step -o body.json
     contains err.txt 'taut help broken'
     absent body.json
+    # the same in IGES: what cannot be read is named, the rest is read; nothing is dropped in silence
+    run 0 make problem.json --quiet -o coil.igs
+    left_out() { # left_out FACES PATTERN TYPE NTH CHANGE...: so many of the nine faces are read, and this is said once
+        faces=$1 pattern=$2
+        shift 2
+        python3 "$SOURCE/tests/cli/edit_iges.py" "${from:-coil.igs}" broken.igs "$@" || complain "$*: not changed"
+        run 0 convert broken.igs -o broken.json
+        [ "$(grep -c warning err.txt)" = 1 ] && grep -Eq "$pattern" err.txt || complain "$*: $(cat err.txt)"
+        sed '/"curves"/,$ d' broken.json | grep -c '"name"' > count.txt
+        [ "$(cat count.txt)" = "$faces" ] || complain "$*: $(cat count.txt) faces, expected $faces"
+    }
+    left_out 8 'face D3 of the file, "pipe1", is left out: OpenCASCADE makes no spline of it' 128 0 15=0.1
+    left_out 8 'entity D3 of the file, "", is left out: OpenCASCADE makes nothing of entities of type 599' 128 0 type=599
+    left_out 8 'face D3 of the file, "", is left out: entity D3 is broken' 128 0 cut=40
+    left_out 8 'face D3 of the file, "", is left out: entity D3 is broken' 128 0 2=-8
+    left_out 9 'curve D39 of the file, "axis-pipe1", is left out: OpenCASCADE makes no spline of it' 126 0 8=9
+    left_out 9 'entity D1 is broken: .*; the file is read without it' 406 0 type=212
+    python3 "$SOURCE/tests/cli/edit_iges.py" model.igs broken.igs 128 0 2=-8 || complain 'not changed'
+    run 3 convert broken.igs -o never.json
+    contains err.txt 'entity D[0-9]* is broken.*taut help broken'
+    absent never.json
     # a unit that documents do not have: lengths are converted to mm, which is said
     run 0 make "$SOURCE/examples/bonnet-enneper.json" --quiet -o model.step -o small.igs
     sed 's/SI_UNIT(\.MILLI\.,\.METRE\.)/SI_UNIT(.KILO.,.METRE.)/' model.step > large.step

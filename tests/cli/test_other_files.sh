@@ -139,4 +139,15 @@ if [ -e screw.step ]; then
 fi
 try bearing.iges $occt/iges/bearing.iges 213 56 areas
 try hammer.iges $occt/iges/hammer.iges 45 23 areas
+# Of trimmed faces too one that something broken is a part of is named, and not the file refused.
+if [ -e hammer.iges ]; then
+    for change in '128 0 1=5' '126 0 1=5' '142 0 2=9999'; do
+        # shellcheck disable=SC2086
+        python3 "$SOURCE/tests/cli/edit_iges.py" hammer.iges broken.iges $change || complain "$change: not changed"
+        run 0 convert broken.iges --untrim -o whole.json
+        contains whole.json 'face D3 of the file, .*, is left out: entity D[0-9]* is broken'
+        [ "$(grep -c 'is left out' whole.json)" = 1 ] || complain "$change: $(grep 'is left out' whole.json)"
+        [ "$(grep -c '"u": {' whole.json)" = 44 ] || complain "$change: $(grep -c '"u": {' whole.json) faces"
+    done
+fi
 finish
