@@ -88,10 +88,11 @@ def pid_of(seconds):
 def sweep(documents, workers, pids=None, **how):
     """Seconds of a sweep, those that its workers were not kept waiting by other programs, and how many failed.
 
-    What a worker waits for in the sweep itself, the interpreter's lock or the next problem, counts.
+    What a worker waits for in the sweep itself, the interpreter's lock or the next problem, counts; and no fewer than all its processes,
+    this one too, had a processor, over the number of workers: where there are as many processors, they wait for each other.
     """
     pids = pids or [os.getpid()]
-    failed, tasks, before = 0, {}, waited(pids)
+    failed, tasks, before, here = 0, {}, waited(pids), time.process_time()
     begin = time.perf_counter()
     for count, (_, result) in enumerate(taut.map(documents, **how), 1):
         failed += isinstance(result, taut.Error)
@@ -100,7 +101,8 @@ def sweep(documents, workers, pids=None, **how):
     seconds = time.perf_counter() - begin
     busiest = sorted((ran - before.get(task, (0, 0))[0], waits - before.get(task, (0, 0))[1]) for task, (ran, waits) in tasks.items())
     own = [seconds - waits for _, waits in busiest[-workers:]]
-    return seconds, max(own) if own else seconds, failed
+    busy = time.process_time() - here + (sum(ran for ran, _ in busiest) if pids != [os.getpid()] else 0)
+    return seconds, max(*own, busy / workers) if own else seconds, failed
 
 
 def by_dask(documents, alone):

@@ -7,6 +7,8 @@ import json
 import os
 import re
 import threading
+import time
+from collections import deque
 from typing import Any, BinaryIO, Iterable, Iterator, Mapping, Sequence
 
 from ._handle import whole
@@ -15,7 +17,11 @@ from .making import Document, make, plain, with_version
 from .model import Model
 
 _EXIT = {InputError: 3, NoSolution: 4, NotConverged: 1, CheckFailed: 1, FileError: 5}
-_AHEAD = 4  # problems handed out for each worker before the first result is waited for
+_AHEAD = 4  # tasks handed out for each worker before the first result is waited for
+_TASK = 1.0  # seconds that a task of a client should take: Dask spends some twenty milliseconds on each, however small it is
+_SHARE, _MOST = 8, 256  # problems in a task: no more than this part of what a worker has done so far, so that all end together
+_PATIENCE = 0.25  # seconds that the next problems are waited for before results are looked after
+_ERROR = re.compile(rb'\s*\{\s*"error"')  # how a line begins that is no model
 
 
 class _Stopped(Exception):
@@ -36,6 +42,15 @@ def _one(text: str, stop: threading.Event | None = None) -> bytes:
         return _line_of(Error("memory ran out", "", "memory"))
 
 
+def _some(texts: Sequence[str]) -> tuple[float, list[bytes]]:
+    """The seconds taken, and the results of the first of these problems: all, unless they take far longer than a task should."""
+    begin = time.monotonic()
+    lines: list[bytes] = []
+    while len(lines) < len(texts) and (not lines or time.monotonic() - begin < 2 * _TASK):
+        lines.append(_one(texts[len(lines)]))
+    return time.monotonic() - begin, lines
+
+
 def _workers(client: Any) -> int:
     """How many tasks run at once: of a Dask client on all its machines, as far as an executor tells."""
     if hasattr(client, "nthreads"):
@@ -50,9 +65,9 @@ def _line_of(error: Error) -> bytes:
 
 def _result(line: bytes) -> Model | Error:
     """What a line of results holds."""
-    error = json.loads(line).get("error")
-    if error is None:
+    if not _ERROR.match(line):
         return Model.from_json(line)
+    error = json.loads(line)["error"]
     kind = {3: InputError, 2: InputError, 4: NoSolution, 1: NotConverged, 5: FileError}.get(error["exit"], Error)
     return kind(error["message"], error["where"], error["reason"], error["found"], error["expected"])
 
@@ -159,68 +174,149 @@ def map(problems: Iterable[Document], client: Any = None, threads: int | None = 
     return _map(problems, client, threads, None if out is None else os.fspath(out))
 
 
+class _Tasks:
+    """Problems handed out to threads of this process, one by one, or to a client, so many in a task that it takes its time."""
+
+    def __init__(self, client: Any, threads: int | None) -> None:
+        self._workers = _workers(client) if client is not None else threads or os.cpu_count() or 1
+        self._own = None if client is not None else concurrent.futures.ThreadPoolExecutor(self._workers)
+        self._executor: Any = self._own or (client.get_executor(pure=False) if hasattr(client, "get_executor") else client)
+        self._stop = threading.Event()
+        self._size, self._done = 1, 0  # problems in the next task; with results
+        self._next: deque[tuple[int, str]] = deque()  # not handed out yet
+        self._running: dict[Any, list[tuple[int, str]]] = {}
+
+    def __len__(self) -> int:
+        """How many problems wait for their results."""
+        return len(self._next) + sum(len(task) for task in self._running.values())
+
+    @property
+    def full(self) -> bool:
+        """Whether all workers have enough to do."""
+        return len(self._running) >= _AHEAD * self._workers
+
+    def add(self, index: int, text: str) -> None:
+        """One more problem."""
+        self._next.append((index, text))
+        if len(self._next) >= self._size:
+            self._submit()
+
+    def _submit(self) -> None:
+        task = [self._next.popleft() for _ in range(min(self._size, len(self._next)))]
+        texts = [text for _, text in task]
+        future = self._executor.submit(_one, texts[0], self._stop) if self._own is not None else self._executor.submit(_some, texts)
+        self._running[future] = task
+
+    def results(self, wait: bool) -> Iterator[tuple[int, bytes]]:
+        """Those that have come; wait: for one at least."""
+        while self._next and not self.full:  # what did not fill a task
+            self._submit()
+        done = concurrent.futures.wait(self._running, None if wait else 0, concurrent.futures.FIRST_COMPLETED).done
+        for future in done:
+            task = self._running.pop(future)
+            if self._own is not None:
+                yield task[0][0], future.result()
+                continue
+            seconds, lines = future.result()
+            self._next.extendleft(reversed(task[len(lines):]))
+            self._done += len(lines)
+            in_time = int(_TASK * len(lines) / max(seconds, 1e-6))
+            self._size = max(1, min(_MOST, in_time, self._done // (_SHARE * self._workers)))
+            for (index, _), line in zip(task, lines):
+                yield index, line
+
+    def close(self) -> None:
+        """Nobody waits any more."""
+        self._stop.set()
+        for future in self._running:
+            future.cancel()
+        if self._own is not None:
+            self._own.shutdown(wait=True)
+
+
+class _Lines:
+    """The file of results, if any, in the order of the problems, and beside it which they are of."""
+
+    def __init__(self, path: str | None) -> None:
+        self._file = None if path is None else _locked(path)
+        self._sums: _Sums | None = None
+        self._early: dict[int, bytes] = {}  # of problems behind one that is still worked on
+        try:
+            self.finished = [] if self._file is None or path is None else _done(self._file, path)
+            self._sums = None if path is None else _Sums(path, len(self.finished))
+        except BaseException:
+            self.close()
+            raise
+        self._written = len(self.finished)
+
+    def check(self, index: int, text: str) -> None:
+        """The problem of a line that is there already."""
+        if self._sums is not None:
+            self._sums.check(index, text)
+
+    def begin(self, index: int, text: str) -> None:
+        """A problem is handed out."""
+        if self._sums is not None:
+            self._sums.add(index, text)
+
+    def add(self, index: int, line: bytes) -> None:
+        """A result has come."""
+        if self._file is None:
+            return
+        self._early[index] = line
+        while self._written in self._early:
+            self._file.write(self._early.pop(self._written) + b"\n")
+            self._written += 1
+        self._file.flush()
+
+    def close(self) -> None:
+        """Ends the files."""
+        for file in (self._sums, self._file):
+            if file is not None:
+                file.close()
+
+
 _END = object()
 
 
 def _map(problems: Iterable[Document], client: Any, threads: int | None, out: str | None) -> Iterator[tuple[int, Model | Error]]:
-    workers = _workers(client) if client is not None else threads or os.cpu_count() or 1
-    file = None if out is None else _locked(out)
-    own: concurrent.futures.ThreadPoolExecutor | None = None
-    sums: _Sums | None = None
-    stop = threading.Event()
-    waiting: dict[Any, int] = {}
-    lines: dict[int, bytes] = {}
+    lines = _Lines(out)
+    tasks: _Tasks | None = None
     try:
-        finished = [] if file is None or out is None else _done(file, out)
-        sums = None if out is None else _Sums(out, len(finished))
-        own = None if client is not None else concurrent.futures.ThreadPoolExecutor(workers)
-        executor: Any = own if client is None else client.get_executor(pure=False) if hasattr(client, "get_executor") else client
-        written = len(finished)
         texts = enumerate(problems)
-        ended = False
-        for line in finished:
+        for line in lines.finished:
             index, document = next(texts, (-1, _END))
             if document is _END:
-                ended = True
-                break
-            if sums is not None:
-                sums.check(index, _text_or_error(document)[0])
+                return
+            lines.check(index, _text_or_error(document)[0])
             yield index, _result(line)
-        while waiting or not ended:
-            while not ended and len(waiting) < _AHEAD * workers:
+        tasks = _Tasks(client, threads)
+        ended = False
+        while tasks or not ended:
+            begin = time.monotonic()
+            while not ended and not tasks.full and time.monotonic() - begin < _PATIENCE:
                 index, document = next(texts, (-1, _END))
                 if document is _END:
                     ended = True
                     break
                 text, error = _text_or_error(document)
-                if sums is not None:
-                    sums.add(index, text)
+                lines.begin(index, text)
                 if error is not None:  # what no document can hold
-                    done: concurrent.futures.Future[bytes] = concurrent.futures.Future()
-                    done.set_result(_line_of(error))
-                    waiting[done] = index
+                    line = _line_of(error)
+                    lines.add(index, line)
+                    yield index, _result(line)
                 else:
-                    waiting[executor.submit(_one, text, stop) if own is not None else executor.submit(_one, text)] = index
-            if not waiting:
-                break
-            for future in concurrent.futures.wait(waiting, return_when=concurrent.futures.FIRST_COMPLETED).done:
-                index = waiting.pop(future)
-                line = future.result()
-                if file is not None:
-                    lines[index] = line
-                    while written in lines:
-                        file.write(lines.pop(written) + b"\n")
-                        written += 1
-                    file.flush()
+                    tasks.add(index, text)
+            found: list[tuple[int, bytes]] = []
+            for pair in tasks.results(wait=ended or tasks.full):
+                lines.add(*pair)  # all of them, before anybody may break off
+                found.append(pair)
+            for index, line in found:
                 yield index, _result(line)
     finally:
-        stop.set()
-        if own is not None:
-            own.shutdown(wait=True, cancel_futures=True)
-        if sums is not None:
-            sums.close()
-        if file is not None:
-            file.close()
+        if tasks is not None:
+            tasks.close()
+        lines.close()
 
 
 def _text_or_error(document: Any) -> tuple[str, Error | None]:

@@ -1,5 +1,6 @@
 """Many problems: in order on disk, restartable, failures as results."""
 import concurrent.futures
+import itertools
 import json
 import os
 import pathlib
@@ -86,9 +87,64 @@ def test_as_many_at_once_as_there_are_workers():
             return super().submit(lambda: (self.enough.wait(60), function(*arguments))[1])
     with Executor(64) as executor:  # none ends before more were handed out than this machine's processors make of it
         for index, _ in taut.map(problems(300), client=executor):
-            if index > 2:
+            if executor.enough.is_set() and index > 2:
                 break
     assert executor.enough.is_set() and executor.count < 300
+
+
+class Counting(concurrent.futures.ThreadPoolExecutor):
+    """An executor that counts its tasks."""
+    count = 0
+
+    def submit(self, function, /, *arguments):
+        self.count += 1
+        return super().submit(function, *arguments)
+
+
+def test_quick_problems_share_a_task():
+    """To a client, whose tasks cost more than they do; and it is not read further ahead for that than half of what is done."""
+    texts = [json.dumps({"taut": 1, "number": i}) for i in range(600)]
+    alone = dict(taut.map(texts, threads=2))
+    done, furthest = 0, 0
+
+    def counted():
+        nonlocal furthest
+        for index, text in enumerate(texts):
+            furthest = max(furthest, index - max(16, done * 3 // 2))
+            yield text
+    with Counting(2) as executor:
+        for index, error in taut.map(counted(), client=executor):
+            done += 1
+            assert type(error) is type(alone[index]) and error.__dict__ == alone[index].__dict__
+    assert done == 600 and executor.count < 200 and furthest <= 16
+
+
+def test_slow_problems_do_not_share(monkeypatch):
+    """What a task has no time for is handed out again; nothing is lost or made twice."""
+    made = []
+
+    def slow(text, stop=None):
+        made.append(int(text[1:-1]))
+        time.sleep(0.002 if made[-1] < 100 else 0.03)
+        return b'{"error": {"exit": 3, "reason": "", "where": "", "message": "%d", "found": null, "expected": null}}' % made[-1]
+    monkeypatch.setattr(taut.sweeps, "_one", slow)
+    monkeypatch.setattr(taut.sweeps, "_TASK", 0.05)
+    with Counting(1) as executor:
+        results = dict(taut.map((f"[{i}]" for i in range(140)), client=executor))
+    assert sorted(made) == list(range(140)) and all(results[i].message == str(i) for i in made)
+    assert 40 // 4 < executor.count < 140
+
+
+def test_results_do_not_wait_for_a_slow_iterator():
+    """Whose problems come one by one, though as many as workers take could be handed out."""
+    read = []
+
+    def slow():
+        for document in itertools.cycle(problems(3)):
+            read.append(time.sleep(0.02))
+            yield document
+    next(taut.map(slow(), threads=100))
+    assert len(read) < 400
 
 
 SWEEP = """
