@@ -1,9 +1,10 @@
 #include "trace/bending.h"
 
 #include "core/vec3.h"
+#include "numeric/bracket.h"
 #include "numeric/quadrature.h"
 
-enum { SAMPLES = TAUT_BENDING_NODES + 2, ROUNDS = 40 };
+enum { SAMPLES = TAUT_BENDING_NODES + 2 };
 
 taut_lath_bending taut_lath_bending_at(taut_linefield_kind kind, const taut_segment *segment,
                                        double t)
@@ -64,11 +65,18 @@ void taut_lath_bending_sample(taut_linefield_kind kind, const taut_segment *segm
     }
 }
 
-static double measure_at(const taut_lath_samples *samples, taut_lath_measure *measure,
-                         const void *context, double t)
+/* A measure along a segment. */
+typedef struct measured {
+    const taut_lath_samples *samples;
+    taut_lath_measure *measure;
+    const void *context;
+} measured;
+
+static double measure_at(const void *context, double t)
 {
-    const taut_lath_bending here = taut_lath_bending_at(samples->kind, samples->segment, t);
-    return measure(&here, context);
+    const measured *m = context;
+    const taut_lath_bending here = taut_lath_bending_at(m->samples->kind, m->samples->segment, t);
+    return m->measure(&here, m->context);
 }
 
 static void take_most(const taut_lath_samples *samples, double value, double t,
@@ -80,34 +88,11 @@ static void take_most(const taut_lath_samples *samples, double value, double t,
     }
 }
 
-static void climb(const taut_lath_samples *samples, taut_lath_measure *measure, const void *context,
-                  double low, double high, taut_lath_most *most)
-{
-    const double golden = 0.6180339887498949;
-    double a = high - golden * (high - low), b = low + golden * (high - low);
-    double at_a = measure_at(samples, measure, context, a);
-    double at_b = measure_at(samples, measure, context, b);
-    for (int round = 0; round < ROUNDS; round++) {
-        if (at_a > at_b) {
-            high = b;
-            b = a;
-            at_b = at_a;
-            a = high - golden * (high - low);
-            at_a = measure_at(samples, measure, context, a);
-        } else {
-            low = a;
-            a = b;
-            at_a = at_b;
-            b = low + golden * (high - low);
-            at_b = measure_at(samples, measure, context, b);
-        }
-    }
-    take_most(samples, at_a, a, most);
-}
-
 void taut_lath_take_most(const taut_lath_samples *samples, taut_lath_measure *measure,
                          const void *context, int ends, taut_lath_most *most)
 {
+    const measured along = {samples, measure, context};
+    const double length = samples->segment->to.s - samples->segment->from.s;
     double value[SAMPLES];
 
     for (int i = 0; i < SAMPLES; i++) {
@@ -118,8 +103,11 @@ void taut_lath_take_most(const taut_lath_samples *samples, taut_lath_measure *me
         const int is_top = (ends || before + after == 2 * i) && value[i] >= value[before] &&
                            value[i] >= value[after];
         take_most(samples, value[i], samples->t[i], most);
-        if (is_top && value[i] > most->value * 0.9 && value[i] > 0) {
-            climb(samples, measure, context, samples->t[before], samples->t[after], most);
+        if (is_top && value[i] > most->value * 0.9 && value[i] * length > taut_least_angle) {
+            double t;
+            const double top =
+                taut_bracket_most(measure_at, &along, samples->t[before], samples->t[after], &t);
+            take_most(samples, top, t, most);
         }
     }
 }

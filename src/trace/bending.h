@@ -6,6 +6,9 @@
 
 enum { TAUT_K_N, TAUT_K_G, TAUT_TAU_G, TAUT_BENDINGS, TAUT_BENDING_NODES = 8 };
 
+/* Radians along a segment that are rounding: what turns or twists less does neither, and has no largest bend to look for. */
+static const double taut_least_angle = 1e-13;
+
 typedef struct taut_lath_bending {
     double value[TAUT_BENDINGS];
 } taut_lath_bending;
@@ -33,7 +36,7 @@ typedef struct taut_lath_most {
     double value, at; /* s of the lath */
 } taut_lath_most;
 
-/* The larger of *most and the largest on the segment: by its samples, and by golden section round
+/* The larger of *most and the largest on the segment: by its samples, and between them round
  * one that is larger than its neighbours; `ends`: round the segment's ends too, where the largest may lie
  * before the first node. */
 void taut_lath_take_most(const taut_lath_samples *samples, taut_lath_measure *measure,

@@ -14,8 +14,6 @@ enum { BORDER_PIECES = 64 /* a span */, LOOK = 101 };
 /* Sine of the angle below which a curve runs along the line that seeds it; seeds nearer than this,
  * over the size, are one; a lath that ends so near to where the next would begin, over the size, is that one. */
 static const double least_sine = 1e-6, same_seed = 1e-9, same_end = 1e-6;
-/* So near to a border, over the window's side, a place that was reckoned lies on it. */
-static const double on_border = 1e-12;
 
 static const char *const letters[] = {"AB", "AB", "GG", "AB"};
 
@@ -292,13 +290,11 @@ static planned place_of(const taut_carrier *on, int family, const double at[2])
     return (planned){.on = on, .family = family, .at = {at[0], at[1]}, .both = 1, .seed = -1};
 }
 
-/* A place that was reckoned: within the window, and on its border where rounding alone keeps it off, as a
- * curve beside it would leave the window instead of running on it. */
+/* A place that was reckoned: rounding takes it out of the window. */
 static void hold_in_window(const taut_carrier *carrier, double at[2])
 {
     for (int d = 0; d < 2; d++) {
-        const double lo = carrier->lo[d], hi = carrier->hi[d], room = on_border * (hi - lo);
-        at[d] = at[d] <= lo + room ? lo : at[d] >= hi - room ? hi : at[d];
+        at[d] = fmin(fmax(at[d], carrier->lo[d]), carrier->hi[d]);
     }
 }
 

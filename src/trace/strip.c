@@ -11,6 +11,7 @@
 #include "core/constants.h"
 #include "core/fail.h"
 #include "core/vec3.h"
+#include "numeric/bracket.h"
 #include "trace/bending.h"
 
 #include <math.h>
@@ -95,38 +96,40 @@ static ruled ruled_at(const cut *c, const taut_lath_samples *at, double t)
                    .edge = taut_hypot(1 + h * (slope - k), h * skew * k)};
 }
 
-/* The largest |rate|, or the largest curvature over the width, from samples and by golden section. */
-static double ruled_size(const cut *c, const taut_lath_samples *at, double t, int of_bend)
+/* |rate|, or the curvature over the width, along a segment. */
+typedef struct ruled_course {
+    const cut *c;
+    const taut_lath_samples *at;
+    int of_bend;
+} ruled_course;
+
+static double ruled_size(const void *context, double t)
 {
-    const ruled r = ruled_at(c, at, t);
-    return of_bend ? r.bend / (1 - c->width / 2 * fabs(r.rate)) : fabs(r.rate);
+    const ruled_course *on = context;
+    const ruled r = ruled_at(on->c, on->at, t);
+    return on->of_bend ? r.bend / (1 - on->c->width / 2 * fabs(r.rate)) : fabs(r.rate);
 }
 
+/* The largest one, from samples and between them. */
 static void take_ruled(const cut *c, const taut_lath_samples *at, int of_bend, taut_lath_most *most)
 {
-    const double golden = 0.6180339887498949;
+    const ruled_course on = {c, at, of_bend};
+    const double length = at->segment->to.s - at->segment->from.s;
     double value[NODES + 2];
     for (int i = 0; i < NODES + 2; i++) {
-        value[i] = ruled_size(c, at, at->t[i], of_bend);
+        value[i] = ruled_size(&on, at->t[i]);
     }
     for (int i = 0; i < NODES + 2; i++) {
         const int before = i > 0 ? i - 1 : i, after = i < NODES + 1 ? i + 1 : i;
-        double low = at->t[before], high = at->t[after], t = at->t[i], best = value[i];
+        double t = at->t[i], best = value[i], top_at;
         if (value[i] < value[before] || value[i] < value[after] || !(best > 0.9 * most->value)) {
             continue;
         }
-        for (int round = 0; round < 40; round++) {
-            const double a = high - golden * (high - low), b = low + golden * (high - low);
-            const double at_a = ruled_size(c, at, a, of_bend), at_b = ruled_size(c, at, b, of_bend);
-            const double larger = at_a > at_b ? a : b;
-            t = fmax(at_a, at_b) > best ? larger : t;
-            best = fmax(best, fmax(at_a, at_b));
-            low = at_a > at_b ? low : a;
-            high = at_a > at_b ? b : high;
-        }
+        const double top = taut_bracket_most(ruled_size, &on, at->t[before], at->t[after], &top_at);
+        t = top > best ? top_at : t;
+        best = fmax(best, top);
         if (best > most->value) {
-            *most = (taut_lath_most){best, at->segment->from.s +
-                                               t * (at->segment->to.s - at->segment->from.s)};
+            *most = (taut_lath_most){best, at->segment->from.s + t * length};
         }
     }
 }

@@ -3,63 +3,57 @@
 
 #include "core/crew.h"
 #include "core/vec3.h"
+#include "numeric/bracket.h"
 #include "numeric/quadrature.h"
 #include "trace/straight.h"
-
-enum { HALVINGS = 50 };
 
 static double size_of(const taut_lath_bending *bending, const void *which)
 {
     return fabs(bending->value[*(const int *)which]);
 }
 
-static double bend_at(const taut_lath_samples *samples, int which, double t)
-{
-    return taut_lath_bending_at(samples->kind, samples->segment, t).value[which];
-}
+/* One bend along a segment. */
+typedef struct bend {
+    const taut_lath_samples *samples;
+    int which;
+} bend;
 
-/* Between two samples of different sign, where the bend vanishes. */
-static double root_between(const taut_lath_samples *samples, int which, int i)
+static double bend_at(const void *context, double t)
 {
-    double low = samples->t[i], high = samples->t[i + 1];
-    for (int round = 0; round < HALVINGS; round++) {
-        const double middle = (low + high) / 2;
-        if ((bend_at(samples, which, middle) > 0) == (samples->at[i].value[which] > 0)) {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    return low;
+    const bend *b = context;
+    return taut_lath_bending_at(b->samples->kind, b->samples->segment, t).value[b->which];
 }
 
 /* |int bend ds| over a part of the segment, over its length. */
-static double sum_part(const taut_lath_samples *samples, int which, double from, double to)
+static double sum_part(const bend *along, double from, double to)
 {
     double nodes[TAUT_BENDING_NODES], weights[TAUT_BENDING_NODES], sum = 0;
     taut_gauss_rule(TAUT_BENDING_NODES, nodes, weights);
     for (int k = 0; k < TAUT_BENDING_NODES; k++) {
-        sum += weights[k] / 2 * bend_at(samples, which, from + (to - from) * (1 + nodes[k]) / 2);
+        sum += weights[k] / 2 * bend_at(along, from + (to - from) * (1 + nodes[k]) / 2);
     }
     return fabs(sum) * (to - from);
 }
 
 /* int |bend| ds over the segment's length; in parts where it changes its sign, and *changes is set. */
-static double sum_of(const taut_lath_samples *samples, int which, int *changes)
+static double sum_of(const taut_lath_samples *samples, double length, int which, int *changes)
 {
+    const bend along = {samples, which};
     double from = 0, sum = 0, plain = 0;
     for (int i = 1; i <= TAUT_BENDING_NODES; i++) {
         plain += samples->weight[i] * fabs(samples->at[i].value[which]);
     }
-    for (int i = 0; i < TAUT_BENDING_NODES + 1; i++) {
+    for (int i = 0; plain * length > taut_least_angle && i < TAUT_BENDING_NODES + 1; i++) {
         if (samples->at[i].value[which] * samples->at[i + 1].value[which] < 0) {
-            const double root = root_between(samples, which, i);
-            sum += sum_part(samples, which, from, root);
+            const double root =
+                taut_bracket_root(bend_at, &along, samples->t[i], samples->t[i + 1],
+                                  samples->at[i].value[which], samples->at[i + 1].value[which]);
+            sum += sum_part(&along, from, root);
             from = root;
             *changes = 1;
         }
     }
-    return from > 0 ? sum + sum_part(samples, which, from, 1) : plain;
+    return from > 0 ? sum + sum_part(&along, from, 1) : plain;
 }
 
 static void sum_segment(const taut_net *net, const taut_lath *lath, const taut_segment *segment,
@@ -71,9 +65,10 @@ static void sum_segment(const taut_net *net, const taut_lath *lath, const taut_s
     int changes = 0;
 
     taut_lath_bending_sample(kind, segment, &samples);
-    s->turn += length * sum_of(&samples, TAUT_K_G, &changes);
-    s->twist += segment->near_parabolic ? segment->to.twist - segment->from.twist
-                                        : length * sum_of(&samples, TAUT_TAU_G, &s->is_turning);
+    s->turn += length * sum_of(&samples, length, TAUT_K_G, &changes);
+    s->twist += segment->near_parabolic
+                    ? segment->to.twist - segment->from.twist
+                    : length * sum_of(&samples, length, TAUT_TAU_G, &s->is_turning);
     for (int k = 0; k < TAUT_BENDINGS; k++) {
         taut_lath_take_most(&samples, size_of, &k, 0, &s->most[k]);
     }
