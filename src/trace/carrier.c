@@ -51,32 +51,32 @@ static void sum_net(const taut_carrier *carrier, const int span[2], const double
     }
 }
 
-static int binomial(int n, int k)
-{
-    static const int table[4][4] = {{1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}};
-    return table[n][k];
-}
-
-static int index_of(int i, int j)
-{
-    return (i + j) * (i + j + 1) / 2 + j;
-}
+/* Of the quotient rule's sum of each derivative: which derivative of the weight, which of x, C(i, k) C(j, l). */
+static const struct {
+    signed char weight, x, factor;
+} quotient[] = {
+    /* clang-format off */
+    {1, 0, 1}, /* 10 */
+    {2, 0, 1}, /* 01 */
+    {3, 0, 1}, {1, 1, 2}, /* 20 */
+    {4, 0, 1}, {1, 2, 1}, {2, 1, 1}, /* 11 */
+    {5, 0, 1}, {2, 2, 2}, /* 02 */
+    {6, 0, 1}, {3, 1, 3}, {1, 3, 3}, /* 30 */
+    {7, 0, 1}, {3, 2, 1}, {4, 1, 2}, {1, 4, 2}, {2, 3, 1}, /* 21 */
+    {8, 0, 1}, {4, 2, 2}, {1, 5, 1}, {5, 1, 1}, {2, 4, 2}, /* 12 */
+    {9, 0, 1}, {5, 2, 3}, {2, 5, 3}, /* 03 */
+    /* clang-format on */
+};
+static const int quotient_first[TAUT_CARRIER_VECTORS + 1] = {0, 0, 1, 2, 4, 7, 9, 12, 17, 22, 25};
 
 /* The quotient rule: w x_ij = X_ij - sum over (k, l) < (i, j) of C(i, k) C(j, l) w_(i-k)(j-l) x_kl. */
 static void project(int count, const double h[TAUT_CARRIER_VECTORS][4],
                     double x[TAUT_CARRIER_VECTORS][3])
 {
     for (int n = 0; n < count; n++) {
-        const int i = order_u[n], j = order_v[n];
         memcpy(x[n], h[n], sizeof x[n]);
-        for (int k = 0; k <= i; k++) {
-            for (int l = 0; l <= j; l++) {
-                if (k < i || l < j) {
-                    const double factor = binomial(i, k) * binomial(j, l);
-                    taut_add_scaled(-factor * h[index_of(i - k, j - l)][3], x[index_of(k, l)],
-                                    x[n]);
-                }
-            }
+        for (int t = quotient_first[n]; t < quotient_first[n + 1]; t++) {
+            taut_add_scaled(-quotient[t].factor * h[quotient[t].weight][3], x[quotient[t].x], x[n]);
         }
         for (int c = 0; c < 3; c++) {
             x[n][c] /= h[0][3];
