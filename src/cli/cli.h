@@ -318,6 +318,10 @@ int cli_fail_in(const char *file, const taut_error *error);
 int cli_fail_in_words(const char *command, const char *file, const taut_error *error);
 /* The same, told to a program with the place where it happened, a path: the sentence has it already. */
 int cli_fail_at(const char *path, const taut_error *error);
+/* Prints "taut: FILE: warning: text": what is not as it seems, and no reason to stop. With --json it is kept. */
+void cli_warn(const char *file, const char *text);
+/* With --json prints what was warned of, unless an error was printed: { "warnings": [ { "where", "message" } ] }, in a line. */
+void cli_warnings_done(void);
 /* Prints "taut: message" and returns 2: the command line is wrong. `reason` is a word of the list
  * above. */
 int cli_misuse(const char *reason, const char *format, ...) TAUT_PRINTF(2, 3);
@@ -371,9 +375,8 @@ int cli_prove_against(const char *file, const char *problem_file, taut_model *mo
  * saved one; of one that holds *shown is a copy with its certificate proved again, for pictures, else NULL. 0 or the exit code. */
 int cli_prove_for_outputs(const char *file, taut_model **model, const cli_options *options,
                           taut_model **shown);
-/* *model is converted to the unit of the first one, with a warning; 0 or the exit code. */
-int cli_one_unit(const char *file, const taut_model *first, taut_model **model,
-                 const cli_options *options);
+/* *model is converted to the unit of the first one, with a warning where that is not `told` otherwise; 0 or the exit code. */
+int cli_one_unit(const char *file, const taut_model *first, taut_model **model, int told);
 /* " mm^2" for what is measured under a key such as "area", "" for a number without a unit of length. */
 enum { CLI_UNIT_ROOM = 16 };
 const char *cli_unit_of(const char *key, const char *unit, char room[CLI_UNIT_ROOM]);

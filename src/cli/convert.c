@@ -24,7 +24,7 @@ static int run_many(const cli_options *options)
         if (cli_read_model(options->files[i], options, &models[i], &error) != TAUT_OK) {
             code = cli_fail_in(options->files[i], &error);
         } else {
-            code = cli_one_unit(options->files[i], models[0], &models[i], options);
+            code = cli_one_unit(options->files[i], models[0], &models[i], 0);
             cli_prove_again(options->files[i], models[i], options);
             written[count++] = models[i];
         }

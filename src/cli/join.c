@@ -74,7 +74,7 @@ static int run(const cli_options *options)
         if (cli_read_model(options->files[2 * i], options, &models[i], &error) != TAUT_OK) {
             code = cli_fail_in(options->files[2 * i], &error);
         } else {
-            code = cli_one_unit(options->files[2 * i], models[0], &models[i], options);
+            code = cli_one_unit(options->files[2 * i], models[0], &models[i], options->json);
         }
         if (code == 0) {
             code = find_edge(models[i], options->files[2 * i + 1], &surfaces[i], &edges[i]);

@@ -122,6 +122,7 @@ static int run(const cli_command *command, int count, char **words)
             cli_announce(command->name);
         }
         code = options.help ? print_command_help(command) : command->run(&options);
+        cli_warnings_done();
     }
     cli_parse_free(&options);
     return code;

@@ -108,7 +108,7 @@ static int has_surface(const taut_model *model, const char *name)
     return 0;
 }
 
-/* What the reader of a CAD file had to say: for programs, who see no warnings. */
+/* What the reader of a CAD file had to say: for programs, beside the numbers. */
 static void add_notes(const taut_model *model, taut_record *record)
 {
     const taut_record *details = taut_model_details(model);
@@ -123,7 +123,9 @@ static int run(const cli_options *options)
     taut_model *model = NULL;
     taut_record *record = NULL;
     taut_error error = {.status = TAUT_NO_MEMORY, .reason = "memory", .message = "memory ran out"};
-    taut_status status = cli_read_model(options->files[0], options, &model, &error);
+    cli_options reading = *options;
+    reading.quiet = options->json; /* which has the notes */
+    taut_status status = cli_read_model(options->files[0], &reading, &model, &error);
     int code = 0;
 
     if (status == TAUT_OK && options->surface != NULL && !has_surface(model, options->surface)) {

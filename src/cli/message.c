@@ -20,15 +20,19 @@ int cli_speaks_json(void)
     return speaks_json;
 }
 
-/* One line, whatever the names and words in it are: what would move the cursor is a "?". */
-static void print_line(char *line)
+/* Part of a line, whatever the names and words in it are: what would move the cursor is a "?". */
+static void print_part(const char *part)
 {
-    for (char *at = line; *at != '\0'; at++) {
-        if (iscntrl((unsigned char)*at)) {
-            *at = '?';
-        }
+    for (const char *at = part; *at != '\0'; at++) {
+        fputc(iscntrl((unsigned char)*at) ? '?' : *at, stderr);
     }
-    fprintf(stderr, "taut: %s\n", line);
+}
+
+static void print_line(const char *line)
+{
+    fputs("taut: ", stderr);
+    print_part(line);
+    fputc('\n', stderr);
 }
 
 /* The word for an error that names none. */
@@ -91,25 +95,65 @@ size_t cli_one_line(char *text, size_t length)
     return end;
 }
 
-static void print_json(const taut_error *error, const char *where)
+/* A record as a line on standard error; 0 where memory ran out. Frees it. */
+static int print_record(taut_record *record)
 {
-    taut_record *record = cli_error_record(error, where);
     char *text = NULL;
     size_t length = 0;
+    const int is_written = taut_record_status(record) == TAUT_OK &&
+                           taut_record_write(record, &text, &length) == TAUT_OK;
 
-    if (taut_record_status(record) != TAUT_OK ||
-        taut_record_write(record, &text, &length) != TAUT_OK) {
-        fprintf(stderr,
-                "{ \"error\": { \"exit\": %d, \"reason\": \"%s\", \"where\": \"\", "
-                "\"message\": \"memory ran out\", \"found\": null, \"expected\": null } }\n",
-                taut_status_exit_code(error->status), reason_of(error));
-    } else {
+    if (is_written) {
         length = cli_one_line(text, length);
         fwrite(text, 1, length, stderr);
         fputc('\n', stderr);
     }
     taut_text_free(text);
     taut_record_free(record);
+    return is_written;
+}
+
+static void print_json(const taut_error *error, const char *where)
+{
+    if (!print_record(cli_error_record(error, where))) {
+        fprintf(stderr,
+                "{ \"error\": { \"exit\": %d, \"reason\": \"%s\", \"where\": \"\", "
+                "\"message\": \"memory ran out\", \"found\": null, \"expected\": null } }\n",
+                taut_status_exit_code(error->status), reason_of(error));
+    }
+}
+
+/* What a program is warned of: one line at the end, where nothing failed. A failure is one line alone. */
+static taut_record *warnings, *warned_of;
+static int has_failed;
+
+void cli_warn(const char *file, const char *text)
+{
+    if (speaks_json) {
+        if (warnings == NULL) {
+            warnings = taut_record_new();
+            warned_of = taut_record_add_list(warnings, "warnings");
+        }
+        taut_record *object = taut_record_add_object(warned_of, NULL);
+        taut_record_add_text(object, "where", file);
+        taut_record_add_text(object, "message", text);
+    } else {
+        fputs("taut: ", stderr);
+        print_part(file);
+        fputs(": warning: ", stderr);
+        print_part(text);
+        fputc('\n', stderr);
+    }
+}
+
+void cli_warnings_done(void)
+{
+    if (warnings == NULL || has_failed) {
+        taut_record_free(warnings);
+    } else {
+        (void)print_record(warnings); /* there is nobody to be told that memory ran out */
+    }
+    warnings = NULL;
 }
 
 /* What a person reads more about by `taut help`; a wrong command line has its own --help, and what the machine or the
@@ -124,6 +168,7 @@ static int print_error(const taut_error *error, const char *where)
 {
     char line[sizeof error->where + sizeof error->message + sizeof error->reason + 32];
     cli_monitor_done();
+    has_failed = 1;
     if (speaks_json) {
         print_json(error, where);
     } else {

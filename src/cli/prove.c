@@ -18,15 +18,7 @@ static int point_count(const taut_model *model)
     return count > QUICK_POINTS ? QUICK_POINTS + 1 : (int)count;
 }
 
-static void warn(const char *file, const char *text, const cli_options *options)
-{
-    if (!options->json) {
-        fprintf(stderr, "taut: %s: warning: %s\n", file, text);
-    }
-}
-
-static void warn_of_claims(const char *file, const taut_certificate *certificate,
-                           const cli_options *options)
+static void warn_of_claims(const char *file, const taut_certificate *certificate)
 {
     char text[400] = "not all claims hold:";
 
@@ -37,7 +29,7 @@ static void warn_of_claims(const char *file, const taut_certificate *certificate
             snprintf(text + used, sizeof text - used, " %.60s", claim->claim);
         }
     }
-    warn(file, text, options);
+    cli_warn(file, text);
 }
 
 /* `as`: how a certificate that is not proved again is used ("shown"); NULL: not at all, which needs no word. */
@@ -62,13 +54,13 @@ static void prove_again(const char *file, const char *as, taut_model *model,
                  as != NULL ? as : "", error.message);
     } else {
         if (taut_certificate_holds(certificate) == TAUT_FALSE) {
-            warn_of_claims(file, certificate, options);
+            warn_of_claims(file, certificate);
         }
         taut_model_set_certificate(model, certificate);
         return;
     }
     if (as != NULL) {
-        warn(file, text, options);
+        cli_warn(file, text);
     }
 }
 
@@ -95,7 +87,7 @@ int cli_prove_against(const char *file, const char *problem_file, taut_model *mo
         return cli_fail_in(is_read ? file : problem_file, &error);
     }
     if (taut_certificate_holds(certificate) == TAUT_FALSE) {
-        warn_of_claims(file, certificate, options);
+        warn_of_claims(file, certificate);
     }
     taut_model_set_certificate(model, certificate);
     return 0;

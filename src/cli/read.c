@@ -3,18 +3,8 @@
 
 #include <stdio.h>
 
+/* To a person; a program is told all. */
 enum { NOTES_TOLD = 3 };
-
-/* Names come out of files that are not ours: what would steer a terminal is not printed. */
-static void tell_note(const char *path, const char *note)
-{
-    fprintf(stderr, "taut: %s: warning: ", path);
-    for (const char *c = note; *c != '\0'; c++) {
-        const unsigned char byte = (unsigned char)*c;
-        fputc(byte < 0x20 || byte == 0x7f ? '?' : byte, stderr);
-    }
-    fputc('\n', stderr);
-}
 
 /* Notes of a reader of CAD files; those of a saved model were told when it was made. */
 static void tell_notes(const char *path, const taut_model *model)
@@ -23,12 +13,15 @@ static void tell_notes(const char *path, const taut_model *model)
     const taut_record *notes = taut_record_get(details, "notes");
     const size_t count = taut_record_count(notes);
 
-    for (size_t i = 0; i < count && i < NOTES_TOLD; i++) {
-        tell_note(path, taut_record_text(taut_record_at(notes, i)));
+    const size_t told = cli_speaks_json() || count < NOTES_TOLD ? count : NOTES_TOLD;
+    char more[64];
+
+    for (size_t i = 0; i < told; i++) {
+        cli_warn(path, taut_record_text(taut_record_at(notes, i)));
     }
-    if (count > NOTES_TOLD) {
-        fprintf(stderr, "taut: %s: warning: and %zu more, in details.notes\n", path,
-                count - NOTES_TOLD);
+    if (count > told) {
+        snprintf(more, sizeof more, "and %zu more, in details.notes", count - told);
+        cli_warn(path, more);
     }
 }
 
@@ -43,14 +36,14 @@ static void tell_of_trims(const char *path, const taut_model *model)
         snprintf(note, sizeof note,
                  "surfaces under trimmed faces are whole in it: %.0f (see its details.notes)",
                  taut_record_number(trimmed));
-        tell_note(path, note);
+        cli_warn(path, note);
     }
 }
 
-/* What a reader of `path` had to say, unless all that is printed is JSON. */
+/* What a reader of `path` had to say, but for --quiet. */
 static void tell_of(const char *path, const cli_options *options, const taut_model *model)
 {
-    if (model == NULL || options->json) {
+    if (model == NULL || options->quiet) {
         return;
     }
     if (cli_is_json(path)) {

@@ -4,12 +4,12 @@
 #include <stdio.h>
 #include <string.h>
 
-int cli_one_unit(const char *file, const taut_model *first, taut_model **model,
-                 const cli_options *options)
+int cli_one_unit(const char *file, const taut_model *first, taut_model **model, int told)
 {
     const char *unit = taut_model_unit(first);
     taut_model *converted = NULL;
     taut_error error;
+    char text[80];
 
     if (strcmp(taut_model_unit(*model), unit) == 0) {
         return 0;
@@ -17,9 +17,9 @@ int cli_one_unit(const char *file, const taut_model *first, taut_model **model,
     if (taut_model_to_unit(*model, unit, &converted, &error) != TAUT_OK) {
         return cli_fail_in(file, &error);
     }
-    if (!options->json) {
-        fprintf(stderr, "taut: %s: warning: it is in %s, and converted to %s\n", file,
-                taut_model_unit(*model), unit);
+    snprintf(text, sizeof text, "it is in %s, and converted to %s", taut_model_unit(*model), unit);
+    if (!told) {
+        cli_warn(file, text);
     }
     taut_model_free(*model);
     *model = converted;

@@ -131,6 +131,13 @@ if [ -e screw.step ]; then
     run 0 convert screw.step --untrim -o untrimmed.json
     run 0 convert untrimmed.json -o again.step
     contains err.txt 'untrimmed.json: warning: surfaces under trimmed faces are whole in it: [1-9]'
+    run 0 convert screw.step --untrim -o untrimmed.json --json
+    python3 - err.txt <<'PY' || complain "warnings in JSON: $(cat err.txt)"
+import json, sys
+told = json.load(open(sys.argv[1]))["warnings"]
+notes = json.load(open("untrimmed.json"))["details"]["notes"]
+assert [w["message"] for w in told] == notes and {w["where"] for w in told} == {"screw.step"} and len(told) == 7
+PY
     run 0 measure screw.step --untrim --json
     [ ! -s err.txt ] || complain "warned beside JSON: $(cat err.txt)"
     contains out.txt 'the face is trimmed; this is the whole surface under it'

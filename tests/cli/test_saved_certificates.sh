@@ -19,6 +19,8 @@ for file in view convert; do
     contains err.txt 'moved.json: warning: not all claims hold: stationary'
     contains moved.html '"holds": false'
 done
+run 0 convert moved.json -o moved.svg --json # a program is told, too
+[ "$(cat err.txt)" = '{ "warnings": [ { "where": "moved.json", "message": "not all claims hold: stationary" } ] }' ] || complain "--json: $(cat err.txt)"
 run 0 convert moved.json -o moved.svg
 contains err.txt 'not all claims hold: stationary'
 contains moved.svg 'not all claims hold'
@@ -54,6 +56,7 @@ cmp -s copy.json model.json || complain 'a copy of what cannot be proved differs
 run 0 convert model.json -o copy.step # no format says a certificate
 [ ! -s err.txt ] || complain "STEP: $(cat err.txt)"
 run 0 view model.json --json -o saved.html
-[ ! -s err.txt ] || complain "warned beside JSON: $(cat err.txt)"
+contains err.txt '^\{ "warnings": \[ \{ "where": "model.json", "message": "the certificate is shown as saved, not proved again'
+[ "$(wc -l < err.txt)" = 1 ] || complain "not one line: $(cat err.txt)"
 
 finish
