@@ -103,7 +103,7 @@ typedef struct taut_write_options {
     double
         thickness; /* meshes (taut/mesh.h), step, iges: of a sheet, in the model's unit; 0: none */
     int coefficients; /* vtu: nonzero: fields of Bezier cells as coefficients, not as values */
-    int reactions;    /* figures: nonzero: arrows, as the supports of a film pull at it */
+    int reactions;    /* figures: nonzero: arrows, as the cables of a film pull at its supports */
     int column; /* figures: nonzero: 88 mm wide, a paper's column, no letter smaller than 6 point */
     /* pdf, of models with flat pieces to cut: their plan */
     taut_paper tiles; /* 1:1 on sheets of this size to be put together; or on one page */

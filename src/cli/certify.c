@@ -4,26 +4,39 @@
 
 #include <stdio.h>
 
-static int print_certificate(const cli_options *options, const taut_certificate *certificate,
-                             const char *unit)
+/* Exchange formats hold surfaces and no more: what a reader misses who certifies one. */
+static void say_what_is_missing(const char *file)
 {
+    fprintf(stderr,
+            "taut: %s: note: this format keeps the surfaces alone, not the certificate, nor the "
+            "witness that `least` is proved with: keep the model as .json too\n",
+            file);
+}
+
+static int print_certificate(const cli_options *options, const taut_certificate *certificate,
+                             const taut_model *model)
+{
+    const int holds = taut_certificate_holds(certificate) == TAUT_TRUE;
     int code = 0;
     if (options->json) {
         taut_record *record = taut_record_new();
         cli_certificate_record(record, NULL, certificate);
         code = cli_print_record(record);
-    } else {
+    } else if (!options->quiet) {
         fprintf(stderr, "%s\n", taut_certificate_construct(certificate));
-        cli_certificate_print(certificate, unit);
+        cli_certificate_print(certificate, model);
+        cli_verdict_print(certificate);
+    } else if (!holds) {
+        cli_verdict_print(certificate);
     }
-    return code == 0 && taut_certificate_holds(certificate) != TAUT_TRUE ? 1 : code;
+    return code == 0 && !holds ? 1 : code;
 }
 
 static int run(const cli_options *options)
 {
     taut_certify_options chosen = {.tolerance = options->tolerance,
                                    .exact = options->exact,
-                                   .monitor = cli_monitor(options->json)};
+                                   .monitor = cli_monitor(options->quiet || options->json)};
     taut_model *model = NULL;
     taut_problem *problem = NULL;
     taut_certificate *certificate = NULL;
@@ -32,6 +45,10 @@ static int run(const cli_options *options)
     int at = 0; /* the file that an error is about */
     int code = 0;
 
+    if (status == TAUT_OK && !options->json && !options->quiet &&
+        taut_model_certificate(model) == NULL && !cli_is_json(options->files[0])) {
+        say_what_is_missing(options->files[0]);
+    }
     if (status == TAUT_OK && options->file_count > 1) {
         at = 1;
         status = taut_problem_read(options->files[1], &problem, &error);
@@ -42,7 +59,7 @@ static int run(const cli_options *options)
         status = taut_certify(model, problem, &chosen, &certificate, &error);
         cli_monitor_done();
     }
-    code = status == TAUT_OK ? print_certificate(options, certificate, taut_model_unit(model))
+    code = status == TAUT_OK ? print_certificate(options, certificate, model)
                              : cli_fail_in(options->files[at], &error);
     taut_certificate_free(certificate);
     taut_problem_free(problem);
@@ -50,12 +67,19 @@ static int run(const cli_options *options)
     return code;
 }
 
-static const cli_option options_of_certify[] = {CLI_JSON,    CLI_TOLERANCE, CLI_UNTRIM,
-                                                CLI_THREADS, CLI_EXACT,     CLI_LAST};
+static const cli_option options_of_certify[] = {
+    CLI_JSON,
+    {"--quiet", CLI_FLAG, offsetof(cli_options, quiet), 0, 0, 0, NULL,
+     "no report: a line where the certificate does not hold, and the exit code"},
+    CLI_TOLERANCE,
+    CLI_UNTRIM,
+    CLI_THREADS,
+    CLI_EXACT,
+    CLI_LAST};
 
 const cli_command cli_command_certify = {
     .name = "certify",
-    .usage = "MODEL.json [PROBLEM.json] [--json]",
+    .usage = "MODEL.json [PROBLEM.json] [--json] [--quiet]",
     .summary = "prove a saved model again, from its numbers alone",
     .text =
         "With the problem every claim is judged; without it those that the model alone decides.\n"

@@ -210,7 +210,7 @@ typedef struct cli_command {
          0,                                                                                        \
          0,                                                                                        \
          NULL,                                                                                     \
-         "figures: arrows, as the supports of a film pull"},                                       \
+         "figures: arrows, as the cables of a film pull at its supports"},                         \
         {"--side-by-side",                                                                         \
          CLI_FLAG,                                                                                 \
          offsetof(cli_options, side_by_side),                                                      \
@@ -298,8 +298,14 @@ int cli_pair(const char *word, double *a, double *b);
       "take one of the names that are there")                                                      \
     X("range", "a parameter outside the range of its basis", "give one inside the range")
 
+enum { CLI_TERM_ROOM = 64 };
 /* Prints what a reason means and what to change, once for each list that has it; how many had. */
 int cli_reason_help(const char *word);
+/* The same of a construction, a claim, a word of the report or of the glossary; blanks and hyphens are as underscores.
+ * `after`: nonzero where something was printed before. How many it is. */
+int cli_term_help(const char *word, int after);
+/* Word i = 0, 1, ... of these, in `room`; 0 at the end. */
+int cli_term_at(int i, char room[CLI_TERM_ROOM]);
 /* All reasons, i = 0, 1, ..., some twice; NULL at the end. */
 const char *cli_reason_at(int i);
 

@@ -102,11 +102,13 @@ static const cli_option options_of_convert[] = {
     CLI_SHORT_KNOTS,
     CLI_UNTRIM,
     CLI_THREADS,
+    {"--quiet", CLI_FLAG, offsetof(cli_options, quiet), 0, 0, 0, NULL,
+     "no word of how near a file is to the model; warnings stay"},
     CLI_LAST};
 
 const cli_command cli_command_convert = {
     .name = "convert",
-    .usage = "MODEL.json... -o FILE... [--tolerance T] [--divide N] [--pieces]",
+    .usage = "MODEL.json... -o FILE... [--tolerance T] [--divide N] [--pieces] [--quiet]",
     .summary = "write a model in other formats",
     .text = "The ending of FILE says the format. With --tolerance, JSON too holds NURBS, within a "
             "distance that is\nproved and printed; without it the model itself. Several models go "

@@ -15,6 +15,7 @@ typedef struct taut_embedded {
 extern const taut_embedded taut_examples[]; /* examples/NAME.json */
 extern const taut_embedded taut_papers[];   /* data/papers/KEY.json */
 extern const taut_embedded taut_schemas[];  /* docs/schema/KIND.json */
+extern const taut_embedded taut_pages[];    /* pages whose tables `taut help WORD` reads */
 extern const taut_embedded taut_titles[];   /* examples/titles.txt: "NAME: title", one a line */
 
 /* The file whose name is `name` plus ".json", or NULL. */

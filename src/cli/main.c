@@ -27,6 +27,7 @@ static int print_help(void)
     printf(
         "\n  taut help COMMAND     what a command takes; so does taut COMMAND --help\n"
         "  taut help REASON      what an error means, and what to change\n"
+        "  taut help WORD        a construction, a claim, a number of the report or a term\n"
         "  taut --version        which taut this is\n\n"
         "A first surface:  taut example dirichlet-tent | taut make - -o tent.json -o tent.png\n"
         "Exit codes: 0 done, 1 the numbers say no, 2 command line, 3 document, 4 does not exist,\n"
@@ -75,42 +76,53 @@ static const cli_command *command_of(const char *name)
     return NULL;
 }
 
-enum { REASONS_MAX = 512 };
+enum { REASONS_MAX = 512, TERMS_MAX = 512 };
 
-/* No such command, nor reason where those are asked for too; 2. */
-static int unknown(const char *name, int reasons_too)
+/* No such command, nor a word that `taut help` explains where those are asked for too; 2. */
+static int unknown(const char *name, int words_too)
 {
-    const char *names[COMMAND_COUNT + REASONS_MAX + 4] = {"--help", "--version", "help"};
+    const char *names[COMMAND_COUNT + REASONS_MAX + TERMS_MAX + 4] = {"--help", "--version",
+                                                                      "help"};
+    char terms[TERMS_MAX][CLI_TERM_ROOM];
     size_t count = 3;
     for (int i = 0; i < COMMAND_COUNT; i++) {
         names[count++] = commands[i]->name;
     }
-    for (int i = 0; reasons_too && i < REASONS_MAX && cli_reason_at(i) != NULL; i++) {
+    for (int i = 0; words_too && i < REASONS_MAX && cli_reason_at(i) != NULL; i++) {
         names[count++] = cli_reason_at(i);
+    }
+    for (int i = 0; words_too && i < TERMS_MAX && cli_term_at(i, terms[i]); i++) {
+        names[count++] = terms[i];
     }
     const char *near = cli_nearest(name, names);
     return cli_misuse("command", "there is no command%s \"%.40s\"%s%s%s; %s",
-                      reasons_too ? " or reason of errors" : "", name,
+                      words_too ? ", construction, claim or reason" : "", name,
                       near != NULL ? " (did you mean \"" : "", near != NULL ? near : "",
                       near != NULL ? "\"?)" : "",
-                      reasons_too ? "`taut --help` lists commands, docs/errors.md reasons"
-                                  : "`taut --help` lists them");
+                      words_too ? "`taut --help` lists commands, docs/certificate.md claims, "
+                                  "docs/errors.md reasons"
+                                : "`taut --help` lists them");
 }
 
-/* taut help [COMMAND | REASON]; no word is both (tests/cli/test_help.sh). */
+/* taut help [COMMAND | REASON | WORD]; no word is a command and a reason (tests/cli/test_help.sh), some are a reason and
+ * a claim. Words of the report that have a blank need no quotes. */
 static int help(int count, char **words)
 {
+    char word[CLI_TERM_ROOM] = "";
+
     if (count == 0) {
         return print_help();
     }
-    if (count > 1) {
-        return cli_misuse("command", "`taut help` takes one command or one reason");
+    for (int i = 0; i < count; i++) {
+        const size_t used = strlen(word);
+        snprintf(word + used, sizeof word - used, "%s%s", i > 0 ? " " : "", words[i]);
     }
-    const cli_command *command = command_of(words[0]);
+    const cli_command *command = command_of(word);
     if (command != NULL) {
         return print_command_help(command);
     }
-    return cli_reason_help(words[0]) > 0 ? cli_print_text("", 0) : unknown(words[0], 1);
+    const int found = cli_reason_help(word);
+    return cli_term_help(word, found > 0) + found > 0 ? cli_print_text("", 0) : unknown(word, 1);
 }
 
 static int run(const cli_command *command, int count, char **words)

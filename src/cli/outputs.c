@@ -2,6 +2,7 @@
 #include "cli/cli.h"
 #include "platform/system.h"
 
+#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -133,13 +134,66 @@ int cli_write_options(const cli_options *options, taut_write_options *chosen)
     return take_paper(options, chosen);
 }
 
+/* For an ending that others write and taut does not: what to take instead, or "". */
+static const char *instead_of(const char *path)
+{
+    static const struct {
+        const char *endings, *hint;
+    } rows[] = {
+        {" .jpg .jpeg .gif .bmp .tif .tiff .webp .eps ", "; a picture is .png, .svg or .pdf"},
+        {" .dwg ", "; a drawing is .dxf"},
+        {" .gltf .fbx .dae .off .amf ", "; a mesh is .glb, .obj, .stl, .ply or .3mf"},
+        {" .3dm .sat .x_t .brep .fcstd .sldprt ", "; a surface for CAD is .step or .igs"},
+        {" .xlsx .xls .ods .tsv .txt ", "; a table is .csv"},
+        {" .vtk .vts ", "; ParaView reads .vtu"}};
+    const char *dot = strrchr(taut_system_last_part(path), '.');
+    char word[16];
+
+    if (dot != NULL && strlen(dot) < sizeof word - 2) {
+        snprintf(word, sizeof word, " %s ", dot);
+        for (char *c = word; *c != '\0'; c++) {
+            *c = *c >= 'A' && *c <= 'Z' ? (char)(*c + ('a' - 'A')) : *c;
+        }
+        for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+            if (strstr(rows[i].endings, word) != NULL) {
+                return rows[i].hint;
+            }
+        }
+    }
+    return "";
+}
+
+/* A folder that is not there is told before anything is made for it. A % takes the number of a list's item later. */
+static int check_folder(const char *path)
+{
+    const int folder = (int)(taut_system_last_part(path) - path);
+    taut_target_kind kind = TAUT_TARGET_FILE;
+    char target[TAUT_PATH_ROOM];
+
+    if (folder == 0 || strchr(path, '%') != NULL ||
+        taut_system_target(path, &kind, target) != ENOENT) {
+        return 0;
+    }
+    taut_error error = {
+        .status = TAUT_IO, .reason = "write", .found = (double)NAN, .limit = (double)NAN};
+    snprintf(error.message, sizeof error.message,
+             "cannot write %.200s: there is no folder %.*s: make it first, or write elsewhere",
+             path, folder < 200 ? folder : 200, path);
+    return cli_fail_at(path, &error);
+}
+
 int cli_check_outputs(const cli_options *options)
 {
     for (int i = 0; i < options->output_count; i++) {
         taut_error error;
         if (taut_formats_ending(taut_draw_formats(), options->outputs[i], &error) == NULL) {
-            return cli_misuse_path(error.reason, options->outputs[i], "-o %s: %s",
-                                   options->outputs[i], error.message);
+            return cli_misuse_path(error.reason, options->outputs[i], "-o %s: %s%s",
+                                   options->outputs[i], error.message,
+                                   instead_of(options->outputs[i]));
+        }
+        const int code = check_folder(options->outputs[i]);
+        if (code != 0) {
+            return code;
         }
         for (int j = 0; j < i; j++) {
             if (strcmp(options->outputs[i], options->outputs[j]) == 0) {
@@ -148,7 +202,7 @@ int cli_check_outputs(const cli_options *options)
             }
         }
     }
-    return 0;
+    return options->report != NULL ? check_folder(options->report) : 0;
 }
 
 const char *cli_distance(double bound, const taut_model *model, char room[CLI_DISTANCE_ROOM])
@@ -223,8 +277,8 @@ int cli_write_or_nurbs(const taut_model *model, const taut_model *nurbs, double 
     }
     taut_model_free(strips);
     cli_monitor_done();
-    /* what was approximated is not kept quiet */
-    for (int i = 0; i < count && code == 0 && !options->json; i++) {
+    /* what was approximated is said */
+    for (int i = 0; i < count && code == 0 && !options->json && !options->quiet; i++) {
         char distance[CLI_DISTANCE_ROOM];
         if (bounds[i] > 0) {
             fprintf(stderr, "%s%s of the model\n", paths[i],

@@ -158,12 +158,16 @@ static int is_rows(const taut_record *value)
            !is_table(value) && (kind == TAUT_RECORD_LIST || kind == TAUT_RECORD_OBJECT);
 }
 
-/* The first stands beside the key already. */
-static void print_rows(const taut_record *value, int digits)
+/* The first is beside the key already; `names`: what each row is of, or NULL. */
+static void print_rows(const taut_record *value, const taut_record *names, int digits)
 {
     for (size_t i = 0; i < taut_record_count(value) && i < ROWS; i++) {
+        const char *name = taut_record_text(taut_record_at(names, i));
         if (i > 0) {
             fprintf(stderr, "\n  %-*s ", COLUMN - 1, "");
+        }
+        if (name != NULL && name[0] != '\0') {
+            fprintf(stderr, "%s: ", name);
         }
         print_value(taut_record_at(value, i), digits);
     }
@@ -173,14 +177,31 @@ static void print_rows(const taut_record *value, int digits)
     }
 }
 
-/* A force times a length: what bounds the energy of a film, where other surfaces have their area bounded. */
-static int is_energy(const taut_record *figures, const char *key)
+/* Films and cloth, whose certificates have an `energy`, call numbers without a unit of length by words that have one
+ * elsewhere: what bounds an energy, a force times a length; curvature times size; the integral of K. */
+static int lacks_unit(const taut_record *figures, const char *key)
 {
-    return taut_record_get(figures, "energy") != NULL &&
-           (strcmp(key, "gap") == 0 || strcmp(key, "lower_bound") == 0);
+    static const char *const words[] = {"gap", "lower_bound", "mean_curvature", "curvature"};
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        if (strcmp(key, words[i]) == 0) {
+            return taut_record_get(figures, "energy") != NULL;
+        }
+    }
+    return 0;
 }
 
-void cli_members_print(const taut_record *record, const char *unit)
+/* What the report calls a member. A word that is a claim too names only that: `cables` says that the cables are the
+ * problem's; what they carry is a table. */
+static const char *label_of(const char *key, char *buffer, size_t size)
+{
+    return strcmp(key, "cables") == 0      ? "each cable"
+           : strcmp(key, "known") == 0     ? "known points"
+           : strcmp(key, "reactions") == 0 ? "forces on supports"
+                                           : words(key, buffer, size);
+}
+
+/* `supports`: the corners that rows of reactions are of, or NULL. */
+static void print_members(const taut_record *record, const taut_record *supports, const char *unit)
 {
     char room[CLI_UNIT_ROOM];
     char name[64];
@@ -189,22 +210,26 @@ void cli_members_print(const taut_record *record, const char *unit)
         if (taut_record_kind_of(value) == TAUT_RECORD_OBJECT) {
             continue;
         }
-        fprintf(stderr, "  %-*s ", COLUMN - 1,
-                words(taut_record_key(record, i), name, sizeof name));
-        const int digits = digits_of(record, taut_record_key(record, i));
-        if (is_rows(value)) {
-            print_rows(value, digits);
+        const char *key = taut_record_key(record, i);
+        fprintf(stderr, "  %-*s ", COLUMN - 1, label_of(key, name, sizeof name));
+        const int digits = digits_of(record, key);
+        const taut_record *names = strcmp(key, "reactions") == 0 ? supports : NULL;
+        if (is_rows(value) || names != NULL) {
+            print_rows(value, names, digits);
         } else {
             print_value(value, digits);
         }
         fprintf(stderr, "%s\n",
-                unit != NULL && !is_energy(record, taut_record_key(record, i))
-                    ? cli_unit_of(taut_record_key(record, i), unit, room)
-                    : "");
+                unit != NULL && !lacks_unit(record, key) ? cli_unit_of(key, unit, room) : "");
     }
 }
 
-void cli_certificate_print(const taut_certificate *certificate, const char *unit)
+void cli_members_print(const taut_record *record, const char *unit)
+{
+    print_members(record, NULL, unit);
+}
+
+void cli_certificate_print(const taut_certificate *certificate, const taut_model *model)
 {
     for (int i = 0; i < taut_certificate_claim_count(certificate); i++) {
         const taut_claim *claim = taut_certificate_claim(certificate, i);
@@ -226,7 +251,56 @@ void cli_certificate_print(const taut_certificate *certificate, const char *unit
                                                  : ", at ",
                 claim->where);
     }
-    cli_members_print(taut_certificate_figures(certificate), unit);
+    print_members(taut_certificate_figures(certificate),
+                  taut_record_get(taut_model_details(model), "supports"), taut_model_unit(model));
+}
+
+static void print_names(const taut_certificate *certificate, taut_verdict verdict)
+{
+    const char *before = ": ";
+    for (int i = 0; i < taut_certificate_claim_count(certificate); i++) {
+        const taut_claim *claim = taut_certificate_claim(certificate, i);
+        if (claim->holds == verdict) {
+            fprintf(stderr, "%s%s", before, claim->claim);
+            before = ", ";
+        }
+    }
+}
+
+static int count_claims(const taut_certificate *certificate, taut_verdict verdict)
+{
+    int count = 0;
+    for (int i = 0; i < taut_certificate_claim_count(certificate); i++) {
+        count += taut_certificate_claim(certificate, i)->holds == verdict;
+    }
+    return count;
+}
+
+void cli_verdict_print(const taut_certificate *certificate)
+{
+    const taut_verdict whole = taut_certificate_holds(certificate);
+    const int of = taut_certificate_claim_count(certificate);
+    const int wrong = count_claims(certificate, TAUT_FALSE),
+              open = count_claims(certificate, TAUT_UNDECIDED);
+
+    fprintf(stderr, "  %-*s%s: ", COLUMN, "certificate",
+            whole == TAUT_TRUE    ? "holds"
+            : whole == TAUT_FALSE ? "DOES NOT HOLD"
+                                  : "undecided");
+    if (wrong + open == 0) {
+        fprintf(stderr, "all %d claims", of);
+    } else {
+        fprintf(stderr, "%d of %d claims", of - wrong - open, of);
+    }
+    if (wrong > 0) {
+        fprintf(stderr, "; false");
+        print_names(certificate, TAUT_FALSE);
+    }
+    if (open > 0) {
+        fprintf(stderr, "; undecided");
+        print_names(certificate, TAUT_UNDECIDED);
+    }
+    fprintf(stderr, "\n");
 }
 
 static void print_rest(int count)
@@ -261,7 +335,8 @@ void cli_report_print(const cli_report *report)
     fprintf(stderr, "%s\n", report->construct);
     print_objects(report->model);
     cli_members_print(taut_model_details(report->model), taut_model_unit(report->model));
-    cli_certificate_print(report->certificate, taut_model_unit(report->model));
+    cli_certificate_print(report->certificate, report->model);
+    cli_verdict_print(report->certificate);
     if (report->seconds_proved > 0.1 && report->seconds_proved > 10 * report->seconds_made) {
         fprintf(stderr, "  %-*s%s\n", COLUMN, "", "the proof took over ten times the making");
     }

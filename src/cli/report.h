@@ -22,8 +22,10 @@ taut_record *cli_report_record(const cli_report *report);
 /* A certificate as the contract's record, added to `record` under `key`. */
 void cli_certificate_record(taut_record *record, const char *key,
                             const taut_certificate *certificate);
-/* Claims and figures of a certificate as lines of the table. */
-void cli_certificate_print(const taut_certificate *certificate, const char *unit);
+/* Claims and figures of a model's certificate as lines of the table. */
+void cli_certificate_print(const taut_certificate *certificate, const taut_model *model);
+/* The last of these: whether the certificate holds, of how many claims, and which are false or undecided. */
+void cli_verdict_print(const taut_certificate *certificate);
 
 /* Numbers, texts and lists of a record as such lines. */
 void cli_members_print(const taut_record *record, const char *unit);

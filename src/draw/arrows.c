@@ -1,4 +1,5 @@
-/* arrows.c -- reactions of supports: as the support pulls, out of the corner that it holds. */
+/* arrows.c -- reactions: the force of the cables on each support, the arrow's head at the corner that it
+ * holds: outside, where the film hides nothing of it. */
 #include "core/elementary/elementary.h"
 #include "draw/parts.h"
 
@@ -8,7 +9,7 @@
 static const char *const corner_names[4] = {"u0v0", "u1v0", "u0v1", "u1v1"};
 
 /* Where the support of this name is; 0 where no corner is called so. */
-static int find_foot(const taut_surface *surface, const char *name, double foot[3])
+static int find_corner(const taut_surface *surface, const char *name, double corner[3])
 {
     const size_t nu = (size_t)taut_basis_count(taut_surface_u(surface)),
                  nv = (size_t)taut_basis_count(taut_surface_v(surface));
@@ -16,21 +17,21 @@ static int find_foot(const taut_surface *surface, const char *name, double foot[
     for (size_t k = 0; k < 4; k++) {
         if (strcmp(name, corner_names[k]) == 0) {
             const size_t at = (k % 2 == 1 ? nu - 1 : 0) * nv + (k >= 2 ? nv - 1 : 0);
-            memcpy(foot, taut_surface_points(surface) + 3 * at, 3 * sizeof(double));
+            memcpy(corner, taut_surface_points(surface) + 3 * at, 3 * sizeof(double));
             return 1;
         }
     }
     return 0;
 }
 
-/* What a support pulls with is the opposite of what it carries. 0 where that is no force. */
-static int read_pull(const taut_record *force, double pull[3])
+/* 0 where that is no force. */
+static int read_force(const taut_record *numbers, double force[3])
 {
     for (size_t c = 0; c < 3; c++) {
-        pull[c] = -taut_record_number(taut_record_at(force, c));
+        force[c] = taut_record_number(taut_record_at(numbers, c));
     }
-    return taut_record_count(force) == 3 &&
-           isfinite(taut_hypot(taut_hypot(pull[0], pull[1]), pull[2]));
+    return taut_record_count(numbers) == 3 &&
+           isfinite(taut_hypot(taut_hypot(force[0], force[1]), force[2]));
 }
 
 void taut_arrows_fill(const taut_model *model, taut_arrows *arrows, double *most)
@@ -43,11 +44,11 @@ void taut_arrows_fill(const taut_model *model, taut_arrows *arrows, double *most
 
     arrows->count = 0;
     for (size_t k = 0; k < taut_record_count(forces) && arrows->count < 4; k++) {
-        double *foot = arrows->foot[arrows->count], *pull = arrows->pull[arrows->count];
-        if (find_foot(taut_model_surface(model, 0), taut_record_text(taut_record_at(supports, k)),
-                      foot) &&
-            read_pull(taut_record_at(forces, k), pull)) {
-            *most = fmax(*most, taut_hypot(taut_hypot(pull[0], pull[1]), pull[2]));
+        double *corner = arrows->head[arrows->count], *force = arrows->force[arrows->count];
+        if (find_corner(taut_model_surface(model, 0), taut_record_text(taut_record_at(supports, k)),
+                        corner) &&
+            read_force(taut_record_at(forces, k), force)) {
+            *most = fmax(*most, taut_hypot(taut_hypot(force[0], force[1]), force[2]));
             arrows->count++;
         }
     }
@@ -57,7 +58,7 @@ void taut_arrows_scale(taut_arrows *arrows, double scale)
 {
     for (int k = 0; k < arrows->count; k++) {
         for (int c = 0; c < 3; c++) {
-            arrows->tip[k][c] = arrows->foot[k][c] + scale * arrows->pull[k][c];
+            arrows->tail[k][c] = arrows->head[k][c] - scale * arrows->force[k][c];
         }
     }
 }
@@ -90,8 +91,8 @@ taut_status taut_arrows_add(const taut_arrows *arrows, const taut_camera *camera
 
     for (int k = 0; k < arrows->count; k++) {
         double line[2][3];
-        taut_camera_project(camera, arrows->foot[k], line[0]);
-        taut_camera_project(camera, arrows->tip[k], line[1]);
+        taut_camera_project(camera, arrows->tail[k], line[0]);
+        taut_camera_project(camera, arrows->head[k], line[1]);
         taut_scene_line(scene, 2, line[0], ink, 1.8);
         add_head((const double(*)[3])line, ink, scene);
     }

@@ -202,7 +202,7 @@ void taut_pane_visit_core(const taut_pane *pane, taut_camera *camera,
             visit(camera, (size_t)4 * TAUT_COMB_TEETH, &pane->combs[i].tip[0][0][0]);
         }
     }
-    visit(camera, (size_t)pane->arrows.count, pane->arrows.tip[0]);
+    visit(camera, (size_t)pane->arrows.count, pane->arrows.tail[0]);
     for (int i = 0; i < pane->curve_count; i++) {
         visit(camera, pane->curves[i].count, pane->curves[i].points);
     }

@@ -292,7 +292,8 @@ static void note_arrows(const taut_panes *panes, char *note, size_t size)
         return;
     }
     taut_label_number(first->arrow_most, number, sizeof number);
-    snprintf(text, sizeof text, "reactions%s: the longest arrow is a force of %s",
+    snprintf(text, sizeof text,
+             "reactions%s: as the cables pull at the supports, the longest arrow is a force of %s",
              panes->count > 1 ? ", each model at its own scale" : "", number);
     append_note(note, size, text);
 }

@@ -73,15 +73,15 @@ taut_status taut_combs_fill(const taut_surface *surface, taut_combs *combs, doub
 void taut_combs_scale(taut_combs *combs, double scale);
 taut_status taut_combs_add(const taut_combs *combs, const taut_camera *camera, taut_scene *scene);
 
-/* ---- reactions: an arrow from each corner that a film is held at, as the support pulls ----
+/* ---- reactions: an arrow to each corner that a film is held at, as the cables pull at it ----
  *
  * The longest of a figure is an eighth of its size, and the figure says what it is. */
 
 typedef struct taut_arrows {
     int count;
-    double foot[4][3];
-    double pull[4][3]; /* the opposite of `reactions` among the figures of the certificate */
-    double tip[4][3];  /* after taut_arrows_scale */
+    double head[4][3];  /* the corners */
+    double force[4][3]; /* `reactions` among the figures of the certificate */
+    double tail[4][3];  /* after taut_arrows_scale */
 } taut_arrows;
 
 /* None where the model's certificate tells none. The largest force in *most, which is not lowered. */

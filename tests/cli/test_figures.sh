@@ -26,9 +26,9 @@ contains c.svg 'the longest tooth is a curvature of '
 run 0 convert saddle.json -o bare.svg --reactions
 contains bare.svg 'no reactions'
 "$TAUT" example film-sail | "$TAUT" make - --quiet -o sail.json -o sail.svg --reactions
-contains sail.svg 'reactions: the longest arrow is a force of '
+contains sail.svg 'reactions: as the cables pull at the supports, the longest arrow is a force of '
 run 0 convert sail.json -o again.svg --reactions
-contains again.svg 'reactions: the longest arrow is a force of '
+contains again.svg 'reactions: as the cables pull at the supports, the longest arrow is a force of '
 
 # The limits of the page's scales, rounded up to two digits, are the extremes that `measure` finds.
 run 0 view saddle.json -o s.html

@@ -32,6 +32,33 @@ for word in $(sort -u reasons.txt); do
     done
     if echo "$commands" | grep -qx -- "$word"; then complain "$word is a command and a reason"; fi
 done
+# Constructions, claims and words of the report: rows of tables of the pages. Every claim of the examples has one.
+for word in asymptotic biharmonic bonnet dirichlet film harmonic harmonic-extension pipe plateau; do
+    run 0 help "$word"
+    contains out.txt "^$word, a construction$"
+    contains out.txt "^  Documents: +taut example --construct $word$"
+    page=$(sed -n 's/^  More: *//p' out.txt | head -n 1)
+    [ -s "$SOURCE/$page" ] || complain "taut help $word leads to $page"
+done
+claims=$(sed -n '/^<!-- claims: made by/,$s/^| [a-z-]* | `\([a-z0-9_-]*\)` |.*/\1/p' "$SOURCE/docs/certificate.md" | sort -u)
+[ "$(echo "$claims" | wc -l)" -gt 40 ] || complain "few claims: $claims"
+for claim in $claims; do
+    run 0 help "$claim"
+    echo "$commands" | grep -qx -- "$claim" || contains out.txt "^$claim, a claim of certificates"
+done
+# what the report of a sail calls its numbers
+"$TAUT" example film-sail | "$TAUT" make - > /dev/null 2> report.txt
+sed -n 's/^  \([a-z][a-z ]*[a-z]\)   *.*/\1/p' report.txt | grep -v -x -e surface -e curve -e certificate -e time > words.txt
+[ "$(wc -l < words.txt)" -gt 25 ] || complain "few words in the report of a sail: $(cat words.txt)"
+while read -r word; do
+    run 0 help "$word"
+    grep -q -e ', a word of the report$' -e ', a claim of ' out.txt || complain "taut help $word: $(cat out.txt)"
+done < words.txt
+run 0 help lowest eigenvalue
+contains out.txt '^lowest_eigenvalue, a word of the report$'
+if grep -q -e '\*\*' -e '](' out.txt; then complain "marks of Markdown: $(cat out.txt)"; fi
+run 2 help laest
+contains err.txt 'did you mean "least"'
 run 2 help cabel-too-weak
 contains err.txt 'did you mean "cable-too-weak"'
 

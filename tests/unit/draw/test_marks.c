@@ -250,9 +250,9 @@ static void test_arrows(void)
     for (int k = 0; k < arrows.count; k++) {
         for (int c = 0; c < 2; c++) {
             const double corner = sail_square[k][c];
-            CHECK_NEAR(arrows.foot[k][c], corner, 0, "corner %d", k);
-            CHECK_NEAR(arrows.tip[k][c], corner + copysign(scale * force * sqrt(0.5), corner - 1),
-                       1e-6, "tip %d", k);
+            CHECK_NEAR(arrows.head[k][c], corner, 0, "corner %d", k);
+            CHECK_NEAR(arrows.tail[k][c], corner + copysign(scale * force * sqrt(0.5), corner - 1),
+                       1e-6, "tail %d", k);
         }
     }
     taut_model_free(model);
