@@ -203,4 +203,6 @@ prose=$(ls README.md CHANGELOG.md CONTRIBUTING.md docs/*.md docs/tutorial/*.md d
         private = 1
     }
     END { exit private }' $prose || bad=1
+# Python's functions are made from the schema, the pages' reasons and the headers' sources.
+[ ! -e tools/python_constructions.py ] || python3 tools/python_constructions.py --check || bad=1
 exit $bad

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """python_constructions.py [--check] -- writes python/taut/constructions.py: a function for each construction of the schema.
 
-Members of a document become keyword arguments, descriptions become docstrings; with --check says whether the file is current.
+Members of a document become keyword arguments, descriptions become docstrings, which also name the reasons of the page's "What can go
+wrong" and the header's source; with --check says whether the file is current.
 """
 import json
 import keyword
@@ -13,14 +14,16 @@ import textwrap
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SCHEMA, OUT = ROOT / "docs/schema/problem.json", ROOT / "python/taut/constructions.py"
 LEFT_OUT = {"taut", "construct"}
+OPTIONS = {
+    "tolerance": ("float | None = None", "largest distance from the exact surface over its size, where one is approximated; 1e-6 if not given"),
+    "threads": ("int | None = None", "how many, 1 to 256; 1 if not given; the result is the same"),
+    "progress": ("Progress | None = None", "called as progress(done, what), done in [0, 1] or NaN; what it raises stops the work"),
+    "strict": ("bool = False", "a claim that does not hold raises CheckFailed, whose `model` is the model"),
+    "exact": ("bool = False", "in rational arithmetic"),
+}
+KINDS = {"1": "NotConverged", "2": "InputError", "3": "InputError", "4": "NoSolution", "5": "FileError"}  # by exit codes
 HEAD = '''"""A function for each construction, its arguments the members of its document: written by tools/python_constructions.py from
-docs/schema/problem.json. Arguments that are None are left out of the document. What all take besides:
-
-    threads    how many; the result is the same
-    progress   called as progress(done, what), done in [0, 1] or NaN; what it raises stops the work
-    strict     a claim that does not hold raises CheckFailed
-    tolerance  largest distance from the exact surface over its size, where a construction approximates; None: 1e-6
-"""
+docs/schema/problem.json. Arguments that are None are left out of the document. Lengths are in `unit`, angles in radians."""
 from __future__ import annotations
 
 from typing import Any, Literal, Mapping, Sequence, Union
@@ -105,6 +108,29 @@ def description_of(schema, name, key, member, has_mask):
     return textwrap.wrap(f"    {argument_of(key):<22} " + "; ".join(said), 120, subsequent_indent=" " * 27)
 
 
+def errors_of(page):
+    """Lines about what is raised: the words of the page's table "What can go wrong"."""
+    words = {kind: [] for kind in ("InputError", "NoSolution", "NotConverged", "FileError")}
+    for word, exits in re.findall(r"^\| `([a-z0-9-]+)` \| ([0-9, ]+) \|", page.read_text(), flags=re.M):
+        for kind in dict.fromkeys(KINDS[code.strip()] for code in exits.split(",") if code.strip() in KINDS):
+            if word not in words[kind]:
+                words[kind].append(word)
+    lines = ["    Raises Error, with a `reason` that docs/errors.md explains; of this construction's own:"]
+    for kind, found in words.items():
+        if found:
+            lines += textwrap.wrap(f"    {kind:<22} " + ", ".join(found), 120, subsequent_indent=" " * 27, break_on_hyphens=False)
+    return lines
+
+
+def source_of(name, header, page):
+    """A line about papers: those that the header cites."""
+    text = re.sub(r"\s+\*?\s*", " ", header.read_text())
+    found = {}
+    for key, part in re.findall(r"\[([A-Za-z]+\d{4})\]((?: (?:sections?|chapters?) [0-9][0-9.]*(?:(?:,| to| and) [0-9][0-9.]*)*)?)", text):
+        found[key] = found.get(key) or part.rstrip(".")
+    return textwrap.wrap("    Source: " + "; ".join([f"[{key}]{part}" for key, part in found.items()] + [f"docs/{page.name}"]), 120)
+
+
 def function_of(schema, name, body):
     """The text of one construction's function."""
     members = {key: value for key, value in body["properties"].items() if key not in LEFT_OUT and not value.get("deprecated")}
@@ -119,11 +145,8 @@ def function_of(schema, name, body):
         arguments.append(f"{argument_of(key)}: {kind}" + ("" if key in required else " = None" if kind == "Any" else " | None = None"))
     if has_mask:
         arguments.append("known: npt.ArrayLike | None = None")
-    options = {"tolerance": "float | None = None", "threads": "int | None = None", "progress": "Progress | None = None",
-               "strict": "bool = False", "exact": "bool = False"}
-    if not name.startswith("harmonic"):
-        del options["exact"]
-    arguments += [f"{option}: {kind}" for option, kind in options.items() if option not in members]
+    options = {option: about for option, about in OPTIONS.items() if option not in members and (option != "exact" or name.startswith("harmonic"))}
+    arguments += [f"{option}: {kind}" for option, (kind, _) in options.items()]
     if words:
         arguments.append("**members: Any")
     lines = [line for key in keys for line in description_of(schema, name, key, members[key], has_mask)]
@@ -131,8 +154,13 @@ def function_of(schema, name, body):
         lines.append("    known                  (nu, nv) of truth values: which points are given")
     if words:
         lines += textwrap.wrap("    members                also as the document spells them: " + ", ".join(sorted(words)), 120)
+    lines += [line for option, (_, about) in options.items()
+              for line in textwrap.wrap(f"    {option:<22} {about}", 120, subsequent_indent=" " * 27)]
+    room = name.split("-")[0]  # of the header and the page
+    page = ROOT / f"docs/{room}.md"
+    lines += ["", "    Gives the Model, with its certificate.", "", *errors_of(page), "", *source_of(name, ROOT / f"include/taut/{room}.h", page)]
     given = [f'"{key}": {argument_of(key)}' for key in keys]
-    calls = [f'{option}={option}' for option in options if option not in members]
+    calls = [f'{option}={option}' for option in options]
     return "\n".join([
         packed(arguments, f"def {name.replace('-', '_')}(", " " * 8) + ") -> Model:",
         textwrap.fill(f'    """{body["description"]}', 118, subsequent_indent="    "), "", *lines, '    """',

@@ -1,11 +1,5 @@
 """A function for each construction, its arguments the members of its document: written by tools/python_constructions.py from
-docs/schema/problem.json. Arguments that are None are left out of the document. What all take besides:
-
-    threads    how many; the result is the same
-    progress   called as progress(done, what), done in [0, 1] or NaN; what it raises stops the work
-    strict     a claim that does not hold raises CheckFailed
-    tolerance  largest distance from the exact surface over its size, where a construction approximates; None: 1e-6
-"""
+docs/schema/problem.json. Arguments that are None are left out of the document. Lengths are in `unit`, angles in radians."""
 from __future__ import annotations
 
 from typing import Any, Literal, Mapping, Sequence, Union
@@ -42,6 +36,22 @@ def asymptotic(*, unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, degr
     free                   one of "points", "all"; "points" if not given
     boundary               a file with four curves (.step, .igs, .dxf, .json), beside this document; they bound the net;
                            or with others that are joined to four; or a file and which of its curves and edges
+    tolerance              largest distance from the exact surface over its size, where one is approximated; 1e-6 if not
+                           given
+    threads                how many, 1 to 256; 1 if not given; the result is the same
+    progress               called as progress(done, what), done in [0, 1] or NaN; what it raises stops the work
+    strict                 a claim that does not hold raises CheckFailed, whose `model` is the model
+
+    Gives the Model, with its certificate.
+
+    Raises Error, with a `reason` that docs/errors.md explains; of this construction's own:
+    InputError             not-bezier, far-away, too-large
+    NoSolution             same-corner, not-closed, end-weights, no-leg, parallel-legs, parallel-planes, straight-edge,
+                           cannot-bend, turns-over, no-curvature, osculating-plane, torsion, torsion-signs, closing,
+                           no-minimum, no-branch, singular, inflection, twist, negative-weight
+    NotConverged           ill-conditioned
+
+    Source: [WangZhuLi2017]; docs/asymptotic.md
     """
     said: dict[str, Any] = {"unit": unit, "degree": degree, "corners": corners, "edges": edges, "curves": curves,
         "branch": branch, "surface": surface, "singular": singular, "free": free, "boundary": boundary}
@@ -69,6 +79,19 @@ def biharmonic(points: npt.ArrayLike | None = None, *, u: BasisLike | None = Non
     allow_ill_conditioned  build a neighbour also where rounding leaves nothing of least bending; false if not given
     known                  (nu, nv) of truth values: which points are given
     members                also as the document spells them: insist
+    tolerance              largest distance from the exact surface over its size, where one is approximated; 1e-6 if not
+                           given
+    threads                how many, 1 to 256; 1 if not given; the result is the same
+    progress               called as progress(done, what), done in [0, 1] or NaN; what it raises stops the work
+    strict                 a claim that does not hold raises CheckFailed, whose `model` is the model
+
+    Gives the Model, with its certificate.
+
+    Raises Error, with a `reason` that docs/errors.md explains; of this construction's own:
+    InputError             mask, not-bezier
+    NoSolution             degree, ill-conditioned, not-biharmonic
+
+    Source: [NiWang2015] section 8.4; docs/biharmonic.md
     """
     said: dict[str, Any] = {"points": points, "u": u, "v": v, "unit": unit, "name": name, "surface": surface, "edge": edge,
         "width": width, "contact": contact, "allow_ill_conditioned": allow_ill_conditioned}
@@ -95,6 +118,19 @@ def bonnet(*, sign: Literal["+", "-"], alpha: float, beta: float, unit: Literal[
     start                  [0, 0] if not given
     frames                 at least 2
     members                also as the document spells them: lambda
+    tolerance              largest distance from the exact surface over its size, where one is approximated; 1e-6 if not
+                           given
+    threads                how many, 1 to 256; 1 if not given; the result is the same
+    progress               called as progress(done, what), done in [0, 1] or NaN; what it raises stops the work
+    strict                 a claim that does not hold raises CheckFailed, whose `model` is the model
+
+    Gives the Model, with its certificate.
+
+    Raises Error, with a `reason` that docs/errors.md explains; of this construction's own:
+    InputError             segment-length
+    NoSolution             lambda, segment-length, far-window, theta, large-panels, enneper, no-surface
+
+    Source: [XuWang2006] sections 1 to 5, 8, 9; docs/bonnet.md
     """
     said: dict[str, Any] = {"sign": sign, "alpha": alpha, "beta": beta, "unit": unit, "lambda": lambda_, "mesh": mesh,
         "segments": segments, "theta": theta, "normalize": normalize, "start": start, "frames": frames}
@@ -127,6 +163,20 @@ def dirichlet(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None
                            not given
     through                points that the surface passes through; not with "aspect": "auto"
     known                  (nu, nv) of truth values: which points are given
+    tolerance              largest distance from the exact surface over its size, where one is approximated; 1e-6 if not
+                           given
+    threads                how many, 1 to 256; 1 if not given; the result is the same
+    progress               called as progress(done, what), done in [0, 1] or NaN; what it raises stops the work
+    strict                 a claim that does not hold raises CheckFailed, whose `model` is the model
+
+    Gives the Model, with its certificate.
+
+    Raises Error, with a `reason` that docs/errors.md explains; of this construction's own:
+    InputError             basis
+    NoSolution             nothing-known, no-best-aspect, through, overflow
+    NotConverged           ill-conditioned, undetermined, weights-vary
+
+    Source: [WuWang2011] sections 2 to 3, 7.3, 7.5, 7.6; docs/dirichlet.md
     """
     said: dict[str, Any] = {"points": points, "u": u, "v": v, "unit": unit, "name": name, "weights": weights,
         "aspect": aspect, "boundary": boundary, "degree": degree, "refine": refine, "regular": regular, "through": through}
@@ -184,6 +234,20 @@ def film(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None, v: 
     start                  a model with a surface of the film's name on its bases: where to begin
     refine                 so often the film is found anew with all spans halved; at least 0; 0 if not given
     known                  (nu, nv) of truth values: which points are given
+    threads                how many, 1 to 256; 1 if not given; the result is the same
+    progress               called as progress(done, what), done in [0, 1] or NaN; what it raises stops the work
+    strict                 a claim that does not hold raises CheckFailed, whose `model` is the model
+
+    Gives the Model, with its certificate.
+
+    Raises Error, with a `reason` that docs/errors.md explains; of this construction's own:
+    InputError             not-yet, basis, corner-missing, start, cell-sides, image-twice, curve-ends, edge-conflict,
+                           corner-conflict, seam-mismatch
+    NoSolution             free-edge, open-cell, pressure-too-high, unstable, no-area, point-support, no-corner,
+                           floating, collapses, slides-away, crossed, cable-too-weak, cable-too-short, overflow
+    NotConverged           curve-fit, folds, not-converged, ill-conditioned
+
+    Source: docs/film.md
     """
     said: dict[str, Any] = {"points": points, "u": u, "v": v, "unit": unit, "name": name, "corners": corners,
         "edges": edges, "seams": seams, "patches": patches, "cables": cables, "cells": cells, "curves": curves,
@@ -221,6 +285,20 @@ def harmonic(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None,
     known                  with boundary: edges u0 and u1, or v0 and v1, are kept; one of "u", "v"; "v" if not given
     widths                 with boundary: of the parameter rectangle; [1, 1] if not given
     members                also as the document spells them: from, insist
+    tolerance              largest distance from the exact surface over its size, where one is approximated; 1e-6 if not
+                           given
+    threads                how many, 1 to 256; 1 if not given; the result is the same
+    progress               called as progress(done, what), done in [0, 1] or NaN; what it raises stops the work
+    strict                 a claim that does not hold raises CheckFailed, whose `model` is the model
+    exact                  in rational arithmetic
+
+    Gives the Model, with its certificate.
+
+    Raises Error, with a `reason` that docs/errors.md explains; of this construction's own:
+    InputError             mask, not-bezier
+    NoSolution             rational, degree, inconsistent, ill-conditioned, overflow, not-harmonic, other-surface
+
+    Source: [NiWang2015] sections 2.2 to 2.7, 3, 8.2, 8.3, 8.6; docs/harmonic.md
     """
     said: dict[str, Any] = {"points": points, "u": u, "v": v, "unit": unit, "name": name, "from": from_, "edge": edge,
         "cross_derivative": cross_derivative, "even": even, "allow_ill_conditioned": allow_ill_conditioned, "fit": fit,
@@ -245,6 +323,20 @@ def harmonic_extension(*, surface: SurfaceLike, edge: Literal["u0", "u1", "v0", 
     c                      1 if not given
     alpha                  0 if not given
     beta                   0 if not given
+    tolerance              largest distance from the exact surface over its size, where one is approximated; 1e-6 if not
+                           given
+    threads                how many, 1 to 256; 1 if not given; the result is the same
+    progress               called as progress(done, what), done in [0, 1] or NaN; what it raises stops the work
+    strict                 a claim that does not hold raises CheckFailed, whose `model` is the model
+    exact                  in rational arithmetic
+
+    Gives the Model, with its certificate.
+
+    Raises Error, with a `reason` that docs/errors.md explains; of this construction's own:
+    InputError             mask, not-bezier
+    NoSolution             rational, degree, inconsistent, ill-conditioned, overflow, not-harmonic, other-surface
+
+    Source: [NiWang2015] sections 2.2 to 2.7, 3, 8.2, 8.3, 8.6; docs/harmonic.md
     """
     said: dict[str, Any] = {"surface": surface, "edge": edge, "unit": unit, "neighbour": neighbour, "width": width,
         "contact": contact, "c": c, "alpha": alpha, "beta": beta}
@@ -289,6 +381,21 @@ def pipe(*, unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, radius: fl
     frame                  one of "rotation-minimizing", "frenet"; "rotation-minimizing" if not given
     pipe_lengths           of the straight pipes; null: a half line
     members                also as the document spells them: from
+    tolerance              largest distance from the exact surface over its size, where one is approximated; 1e-6 if not
+                           given
+    threads                how many, 1 to 256; 1 if not given; the result is the same
+    progress               called as progress(done, what), done in [0, 1] or NaN; what it raises stops the work
+    strict                 a claim that does not hold raises CheckFailed, whose `model` is the model
+
+    Gives the Model, with its certificate.
+
+    Raises Error, with a `reason` that docs/errors.md explains; of this construction's own:
+    NoSolution             degenerate-edge, too-small, parallel-axes, parameter-domain, tangent-lost, not-regular,
+                           self-intersect-local, self-intersect-global, bend-radius, leg-too-short, turns-back,
+                           run-straight, arc-frame, canal-not-real, canal-not-regular, canal-joint, section-along,
+                           frenet-undefined, too-fine
+
+    Source: [WangBai2018]; docs/pipe.md
     """
     said: dict[str, Any] = {"unit": unit, "radius": radius, "radii": radii, "surface": surface, "sections": sections,
         "polygon": polygon, "from": from_, "to": to, "run": run, "closed": closed, "bend_radius": bend_radius,
@@ -333,6 +440,19 @@ def plateau(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None, 
                            not given
     through                points that the surface passes through; not with refine, tolerance_area or gap
     known                  (nu, nv) of truth values: which points are given
+    threads                how many, 1 to 256; 1 if not given; the result is the same
+    progress               called as progress(done, what), done in [0, 1] or NaN; what it raises stops the work
+    strict                 a claim that does not hold raises CheckFailed, whose `model` is the model
+
+    Gives the Model, with its certificate.
+
+    Raises Error, with a `reason` that docs/errors.md explains; of this construction's own:
+    InputError             basis, corners
+    NoSolution             unclamped, no-area, free-edge, overflow
+    NotConverged           curve-fit, folds, slides, saddle, iterations, work, no-step, gauss-points, area-gap, gap,
+                           not-convex, ill-conditioned
+
+    Source: [WuWang2011] sections 6, 7.1, 7.2; docs/plateau.md
     """
     said: dict[str, Any] = {"points": points, "u": u, "v": v, "unit": unit, "name": name, "weights": weights,
         "start": start, "tolerance": tolerance, "max_iterations": max_iterations, "method": method, "curves": curves,
@@ -363,6 +483,21 @@ def trace(*, trace: Literal["asymptotic", "principal", "geodesic", "isoparametri
                            if not given
     laths                  laths on the curves: how they are cut, and what bending and twisting does to them
     sheet                  what laths with a width are cut from
+    tolerance              largest distance from the exact surface over its size, where one is approximated; 1e-6 if not
+                           given
+    threads                how many, 1 to 256; 1 if not given; the result is the same
+    progress               called as progress(done, what), done in [0, 1] or NaN; what it raises stops the work
+    strict                 a claim that does not hold raises CheckFailed, whose `model` is the model
+
+    Gives the Model, with its certificate.
+
+    Raises Error, with a `reason` that docs/errors.md explains; of this construction's own:
+    InputError             net, family, edge, count, direction, outside, width, material
+    NoSolution             no-geodesic, elliptic, parabolic, flat, umbilic, along, singular, crease, extreme-size,
+                           too-many-laths, width, folds, slots, sheet, developable
+    NotConverged           stalled
+
+    Source: [doCarmo1976] chapter 3; [HairerNorsettWanner1993]; docs/trace.md
     """
     said: dict[str, Any] = {"trace": trace, "of": of, "unit": unit, "surface": surface, "carry": carry,
         "families": families, "seeds": seeds, "max_length": max_length, "panels": panels, "untrim": untrim, "laths": laths,
@@ -397,6 +532,21 @@ def pattern(*, pattern: Literal["cloth"], of: Union[str, Mapping[str, Any]], sea
     hems                   borders that are folded over
     marks                  marks that meet when a seam is sewn
     strain                 claimed: no principal strain is larger; above 0
+    tolerance              largest distance from the exact surface over its size, where one is approximated; 1e-6 if not
+                           given
+    threads                how many, 1 to 256; 1 if not given; the result is the same
+    progress               called as progress(done, what), done in [0, 1] or NaN; what it raises stops the work
+    strict                 a claim that does not hold raises CheckFailed, whose `model` is the model
+
+    Gives the Model, with its certificate.
+
+    Raises Error, with a `reason` that docs/errors.md explains; of this construction's own:
+    InputError             rule, edge, count, outside, curve, material, held, compensation, allowance
+    NoSolution             no-geodesic, crossing, shape, singular, crease, extreme-size, width, length, allowance,
+                           strain, overlap
+    NotConverged           folds, not-converged
+
+    Source: [LinhardWuechnerBletzinger2008]; [doCarmo1976] chapter 4; docs/pattern.md
     """
     said: dict[str, Any] = {"pattern": pattern, "of": of, "seams": seams, "unit": unit, "surface": surface,
         "seam_length": seam_length, "cloth": cloth, "untrim": untrim, "compensation": compensation, "prestress": prestress,

@@ -9,7 +9,7 @@ import signal
 import sys
 import threading
 from ctypes import byref, c_void_p
-from typing import Any, Callable, Mapping, Sequence, Union
+from typing import Any, Callable, Mapping, Sequence, Union, overload
 
 import numpy as np
 
@@ -190,16 +190,28 @@ def with_version(document: Any) -> Any:
     return {"taut": 1, **document} if isinstance(document, dict) else document
 
 
+@overload
+def make(document: Mapping[str, Any], tolerance: float | None = None, threads: int | None = None, progress: Progress | None = None,
+         strict: bool = False, exact: bool = False) -> Model: ...
+@overload
+def make(document: str | os.PathLike[str], tolerance: float | None = None, threads: int | None = None, progress: Progress | None = None,
+         strict: bool = False, exact: bool = False) -> Any: ...
+@overload
+def make(document: Sequence[Any], tolerance: float | None = None, threads: int | None = None, progress: Progress | None = None,
+         strict: bool = False, exact: bool = False) -> list[Model]: ...
 def make(document: Document, tolerance: float | None = None, threads: int | None = None, progress: Progress | None = None,
          strict: bool = False, exact: bool = False) -> Any:
     """The model of a problem, proved: document is a dict (arrays, bases, curves and surfaces may stand in it), a JSON text, or a
     path. A list of problems gives a list of models.
 
     tolerance   largest distance from the exact surface over its size, where a construction approximates; None: 1e-6
-    threads     how many; the result is the same
+    threads     how many, 1 to 256; None: 1; the result is the same
     progress    called as progress(done, what), done in [0, 1] or NaN; what it raises stops the work
-    strict      a claim that does not hold raises CheckFailed
+    strict      a claim that does not hold raises CheckFailed, whose `model` is the model
     exact       in rational arithmetic (harmonic and harmonic-extension)
+
+    Raises InputError (the document), NoSolution, NotConverged, FileError (of a path), KeyboardInterrupt: docs/errors.md has the words of
+    `reason`. What a document may say: docs/format.md.
     """
     problems = _problems(document)
     options, proof = _options(tolerance, threads, exact)
@@ -215,14 +227,15 @@ def make(document: Document, tolerance: float | None = None, threads: int | None
 
 
 def read(path: str | os.PathLike[str]) -> Model:
-    """A model from a file: .json, .step, .iges, and what else `taut convert` reads."""
+    """A model from a file: .json, .step, .iges, and what else `taut convert` reads (docs/formats.md). What it holds is not proved by
+    that: `certify` does. Raises FileError, InputError."""
     return Model._of(made(library.taut_model_read, library.taut_model_free, encoded(os.fspath(path))))
 
 
 def certify(model: Model, problem: Document | None = None, tolerance: float | None = None, threads: int | None = None,
             exact: bool = False, progress: Progress | None = None, strict: bool = False) -> Certificate:
-    """Proves a model again from its numbers alone, against its problem where that is given. Arguments as of make; with strict
-    CheckFailed.model is the model."""
+    """Proves a model again from its numbers alone, against its problem where that is given, and apart from what made it. Arguments as
+    of make; with strict CheckFailed.model is the model. What the claims say: docs/certificate.md."""
     options = _options(tolerance, threads, exact)[1]
     expect(model, Model)
     problems = None if problem is None else _problems(problem)

@@ -39,7 +39,12 @@ class Claim(NamedTuple):
 
 
 class Certificate:
-    """What was proved of a model: immutable, compares by value."""
+    """What was proved of a model: immutable, compares by value. `certificate["stationary"]` is the claim of that name.
+
+    construct  the construction, such as "plateau"
+    claims     Claims; iterating goes through them
+    holds      False if a claim is false, None if one is undecided (`least` does not count), else True
+    """
 
     __slots__ = ("construct", "claims", "_figures", "holds")
     construct: str
@@ -130,6 +135,8 @@ class Model:
     Compares by value, hashes, pickles (as its document, bit for bit) and copies.
     """
 
+    __slots__ = ("_handle", "_pointer", "_surfaces", "_curves", "_certificate", "_text", "__weakref__")
+
     def __init__(self, surfaces: Sequence[Surface] = (), curves: Sequence[Curve] = (), unit: str = "mm") -> None:
         """A model of your own surfaces and curves, without a certificate."""
         pointer = c_void_p()
@@ -176,6 +183,7 @@ class Model:
 
     @property
     def surfaces(self) -> Sequence[Surface]:
+        """In the order of the document."""
         if self._surfaces is None:
             self._surfaces = _Items([Surface._borrowed(library.taut_model_surface(self._pointer, i), self._handle)
                                      for i in range(library.taut_model_surface_count(self._pointer))])
@@ -183,6 +191,7 @@ class Model:
 
     @property
     def curves(self) -> Sequence[Curve]:
+        """In the order of the document."""
         if self._curves is None:
             self._curves = _Items([Curve._borrowed(library.taut_model_curve(self._pointer, i), self._handle)
                                    for i in range(library.taut_model_curve_count(self._pointer))])
@@ -208,6 +217,7 @@ class Model:
 
     @property
     def certificate(self) -> Certificate | None:
+        """What was proved of it; None where nothing was: of a model of your own, or split, or from a CAD file."""
         if self._certificate is None:
             pointer = library.taut_model_certificate(self._pointer)
             self._certificate = certificate_of(pointer) if pointer else None
@@ -288,7 +298,7 @@ class Model:
 
 
 class Mesh:
-    """Triangles and quads; all arrays are read-only and without a copy.
+    """Triangles and quads; all arrays are read-only and without a copy. Immutable; compares by value, hashes, pickles and copies.
 
     vertices    (n, 3)          normals   (n, 3)        parameters   (n, 2): u, v
     triangles   (m, 3) uint32   quads     (k, 4) uint32
@@ -296,15 +306,58 @@ class Mesh:
     welded      (n,) uint32: the first vertex in the same place
     """
 
+    __slots__ = ("vertices", "normals", "parameters", "quads", "triangles", "welded")
+    vertices: Array
+    normals: Array
+    parameters: Array
+    quads: npt.NDArray[np.uint32]
+    triangles: npt.NDArray[np.uint32]
+    welded: npt.NDArray[np.uint32]
+
     def __init__(self, handle: Handle) -> None:
         p, n, k = handle.pointer, library.taut_mesh_vertex_count(handle.pointer), library.taut_mesh_quad_count(handle.pointer)
-        self.vertices: Array = view(handle, library.taut_mesh_positions(p), (n, 3))
-        self.normals: Array = view(handle, library.taut_mesh_normals(p), (n, 3))
-        self.parameters: Array = view(handle, library.taut_mesh_parameters(p), (n, 2))
-        self.quads: npt.NDArray[np.uint32] = view(handle, library.taut_mesh_quads(p), (k, 4), ctypes.c_uint32)
-        self.triangles: npt.NDArray[np.uint32] = view(handle, library.taut_mesh_triangles(p), (2 * k, 3), ctypes.c_uint32)
-        self.welded: npt.NDArray[np.uint32] = view(handle, library.taut_mesh_welded(p), (n,), ctypes.c_uint32)
-        self.faces = self.triangles
+        self._take(view(handle, library.taut_mesh_positions(p), (n, 3)), view(handle, library.taut_mesh_normals(p), (n, 3)),
+                   view(handle, library.taut_mesh_parameters(p), (n, 2)), view(handle, library.taut_mesh_quads(p), (k, 4), ctypes.c_uint32),
+                   view(handle, library.taut_mesh_triangles(p), (2 * k, 3), ctypes.c_uint32),
+                   view(handle, library.taut_mesh_welded(p), (n,), ctypes.c_uint32))
+
+    def _take(self, *arrays: npt.NDArray[Any]) -> None:
+        for name, array in zip(Mesh.__slots__, arrays):
+            array.flags.writeable = False
+            object.__setattr__(self, name, array)
+
+    @classmethod
+    def _of(cls, *arrays: npt.NDArray[Any]) -> Mesh:
+        mesh = object.__new__(cls)
+        mesh._take(*arrays)
+        return mesh
+
+    @property
+    def faces(self) -> npt.NDArray[np.uint32]:
+        """The triangles."""
+        return self.triangles
+
+    @property
+    def _arrays(self) -> tuple[npt.NDArray[Any], ...]:
+        return tuple(getattr(self, name) for name in Mesh.__slots__)
+
+    def __setattr__(self, name: str, value: object) -> None:
+        raise AttributeError(f"a mesh is immutable: {name}")
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Mesh) and all(a.shape == b.shape and a.tobytes() == b.tobytes() for a, b in zip(self._arrays, other._arrays))
+
+    def __hash__(self) -> int:
+        return hash(tuple(array.tobytes() for array in self._arrays))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Mesh._of, self._arrays
+
+    def __copy__(self) -> Mesh:
+        return self
+
+    def __deepcopy__(self, memo: object) -> Mesh:
+        return self
 
     def __repr__(self) -> str:
         return f"<taut.Mesh: {len(self.vertices)} vertices, {len(self.triangles)} triangles>"

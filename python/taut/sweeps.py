@@ -159,7 +159,8 @@ def map(problems: Iterable[Document], client: Any = None, threads: int | None = 
     """Pairs (index, model or error) as they end; an error is a result, it stops nothing.
 
     problems   documents, one after the other; an iterator is read no faster than results come
-    client     a Dask `distributed.Client` or a `concurrent.futures` executor; None: threads of this process
+    client     a Dask `distributed.Client` or a `concurrent.futures` executor, which get quick problems many in a task, of about a second;
+               None: threads of this process
     threads    how many here; None: as many as processors
     out        a JSON Lines file, a line for each problem in order; what it holds already is not made again. Which problems these
                were is in a file of its name with .sums: others are an InputError, reason "other-sweep". A file that holds anything

@@ -1,4 +1,5 @@
 """Every example through Python is byte for byte what the program makes."""
+import inspect
 import os
 import pickle
 import re
@@ -36,6 +37,16 @@ def test_all_constructions_have_a_function():
     library = taut._library.library
     listed = {library.taut_construct_name(i).decode().replace("-", "_") for i in range(library.taut_construct_count())}
     assert listed == set(taut.constructions.__all__)
+
+
+@pytest.mark.parametrize("name", taut.constructions.__all__)
+def test_help_says_it_all(name):
+    """Every argument, what comes back, what is raised and where it comes from."""
+    function = getattr(taut, name)
+    for argument in inspect.signature(function).parameters:
+        assert re.search(rf"^    {argument} +\S", function.__doc__, re.M), argument
+    reasons = re.findall(r"[a-z]+(?:-[a-z]+)*", "".join(re.findall(r"^    (?:InputError|NoSolution) .*(?:\n {20}.*)*", function.__doc__, re.M)))
+    assert len(reasons) > 3 and "Gives the Model" in function.__doc__ and "Source: " in function.__doc__
 
 
 def test_functions_are_current():

@@ -1,11 +1,13 @@
 """Models, certificates, files, errors."""
 import copy
 import json
+import pickle
 import signal
 import subprocess
 import sys
 import threading
 import time
+import weakref
 
 import numpy as np
 import pytest
@@ -98,7 +100,6 @@ def test_errors_are_data(document, kind, where):
     error = caught.value
     assert isinstance(error, taut.Error) and error.reason and error.where.startswith(where), vars(error)
     assert str(error) == error.message
-    import pickle
     again = pickle.loads(pickle.dumps(error))
     assert type(again) is type(error) and again.__dict__ == error.__dict__
 
@@ -133,6 +134,25 @@ def test_mesh(net):
     vertices = mesh.vertices
     del mesh, model
     assert np.isfinite(vertices).all()
+
+
+def test_meshes_are_values(net):
+    model = taut.dirichlet(net, u=taut.bspline(2, count=5), v=taut.bspline(3, count=6))
+    mesh, other = model.mesh(divide=3), model.mesh(divide=4)
+    back = pickle.loads(pickle.dumps(mesh))
+    assert back == mesh == model.mesh(divide=3) and hash(back) == hash(mesh) and mesh != other and copy.deepcopy(mesh) is mesh
+    assert (back.faces == mesh.triangles).all() and not back.vertices.flags.writeable
+    with pytest.raises(AttributeError):
+        mesh.vertices = other.vertices
+
+
+def test_models_are_immutable(net):
+    model = taut.dirichlet(net, u=taut.bspline(2, count=5), v=taut.bspline(3, count=6))
+    for one, name in ((model, "unit"), (model, "certificate"), (model, "mine"), (model.surfaces[0], "points"), (model.surfaces[0], "mine"),
+                      (model.surfaces[0].u, "degree"), (model.certificate, "holds"), (model.certificate["known"], "residual")):
+        with pytest.raises(AttributeError):
+            setattr(one, name, None)
+    assert weakref.ref(model)() is model
 
 
 def test_mesh_of_a_sheet():
