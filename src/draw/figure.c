@@ -173,10 +173,8 @@ static taut_status choose_limit(figure *f)
     for (size_t i = 0; i < count; i++) {
         f->has_grey |= isnan(values[i]);
     }
-    f->sign = f->options.colour >= TAUT_COLOUR_ISOTHERMALITY
-                  ? 1
-                  : taut_colour_sign(count, values, noise_of(f));
-    f->limit = taut_colour_limit(count, values, noise_of(f), &f->cut);
+    f->limit = taut_colour_range(count, values, noise_of(f), &f->cut, &f->sign);
+    f->sign = f->options.colour >= TAUT_COLOUR_ISOTHERMALITY ? 1 : f->sign;
     f->is_noise = f->options.colour < TAUT_COLOUR_ISOTHERMALITY && f->limit <= 1.1 * noise_of(f);
     return TAUT_OK;
 }

@@ -196,6 +196,9 @@ taut_ink taut_colour_shade(taut_ink ink, const double normal[3], double strength
     return taut_colour_mix(taut_colour_mix(ink, black, dark), white, bright);
 }
 
+/* Of one arm of the map: what is less than one of the limit looks like 0. */
+enum { SHADES = 256 };
+
 static int by_size(const void *a, const void *b)
 {
     const double x = *(const double *)a, y = *(const double *)b;
@@ -226,7 +229,7 @@ double taut_colour_limit(size_t count, double *values, double noise, int *cut)
                                                                   : limit;
 }
 
-int taut_colour_sign(size_t count, const double *values, double noise)
+double taut_colour_range(size_t count, double *values, double noise, int *cut, int *sign)
 {
     double low = 0, high = 0;
     for (size_t i = 0; i < count; i++) {
@@ -235,6 +238,8 @@ int taut_colour_sign(size_t count, const double *values, double noise)
             high = fmax(high, values[i]);
         }
     }
-    const double most = fmax(high, -low), none = fmax(noise, 1e-6 * most);
-    return most <= noise ? 0 : -low <= none ? 1 : high <= none ? -1 : 0;
+    const double limit = taut_colour_limit(count, values, noise, cut), most = fmax(high, -low);
+    const double none = fmax(noise, fmax(limit / SHADES, 1e-6 * most));
+    *sign = most <= noise ? 0 : -low <= none ? 1 : high <= none ? -1 : 0;
+    return limit;
 }

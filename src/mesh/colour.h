@@ -49,8 +49,8 @@ taut_ink taut_colour_mix(taut_ink a, taut_ink b, double t);
  * does not show as colour. */
 double taut_colour_limit(size_t count, double *values, double noise, int *cut);
 
-/* 1: no value is below 0, -1: none above it, but for rounding (noise, or 1e-6 of the largest); 0: there are both, or nothing
- * but noise. Such values need one arm of the map only. */
-int taut_colour_sign(size_t count, const double *values, double noise);
+/* The limit; *sign 1: no value is below 0, -1: none above it, but for rounding (noise, or what no shade of the map shows, 1/256 of
+ * the limit); 0: there are both, or nothing but noise. Values of one sign need one arm of the map only. */
+double taut_colour_range(size_t count, double *values, double noise, int *cut, int *sign);
 
 #endif /* TAUT_MESH_COLOUR_H */

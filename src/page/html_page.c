@@ -149,9 +149,8 @@ static taut_status choose_limits(taut_page_model *p)
             at += own;
         }
         const double none = fmin(fmax(noise[k], 1e-290), 1e290);
-        p->sign[k] =
-            k == TAUT_PAGE_I || k == TAUT_PAGE_GAP ? 1 : taut_colour_sign(count, values, none);
-        p->limits[k] = taut_colour_limit(count, values, none, &p->cut[k]);
+        p->limits[k] = taut_colour_range(count, values, none, &p->cut[k], &p->sign[k]);
+        p->sign[k] = k == TAUT_PAGE_I || k == TAUT_PAGE_GAP ? 1 : p->sign[k];
     }
     return values != NULL ? TAUT_OK : TAUT_NO_MEMORY;
 }

@@ -185,12 +185,29 @@ static void test_groups(void)
     }
 }
 
+static int sign_of(size_t count, const double *values, double noise)
+{
+    double copy[128];
+    int cut = 0, sign = 7;
+    memcpy(copy, values, count * sizeof *values);
+    taut_colour_range(count, copy, noise, &cut, &sign);
+    return sign;
+}
+
 static void test_signs(void)
 {
     const double up[] = {0, 2, -1e-9, (double)NAN}, down[] = {-3, 1e-8, -1}, both[] = {-1, 0.1};
-    CHECK(taut_colour_sign(4, up, 1e-12) == 1 && taut_colour_sign(3, down, 1e-12) == -1, "one");
-    CHECK(taut_colour_sign(2, both, 1e-12) == 0, "both");
-    CHECK(taut_colour_sign(4, up, 5) == 0, "nothing but noise");
+    const double unseen[] = {-0.54, 1.7e-5, -0.3}, seen[] = {-1, 0.005, -0.3};
+    double spike[101];
+    CHECK(sign_of(4, up, 1e-12) == 1 && sign_of(3, down, 1e-12) == -1, "one");
+    CHECK(sign_of(2, both, 1e-12) == 0, "both");
+    CHECK(sign_of(4, up, 5) == 0, "nothing but noise");
+    CHECK(sign_of(3, unseen, 1e-12) == -1 && sign_of(3, seen, 1e-12) == 0, "less than a shade");
+    for (int i = 0; i < 100; i++) {
+        spike[i] = i % 2 == 0 ? -1 : 0.5;
+    }
+    spike[100] = -1000; /* beyond the scale: a shade is one of what the scale shows */
+    CHECK(sign_of(101, spike, 1e-12) == 0, "a spike");
 }
 
 int main(void)
