@@ -21,19 +21,24 @@ if TYPE_CHECKING:
     from .model import Model
 
 
+def _number(value: float) -> float | None:
+    return None if math.isnan(value) else value
+
+
 class Error(Exception):
     """A message in one sentence, and what it is made of.
 
     where      a JSON pointer such as "/points/1/2", or file:line:column, or ""
     reason     a word such as "range"; docs/errors.md has them all
-    found      the number that failed, or None
+    found      the number that failed, or None (of a NaN too)
     expected   what should have been there: a number it had to stay within, or words, or None
     """
 
     def __init__(self, message: str, where: str = "", reason: str = "", found: float | None = None,
                  expected: float | str | None = None) -> None:
         super().__init__(message)
-        self.message, self.where, self.reason, self.found, self.expected = message, where, reason, found, expected
+        self.message, self.where, self.reason, self.expected = message, where, reason, expected
+        self.found = None if found is None else _number(found)
 
     @property
     def remedy(self) -> str:
@@ -71,10 +76,6 @@ class CheckFailed(Error):
 
 _KINDS: dict[int, type[Error]] = {c.BAD_ARGUMENT: InputError, c.BAD_INPUT: InputError, c.NO_SOLUTION: NoSolution,
                                   c.NOT_CONVERGED: NotConverged, c.CHECK_FAILED: CheckFailed, c.IO: FileError}
-
-
-def _number(value: float) -> float | None:
-    return None if math.isnan(value) else value
 
 
 def raise_for(status: int, error: c.ErrorStruct | None = None) -> None:

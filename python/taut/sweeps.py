@@ -4,6 +4,7 @@ from __future__ import annotations
 import concurrent.futures
 import hashlib
 import json
+import math
 import os
 import re
 import threading
@@ -59,8 +60,9 @@ def _workers(client: Any) -> int:
 
 
 def _line_of(error: Error) -> bytes:
-    return json.dumps({"error": {"exit": _EXIT.get(type(error), 6), "reason": error.reason, "where": error.where,
-                                 "message": error.message, "found": error.found, "expected": error.expected}}).encode()
+    found = error.found if error.found is not None and math.isfinite(error.found) else None  # JSON has no infinity
+    return json.dumps({"error": {"exit": _EXIT.get(type(error), 6), "reason": error.reason, "where": error.where, "message": error.message,
+                                 "found": found, "expected": error.expected}}, allow_nan=False).encode()
 
 
 def _result(line: bytes) -> Model | Error:

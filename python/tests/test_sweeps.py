@@ -227,6 +227,18 @@ def test_other_problems(tmp_path):
         assert len(list(taut.map(first + other, out=out))) == 5
 
 
+def test_lines_are_json(tmp_path):
+    """Also of numbers that JSON does not have; and the errors come back from them as they were, but for such a number."""
+    out = tmp_path / "r.jsonl"
+    wrong = [{**next(problems(1)), "aspect": aspect} for aspect in (float("inf"), float("nan"), -1.0)]
+    found = dict(taut.map(wrong, out=out))
+    for line in out.read_text().splitlines():
+        json.loads(line, parse_constant=pytest.fail)
+    again = dict(taut.map(wrong, out=out))
+    assert [error.reason for error in found.values()] == ["value"] * 3 and again[2].found == -1.0 and again[0].found is None
+    assert all(again[i].message == found[i].message and again[i].where == "/aspect" for i in range(3))
+
+
 @pytest.mark.parametrize("text", [b"my thesis\nchapter 1\n", b"my thesis", b'{"a": 1}\n', b"[1]\n"])
 def test_no_file_of_results(tmp_path, text):
     out = tmp_path / "notes.txt"
