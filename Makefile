@@ -2,7 +2,7 @@
 # No logic here: what is built is in CMakeLists.txt, what is installed in tools/deps.sh.
 TAUT = build/release/bin/taut
 
-.PHONY: demo test build deps gallery bench bench-dirichlet bench-documents bench-elementary bench-evaluate bench-make bench-plateau format check mutants reproduction reference site release install deb wasm studio \
+.PHONY: demo test build deps gallery bench bench-dirichlet bench-documents bench-elementary bench-evaluate bench-gaps bench-make bench-plateau bench-web format check mutants reproduction reference site release install deb wasm studio \
   python bench-python plugins windows clean help
 
 demo: build
@@ -56,6 +56,20 @@ bench-dirichlet bench-documents bench-elementary bench-evaluate bench-make bench
 	@cmake --preset bench
 	@cmake --build --preset bench --target $@
 	@OPENBLAS_NUM_THREADS=1 build/bench/bin/$@
+
+bench-gaps:
+	@tools/deps.sh build
+	@cmake --preset bench
+	@cmake --build --preset bench --target $@
+	@build/bench/bin/$@
+
+bench-web:
+	@tools/deps.sh build wasm
+	@cmake --preset bench
+	@cmake --build --preset bench --target bench-web-native
+	@cmake --preset wasm
+	@cmake --build --preset wasm
+	@node bench/web/web.mjs build/bench/bin/bench-web-native build/wasm/bin/taut.wasm
 
 wasm: build
 	@tools/deps.sh wasm

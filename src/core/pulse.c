@@ -21,3 +21,16 @@ int taut_pulse_beat(taut_pulse *pulse, double work)
     pulse->work += work;
     return pulse->work >= TAUT_PULSE_WORK ? taut_pulse_report(pulse) : pulse->is_stopped;
 }
+
+static int pass_on(void *context, double done, const char *what)
+{
+    (void)done;
+    (void)what;
+    return taut_pulse_report(context) ? TAUT_STOP : TAUT_GO_ON;
+}
+
+taut_monitor taut_pulse_monitor(taut_pulse *pulse)
+{
+    const taut_monitor monitor = {.progress = pass_on, .context = pulse};
+    return monitor;
+}

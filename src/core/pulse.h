@@ -26,6 +26,9 @@ typedef struct taut_pulse {
 int taut_pulse_report(taut_pulse *pulse);
 int taut_pulse_beat(taut_pulse *pulse, double work);
 
+/* A monitor of steps that know no pulse: each of its reports is one of the pulse. */
+taut_monitor taut_pulse_monitor(taut_pulse *pulse);
+
 static inline int taut_pulse_is_stopped(const taut_pulse *pulse)
 {
     return pulse != NULL && pulse->is_stopped;

@@ -146,9 +146,10 @@ static void undo_scale(double scale, const facts *known, taut_bending *bending)
     }
 }
 
-taut_status taut_bending_sample(const taut_surface *surface, int threads, taut_arena *arena,
-                                taut_bending *bending)
+taut_status taut_bending_sample(const taut_surface *surface, const taut_crew *crew,
+                                taut_arena *arena, taut_bending *bending)
 {
+    enum { OF_SAMPLE = 500 }; /* operations, roughly */
     const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
     const int each_u = samples_per_span(u), each_v = samples_per_span(v);
     const int spans_u = taut_basis_span_count(u), spans_v = taut_basis_span_count(v);
@@ -172,13 +173,16 @@ taut_status taut_bending_sample(const taut_surface *surface, int threads, taut_a
     fill_samples(u, each_u, tu);
     fill_samples(v, each_v, tv);
     for (int i = 0; status == TAUT_OK && i < count_u; i++) {
-        status = taut_surface_eval_grid(surface, 1, tu + i, count_v, tv, 2, threads, x);
+        status = taut_surface_eval_grid(surface, 1, tu + i, count_v, tv, 2, crew->threads, x);
         for (int j = 0; status == TAUT_OK && j < count_v; j++) {
             double *at = x + 18 * (size_t)j;
             for (int c = 0; c < 18; c++) {
                 at[c] *= scale;
             }
             take_sample(at, i / each_u, j / each_v, &known, bending);
+        }
+        if (status == TAUT_OK && taut_crew_beat(crew, (double)OF_SAMPLE * count_v)) {
+            status = TAUT_INTERRUPTED;
         }
     }
     find_bending(&known, bending);

@@ -3,6 +3,7 @@
 #define TAUT_MESH_LINES_H
 
 #include "core/arena.h"
+#include "core/crew.h"
 #include "taut/surface.h"
 
 /* How strongly a surface bends, sampled over it. */
@@ -14,9 +15,9 @@ typedef struct taut_bending {
     double lo[3], hi[3]; /* the box of the samples */
 } taut_bending;
 
-/* Samples a surface; the arrays are taken from the arena. */
-taut_status taut_bending_sample(const taut_surface *surface, int threads, taut_arena *arena,
-                                taut_bending *bending);
+/* Samples a surface; the arrays are taken from the arena. TAUT_NO_MEMORY, TAUT_INTERRUPTED. */
+taut_status taut_bending_sample(const taut_surface *surface, const taut_crew *crew,
+                                taut_arena *arena, taut_bending *bending);
 
 /* The number of cells of a span of this width and bending under a chord tolerance (absolute): at
  * least 1; not whole and not finite where it is too large to be had. */

@@ -2,6 +2,7 @@
 #include "taut/mesh.h"
 
 #include "core/arena.h"
+#include "core/crew.h"
 #include "core/elementary/elementary.h"
 #include "core/fail.h"
 #include "core/memory.h"
@@ -117,14 +118,11 @@ static int is_own(const taut_surface *surface)
            taut_basis_degree(taut_surface_v(surface)) == 1;
 }
 
-/* TAUT_INTERRUPTED where the monitor says so. `done` surfaces are. */
-static taut_status tell(const taut_mesh *mesh, const taut_mesh_options *options, double done)
+/* Of the surfaces so many are done. TAUT_INTERRUPTED as the monitor says. */
+static taut_status tell(const taut_mesh *mesh, const taut_crew *crew, int done)
 {
-    const taut_monitor *monitor = &options->monitor;
-    return monitor->progress != NULL &&
-                   monitor->progress(monitor->context, done / mesh->group_count, "mesh") != 0
-               ? TAUT_INTERRUPTED
-               : TAUT_OK;
+    crew->pulse->done = (double)done / mesh->group_count;
+    return taut_pulse_report(crew->pulse) ? TAUT_INTERRUPTED : TAUT_OK;
 }
 
 static taut_status fail_as(taut_error *error, taut_status status)
@@ -136,8 +134,8 @@ static taut_status fail_as(taut_error *error, taut_status status)
 
 /* How each surface bends, and along which edges they meet. */
 static taut_status sample_surfaces(const taut_mesh *mesh, mesh_plan *plan,
-                                   const taut_mesh_options *options, double relative,
-                                   taut_arena *scratch)
+                                   const taut_mesh_options *options, const taut_crew *crew,
+                                   double relative, taut_arena *scratch)
 {
     const double weld =
         options->divide > 0 ? weld_of_size : fmin(weld_of_size, weld_of_tolerance * relative);
@@ -146,10 +144,9 @@ static taut_status sample_surfaces(const taut_mesh *mesh, mesh_plan *plan,
         const taut_surface *surface = plan->surfaces[i];
         plan->own &= is_own(surface);
         taut_bending *bending = &plan->bendings[i];
-        const taut_status status =
-            tell(mesh, options, 0) == TAUT_OK
-                ? taut_bending_sample(surface, options->threads, scratch, bending)
-                : TAUT_INTERRUPTED;
+        const taut_status status = tell(mesh, crew, 0) == TAUT_OK
+                                       ? taut_bending_sample(surface, crew, scratch, bending)
+                                       : TAUT_INTERRUPTED;
         if (status != TAUT_OK) {
             return status;
         }
@@ -207,14 +204,14 @@ static void refine_thin(const taut_mesh *mesh, const mesh_plan *plan, double siz
 
 /* All lines, and how many vertices they make. */
 static taut_status plan_mesh(taut_mesh *mesh, mesh_plan *plan, const taut_mesh_options *options,
-                             taut_arena *scratch, taut_error *error)
+                             const taut_crew *crew, taut_arena *scratch, taut_error *error)
 {
     const double relative = options->tolerance > 0 ? options->tolerance : default_tolerance;
     const int count = 2 * mesh->group_count;
     taut_chains chains;
     taut_status status = TAUT_OK;
 
-    status = sample_surfaces(mesh, plan, options, relative, scratch);
+    status = sample_surfaces(mesh, plan, options, crew, relative, scratch);
     if (status != TAUT_OK) {
         return fail_as(error, status);
     }
@@ -255,11 +252,12 @@ static void make_vertex(const double *x, double speeds, double *position, double
 
 /* Vertices at lines u[nu] and v[nv]: positions and normals double[nu][nv][3], parameters
  * double[nu][nv][2]. A normal is (0, 0, 0) where |x_u x x_v| is less than 2^-40 of `speeds`, the
- * product of the largest |x_u| and |x_v|. TAUT_NO_MEMORY. */
+ * product of the largest |x_u| and |x_v|. TAUT_NO_MEMORY, TAUT_INTERRUPTED. */
 static taut_status evaluate_vertices(const taut_surface *surface, int nu, const double *u, int nv,
-                                     const double *v, double speeds, int threads, double *positions,
-                                     double *normals, double *parameters)
+                                     const double *v, double speeds, const taut_crew *crew,
+                                     double *positions, double *normals, double *parameters)
 {
+    enum { OF_VERTEX = 200 }; /* operations, roughly */
     const size_t row = (size_t)nv;
     double *x = taut_alloc_aligned(ROWS_AT_ONCE * row, 9 * sizeof(double));
     taut_status status = x != NULL ? TAUT_OK : TAUT_NO_MEMORY;
@@ -267,31 +265,35 @@ static taut_status evaluate_vertices(const taut_surface *surface, int nu, const 
     for (int i = 0; status == TAUT_OK && i < nu; i += ROWS_AT_ONCE) {
         const int rows = nu - i < ROWS_AT_ONCE ? nu - i : ROWS_AT_ONCE;
         const size_t base = (size_t)i * row;
-        status = taut_surface_eval_grid(surface, rows, u + i, nv, v, 1, threads, x);
+        status = taut_surface_eval_grid(surface, rows, u + i, nv, v, 1, crew->threads, x);
         for (size_t k = 0; status == TAUT_OK && k < (size_t)rows * row; k++) {
             make_vertex(x + 9 * k, speeds, positions + 3 * (base + k), normals + 3 * (base + k));
             parameters[2 * (base + k)] = u[(size_t)i + k / row];
             parameters[2 * (base + k) + 1] = v[k % row];
+        }
+        if (status == TAUT_OK && taut_crew_beat(crew, (double)OF_VERTEX * rows * nv)) {
+            status = TAUT_INTERRUPTED;
         }
     }
     taut_free(x);
     return status;
 }
 
-/* The vertices of one surface. TAUT_NO_MEMORY. */
-static taut_status fill_vertices(taut_mesh *mesh, const mesh_plan *plan, int i, int threads)
+/* The vertices of one surface. TAUT_NO_MEMORY, TAUT_INTERRUPTED. */
+static taut_status fill_vertices(taut_mesh *mesh, const mesh_plan *plan, int i,
+                                 const taut_crew *crew)
 {
     const taut_mesh_group *group = &mesh->groups[i];
     const taut_bending *bending = &plan->bendings[i];
     const taut_surface *surface = plan->surfaces[i];
     double *positions = mesh->positions + 3 * group->first_vertex;
 
-    if (evaluate_vertices(surface, group->nu, plan->directions[2 * i].lines, group->nv,
-                          plan->directions[2 * i + 1].lines,
-                          bending->longest_u * bending->longest_v, threads, positions,
-                          mesh->normals + 3 * group->first_vertex,
-                          mesh->parameters + 2 * group->first_vertex) != TAUT_OK) {
-        return TAUT_NO_MEMORY;
+    const taut_status status = evaluate_vertices(
+        surface, group->nu, plan->directions[2 * i].lines, group->nv,
+        plan->directions[2 * i + 1].lines, bending->longest_u * bending->longest_v, crew, positions,
+        mesh->normals + 3 * group->first_vertex, mesh->parameters + 2 * group->first_vertex);
+    if (status != TAUT_OK) {
+        return status;
     }
     /* where sizes run over 16 digits, sums lose the least */
     if (plan->own && group->nu == taut_basis_count(taut_surface_u(surface)) &&
@@ -302,17 +304,16 @@ static taut_status fill_vertices(taut_mesh *mesh, const mesh_plan *plan, int i, 
     return TAUT_OK;
 }
 
-static taut_status fill_mesh(taut_mesh *mesh, const mesh_plan *plan,
-                             const taut_mesh_options *options, taut_error *error)
+static taut_status fill_mesh(taut_mesh *mesh, const mesh_plan *plan, const taut_crew *crew,
+                             taut_error *error)
 {
     const taut_weld weld = {plan->seams,  plan->seam_count,  plan->collapsed,   plan->weld,
                             plan->own,    mesh->groups,      mesh->group_count, mesh->positions,
                             mesh->welded, mesh->vertex_count};
 
     for (int i = 0; i < mesh->group_count; i++) {
-        const taut_status status = tell(mesh, options, i) == TAUT_OK
-                                       ? fill_vertices(mesh, plan, i, options->threads)
-                                       : TAUT_INTERRUPTED;
+        const taut_status status =
+            tell(mesh, crew, i) == TAUT_OK ? fill_vertices(mesh, plan, i, crew) : TAUT_INTERRUPTED;
         if (status != TAUT_OK) {
             return fail_as(error, status);
         }
@@ -331,17 +332,19 @@ static taut_status make_mesh(taut_mesh *mesh, const taut_model *model,
                              const taut_mesh_options *options, taut_arena *scratch,
                              taut_error *error)
 {
+    taut_pulse pulse = {.monitor = &options->monitor, .what = "mesh"};
+    const taut_crew crew = {.threads = options->threads, .pulse = &pulse};
     mesh_plan plan = {.surfaces = NULL};
     taut_status status = choose_surfaces(mesh, model, options->surface, &plan, scratch, error);
     if (status != TAUT_OK) {
         return status;
     }
-    status = plan_mesh(mesh, &plan, options, scratch, error);
+    status = plan_mesh(mesh, &plan, options, &crew, scratch, error);
     if (status != TAUT_OK) {
         return status;
     }
     status = taut_mesh_take_arrays(mesh, error);
-    return status == TAUT_OK ? fill_mesh(mesh, &plan, options, error) : status;
+    return status == TAUT_OK ? fill_mesh(mesh, &plan, &crew, error) : status;
 }
 
 /* The mesh, thickened where that is asked for: then `thin` is what it stands on. */

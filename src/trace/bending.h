@@ -29,6 +29,9 @@ typedef struct taut_lath_samples {
 void taut_lath_bending_sample(taut_linefield_kind kind, const taut_segment *segment,
                               taut_lath_samples *samples);
 
+/* Of a segment whose largest bends are looked for: operations, roughly. */
+#define TAUT_LATH_BENDING_WORK 1e6
+
 /* What is to be the most: not negative. */
 typedef double taut_lath_measure(const taut_lath_bending *bending, const void *context);
 

@@ -164,19 +164,12 @@ typedef struct followers {
     taut_pulse *pulse;   /* of the first worker */
 } followers;
 
-static int tell_pulse(void *context, double done, const char *what)
-{
-    (void)done;
-    (void)what;
-    return taut_pulse_report(context) ? TAUT_STOP : TAUT_GO_ON;
-}
-
 static void follow_one(void *context, int worker, int64_t task)
 {
     const followers *f = context;
     planned *p = &f->list[task];
     const taut_linefield_kind kind = {f->net->problem->net, p->family};
-    const taut_monitor monitor = {.progress = tell_pulse, .context = f->pulse};
+    const taut_monitor monitor = taut_pulse_monitor(f->pulse);
     taut_lath_options options = f->net->options;
 
     options.follow.monitor = worker == 0 ? &monitor : NULL;

@@ -8,6 +8,7 @@
 #ifndef TAUT_TRACE_NET_H
 #define TAUT_TRACE_NET_H
 
+#include "core/pulse.h"
 #include "trace/node.h"
 
 /* A seed that has no curve. */
@@ -26,6 +27,8 @@ typedef struct taut_net {
     const taut_trace_problem *problem;
     taut_lath_options options;
     int threads; /* that curves are followed by; 0: 1 */
+    taut_pulse
+        *pulse; /* of what is found of the curves once they are followed; NULL: nobody watches */
     taut_arena *arena;
     taut_lath *laths;
     int count, room, of_family[2];

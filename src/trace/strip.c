@@ -387,6 +387,9 @@ static taut_status make_strip(const cut *c, const taut_lath *lath, taut_strip *s
         taut_lath_take_most(&at, twist_size, c, 1, &most.twist);
         taut_lath_take_most(&at, ribbon_size, c, 1, &most.ribbon);
         taut_lath_take_most(&at, combined_size, c, 1, &most.combined);
+        if (taut_pulse_beat(c->net->pulse, TAUT_LATH_BENDING_WORK)) {
+            return taut_fail_status(error, TAUT_INTERRUPTED);
+        }
     }
     if (!c->only_bends && most.flat.value * c->width >= 2) {
         const int scale = c->net->carrier->scale;

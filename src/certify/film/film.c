@@ -426,11 +426,12 @@ static taut_status find_gain(const request *r, const taut_film_sheet *sheet,
     if (!taut_film_sheet_has_threads(r->problem)) {
         return TAUT_OK;
     }
-    const taut_status status = taut_film_moves_bound(sheet, moves, gradient, &found->gain);
+    const taut_status status =
+        taut_film_moves_bound(sheet, moves, gradient, r->pulse, &found->gain);
     found->bounded = status == TAUT_OK;
     found->gain = ldexp(found->gain, 2 * sheet->unit);
     found->stored = ldexp(taut_film_sheet_stored(sheet), 2 * sheet->unit);
-    return status == TAUT_NO_MEMORY ? status : TAUT_OK;
+    return status == TAUT_NOT_CONVERGED ? TAUT_OK : status;
 }
 
 static taut_status find_stability(const request *r, finding *found)
@@ -456,7 +457,7 @@ static taut_status find_stability(const request *r, finding *found)
     }
     if (status == TAUT_OK) {
         status = taut_film_moves_lowest(&sheet, &moves, ldexp(r->half, 1 - sheet.unit),
-                                        stable_limit, &found->lowest, &found->below);
+                                        stable_limit, r->pulse, &found->lowest, &found->below);
         const double size = ldexp(r->half, 1 - sheet.unit);
         found->relative = found->lowest * size * size;
         found->lowest = ldexp(found->lowest * sheet.tension, -2 * sheet.unit);

@@ -6,7 +6,8 @@
 #include <string.h>
 
 enum { INVERSIONS = 60, SHIFTS = 60 };
-static const double settled = 1e-10; /* share: of the eigenvalue from one inversion to the next */
+static const double settled = 1e-10;   /* share: of the eigenvalue from one inversion to the next */
+static const double work_of_pair = 20; /* operations of two moves at a node, roughly */
 
 /* ---- which moves there are ---- */
 
@@ -152,6 +153,7 @@ typedef struct pencil {
     condition conditions[4];
     int condition_count;
     double small[4][4]; /* D - G^T K^-1 G as L D L^T: below the diagonal L, on it D */
+    taut_pulse *pulse;  /* once it says stop, nothing here has a meaning */
 } pencil;
 
 /* The first node behind those that see the functions of node a. */
@@ -443,6 +445,10 @@ static taut_status fill_pencil(const taut_film_sheet *sheet, const taut_film_mov
         for (c.v = 0; c.v < v->count; c.v = c.end_v) {
             c.end_v = end_of_run(v, c.v);
             add_cell(sheet, moves, &c, p);
+            if (taut_pulse_beat(p->pulse, work_of_pair * c.count * c.count *
+                                              ((c.end_u - c.u) * (c.end_v - c.v)))) {
+                return TAUT_INTERRUPTED;
+            }
         }
     }
     if (!with_lines) {
@@ -493,6 +499,10 @@ static int factor_profile(pencil *p, double shift)
         }
         row[i - s->begin[i]] = pivot;
         below += !(pivot > 0);
+        const double length = i - s->begin[i];
+        if (taut_pulse_beat(p->pulse, length * length)) {
+            return 0;
+        }
     }
     return below;
 }
@@ -616,6 +626,7 @@ static void multiply_stiff(const pencil *p, const double *x, double *y)
 /* Inverse iterations by factors of K - shift M that are positive definite. */
 static taut_status iterate(const pencil *p, double *x, double *y, double *lowest)
 {
+    const double work = 10.0 * (double)p->shape.size;
     const int n = p->shape.count;
     double before = INFINITY;
     unsigned seed = 12345;
@@ -642,14 +653,18 @@ static taut_status iterate(const pencil *p, double *x, double *y, double *lowest
             return TAUT_OK;
         }
         before = *lowest;
+        if (taut_pulse_beat(p->pulse, work)) {
+            return TAUT_INTERRUPTED;
+        }
     }
     return isfinite(*lowest) ? TAUT_OK : TAUT_NOT_CONVERGED;
 }
 
 taut_status taut_film_moves_lowest(const taut_film_sheet *sheet, const taut_film_moves *moves,
-                                   double size, double limit, double *lowest, int *below)
+                                   double size, double limit, taut_pulse *pulse, double *lowest,
+                                   int *below)
 {
-    pencil p = {.k = NULL};
+    pencil p = {.pulse = pulse};
     double shift = limit;
 
     *below = -1;
@@ -658,34 +673,44 @@ taut_status taut_film_moves_lowest(const taut_film_sheet *sheet, const taut_film
     }
     double *x = taut_arena_take(sheet->arena, (size_t)moves->count, sizeof(double));
     double *y = taut_arena_take(sheet->arena, (size_t)moves->count, sizeof(double));
-    if (taut_arena_status(sheet->arena) != TAUT_OK || make_pencil(sheet, moves, &p) != TAUT_OK ||
-        fill_pencil(sheet, moves, size, 1, &p) != TAUT_OK) {
+    if (taut_arena_status(sheet->arena) != TAUT_OK || make_pencil(sheet, moves, &p) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
+    taut_status status = fill_pencil(sheet, moves, size, 1, &p);
+    if (status != TAUT_OK) {
+        return status;
+    }
     const int found = factorise(&p, limit);
-    for (int k = 0, under = found; under > 0; k++) {
+    for (int k = 0, under = found; under > 0 && !taut_pulse_is_stopped(pulse); k++) {
         if (k == SHIFTS) {
             return TAUT_NOT_CONVERGED;
         }
         shift = k == 0 ? -1 : 2 * shift;
         under = factorise(&p, shift);
     }
-    const taut_status status = iterate(&p, x, y, lowest);
+    status = taut_pulse_is_stopped(pulse) ? TAUT_INTERRUPTED : iterate(&p, x, y, lowest);
     *below = status == TAUT_OK ? found : -1;
     return status;
 }
 
 taut_status taut_film_moves_bound(const taut_film_sheet *sheet, const taut_film_moves *moves,
-                                  const double *gradient, double *gain)
+                                  const double *gradient, taut_pulse *pulse, double *gain)
 {
-    pencil p = {.k = NULL};
+    pencil p = {.pulse = pulse};
     double *x = taut_arena_take(sheet->arena, (size_t)moves->count, sizeof(double));
 
-    if (x == NULL || make_pencil(sheet, moves, &p) != TAUT_OK ||
-        fill_pencil(sheet, moves, 1, 0, &p) != TAUT_OK) {
+    if (x == NULL || make_pencil(sheet, moves, &p) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
-    if (factor_profile(&p, 0) > 0) {
+    const taut_status status = fill_pencil(sheet, moves, 1, 0, &p);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    const int below = factor_profile(&p, 0);
+    if (taut_pulse_is_stopped(pulse)) {
+        return TAUT_INTERRUPTED;
+    }
+    if (below > 0) {
         return TAUT_NOT_CONVERGED;
     }
     double sum = 0;

@@ -20,6 +20,7 @@
 #define TAUT_CERTIFY_FILM_MOVES_H
 
 #include "certify/film/sheet.h"
+#include "core/pulse.h"
 
 typedef struct taut_film_moves {
     int count;
@@ -38,14 +39,15 @@ double taut_film_moves_largest(const taut_film_moves *moves, const double *gradi
 
 /* The lowest eigenvalue of K x = lambda M x, scaled, and how many are not above `limit`: by the
  * inertia of K - limit M. size: scaled. TAUT_NO_MEMORY; TAUT_NOT_CONVERGED: no eigenvalue is found,
- * *below is -1. */
+ * *below is -1; TAUT_INTERRUPTED. */
 taut_status taut_film_moves_lowest(const taut_film_sheet *sheet, const taut_film_moves *moves,
-                                   double size, double limit, double *lowest, int *below);
+                                   double size, double limit, taut_pulse *pulse, double *lowest,
+                                   int *below);
 
 /* What a film whose threads are drawn can gain at most in its space, 1/2 g . K^-1 g with K that of the threads alone: their energy is
  * quadratic, that of cables of force or elasticity convex. gradient at the points that own, scaled; over the tension.
- * TAUT_NOT_CONVERGED: K is not positive definite. TAUT_NO_MEMORY. */
+ * TAUT_NOT_CONVERGED: K is not positive definite. TAUT_NO_MEMORY, TAUT_INTERRUPTED. */
 taut_status taut_film_moves_bound(const taut_film_sheet *sheet, const taut_film_moves *moves,
-                                  const double *gradient, double *gain);
+                                  const double *gradient, taut_pulse *pulse, double *gain);
 
 #endif /* TAUT_CERTIFY_FILM_MOVES_H */

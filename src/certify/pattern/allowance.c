@@ -16,6 +16,8 @@
 
 enum { PLACES = 64, LOOK = 8 /* of a span of the line that is cut */, ROUNDS = 12, NODES = 5 };
 static const double allowance_limit = 1e-6;
+/* Of a piece for the pulse: operations, roughly. */
+static const double work_of_piece = 2e7;
 /* The share of an edge that is next to a corner; the sine of an angle that is none; and how near the line may come to a place, over its
  * distance from the next corner, as edges may meet at an angle and nothing be left along the other one. */
 static const double next_to = 0.02, straight_on = 1e-5, apart = 0.4;
@@ -194,6 +196,9 @@ taut_status taut_cloth_add_allowance(const taut_cloth *cloth, taut_arena *arena,
         }
         for (int e = 0; e < TAUT_CLOTH_EDGES; e++) {
             look_at_edge(cloth, piece, e, &way, width, &w);
+        }
+        if (taut_crew_beat(cloth->crew, work_of_piece)) {
+            return TAUT_INTERRUPTED;
         }
     }
     return any ? taut_worst_add(&w, "allowance", TAUT_CHECK, allowance_limit, certificate)

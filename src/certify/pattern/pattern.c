@@ -53,8 +53,8 @@ static void look(void *context, int worker, int64_t task)
 static void find_limit(void *context, int worker, int64_t task)
 {
     const states *s = context;
-    (void)worker;
-    taut_cloth_limit_of(s->cloth, &s->cloth->pieces[task], &s->limits[task]);
+    taut_cloth_limit_of(s->cloth, &s->cloth->pieces[task],
+                        worker == 0 ? s->cloth->crew->pulse : NULL, &s->limits[task]);
 }
 
 static taut_status look_at_all(const taut_cloth *cloth, taut_arena *arena, taut_cloth_state **list,
@@ -186,6 +186,12 @@ static taut_status add_figures(const taut_cloth *cloth, const taut_cloth_state *
 
 /* ---- the whole ---- */
 
+/* Between what takes long: TAUT_INTERRUPTED where it is to end. */
+static taut_status report(const taut_cloth *cloth)
+{
+    return taut_pulse_report(cloth->crew->pulse) ? TAUT_INTERRUPTED : TAUT_OK;
+}
+
 static taut_status prove(const taut_cloth *cloth, taut_arena *arena, taut_certificate *certificate)
 {
     taut_cloth_state *list = NULL;
@@ -193,7 +199,13 @@ static taut_status prove(const taut_cloth *cloth, taut_arena *arena, taut_certif
     double area = 0;
     taut_status status = taut_cloth_add_lines(cloth, certificate);
     if (status == TAUT_OK) {
+        status = report(cloth);
+    }
+    if (status == TAUT_OK) {
         status = taut_cloth_add_folds(cloth, arena, certificate);
+    }
+    if (status == TAUT_OK) {
+        status = report(cloth);
     }
     if (status == TAUT_OK) {
         status = taut_cloth_add_allowance(cloth, arena, certificate);
@@ -211,7 +223,13 @@ static taut_status prove(const taut_cloth *cloth, taut_arena *arena, taut_certif
         status = taut_cloth_add_told(cloth, list, certificate);
     }
     if (status == TAUT_OK) {
+        status = report(cloth);
+    }
+    if (status == TAUT_OK) {
         status = taut_cloth_add_exhausts(cloth, &area, certificate);
+    }
+    if (status == TAUT_OK) {
+        status = report(cloth);
     }
     if (status == TAUT_OK) {
         status = taut_cloth_add_roll(cloth, arena, certificate);
@@ -252,7 +270,10 @@ static taut_status certify_in(taut_arena *arena, const taut_model *model,
     if (status != TAUT_OK) {
         return status;
     }
-    status = prove(&cloth, arena, certificate);
+    status = report(&cloth);
+    if (status == TAUT_OK) {
+        status = prove(&cloth, arena, certificate);
+    }
     return status == TAUT_OK ? TAUT_OK : taut_fail_status(error, status);
 }
 

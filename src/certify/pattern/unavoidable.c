@@ -41,6 +41,8 @@ static const double end_of_axis = 1e-6;
 static const double next_to_tip = 1e-3;
 /* K times area that is none, and k_g times length. */
 static const double no_curvature = 1e-11;
+/* Of the distance of one place: operations, roughly. */
+static const double work_of_distance = 1e6;
 
 /* What is known of the axis at s = i/STEPS. */
 typedef struct station {
@@ -55,6 +57,7 @@ typedef struct ground {
     const taut_cloth *cloth;
     const taut_cloth_piece *piece;
     station at[STEPS + 1];
+    taut_pulse *pulse;
 } ground;
 
 /* ---- the golden section ---- */
@@ -113,7 +116,9 @@ static double distance_at(const ground *w, double s)
     const double rest = length_of(w, near / (double)STEPS, s, 0);
     const double from_start = w->at[near].from_start + rest;
     limit = fmin(limit, fmin(from_start, w->at[STEPS].from_start - from_start));
-    return limit > 0 ? taut_cloth_distance(w->cloth, w->piece, at, limit) : 0;
+    return limit > 0 && !taut_pulse_beat(w->pulse, work_of_distance)
+               ? taut_cloth_distance(w->cloth, w->piece, at, limit)
+               : 0;
 }
 
 /* 0 where the surface has no curvature somewhere. */
@@ -313,10 +318,10 @@ static void look_at_widths(const ground *w, taut_cloth_limit *limit)
     climb(&c, expected_at, fmax(middle - 1.0 / STEPS, 0), fmin(middle + 1.0 / STEPS, 1));
 }
 
-void taut_cloth_limit_of(const taut_cloth *cloth, const taut_cloth_piece *piece,
+void taut_cloth_limit_of(const taut_cloth *cloth, const taut_cloth_piece *piece, taut_pulse *pulse,
                          taut_cloth_limit *limit)
 {
-    ground w = {.cloth = cloth, .piece = piece};
+    ground w = {.cloth = cloth, .piece = piece, .pulse = pulse};
     double low = INFINITY, high = -INFINITY;
 
     *limit = (taut_cloth_limit){.unavoidable = 0};

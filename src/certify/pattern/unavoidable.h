@@ -13,7 +13,8 @@ typedef struct taut_cloth_limit {
         radius; /* where the first was found: s on the axis, and l, r times 2^-unit */
 } taut_cloth_limit;
 
-void taut_cloth_limit_of(const taut_cloth *cloth, const taut_cloth_piece *piece,
+/* pulse: NULL is fine; once it says stop the limit has no meaning. */
+void taut_cloth_limit_of(const taut_cloth *cloth, const taut_cloth_piece *piece, taut_pulse *pulse,
                          taut_cloth_limit *limit);
 
 #endif /* TAUT_CERTIFY_PATTERN_UNAVOIDABLE_H */

@@ -32,6 +32,7 @@
 #include "construct/plateau/small.h"
 #include "core/elementary/elementary.h"
 #include "core/fail.h"
+#include "core/pulse.h"
 #include "core/vec3.h"
 
 #include <math.h>
@@ -300,6 +301,12 @@ static double most_any(const taut_film_work *w)
                                                          : residual_held;
 }
 
+taut_status taut_film_report(const taut_film_work *w, taut_error *error)
+{
+    taut_pulse pulse = {.monitor = w->monitor, .what = "film", .done = taut_none};
+    return taut_pulse_report(&pulse) ? taut_fail_status(error, TAUT_INTERRUPTED) : TAUT_OK;
+}
+
 /* Steps along the moves that the energy sees. Where lines slide along themselves these leave something to the other
  * coordinates, and steps in all of them follow, until both are at rest. */
 static taut_status polish_moves(taut_film_work *w, taut_film_polished *all, taut_error *error)
@@ -337,8 +344,11 @@ static taut_status polish_moves(taut_film_work *w, taut_film_polished *all, taut
 static taut_status polish(taut_film_work *w, double *before, taut_error *error)
 {
     taut_film_polished found = {.first = 0};
-    const taut_status status = polish_moves(w, &found, error);
+    taut_status status = taut_film_report(w, error);
 
+    if (status == TAUT_OK) {
+        status = polish_moves(w, &found, error);
+    }
     if (status != TAUT_OK) {
         return status;
     }

@@ -52,6 +52,9 @@ taut_status taut_film_take_rule(taut_film_work *w, int rule, double factor);
 taut_status taut_film_take_nodes(taut_film_work *w, int extra, double factor);
 void taut_film_drop_rule(taut_film_work *w);
 
+/* Between what is long, minimisations aside, which report by themselves. TAUT_INTERRUPTED as the monitor says. */
+taut_status taut_film_report(const taut_film_work *w, taut_error *error);
+
 /* w->net: the film that it goes to with all cables `factor` times as strong as they are. TAUT_NOT_CONVERGED: folds,
  * not-converged; TAUT_NO_SOLUTION, TAUT_INTERRUPTED, TAUT_NO_MEMORY. */
 taut_status taut_film_rest(taut_film_work *w, double factor, taut_error *error);

@@ -373,6 +373,9 @@ taut_status taut_film_solve(const taut_film_space *space, const taut_monitor *mo
         status = update(&w, arena, solution, error);
     }
     if (status == TAUT_OK) {
+        status = taut_film_report(&w, error);
+    }
+    if (status == TAUT_OK) {
         status = check_stable(&w, error);
     }
     if (status == TAUT_OK) {

@@ -244,6 +244,7 @@ typedef struct pass {
     taut_pattern_layout *layout;
     const taut_pattern_cut *cut;
     taut_flat_options options;
+    taut_pulse *pulse;   /* of the first worker */
     taut_status *status; /* of each piece */
     taut_arena **arenas; /* of each piece: what it keeps */
     int *folded;
@@ -255,9 +256,10 @@ static taut_flat_strip strip_of(const taut_pattern_piece *piece)
 }
 
 /* What is asked of this piece. */
-static taut_flat_options options_of(const pass *p, const taut_pattern_piece *piece)
+static taut_flat_options options_of(const pass *p, const taut_pattern_piece *piece, int worker)
 {
     taut_flat_options own = p->options;
+    own.pulse = worker == 0 ? p->pulse : NULL;
     memcpy(own.spans, piece->spans, sizeof own.spans);
     own.is_point[0] = piece->bounds[TAUT_FLAT_START].is_point;
     own.is_point[1] = piece->bounds[TAUT_FLAT_END].is_point;
@@ -269,8 +271,7 @@ static void alone(void *context, int worker, int64_t task)
     const pass *p = context;
     taut_pattern_piece *piece = &p->layout->pieces[task];
     const taut_flat_strip strip = strip_of(piece);
-    const taut_flat_options own = options_of(p, piece);
-    (void)worker;
+    const taut_flat_options own = options_of(p, piece, worker);
 
     taut_pattern_look_at_curvature(piece);
     if (piece->is_developable) {
@@ -317,11 +318,12 @@ static int hold(const pass *p, int index, int edge, int spans, double *stretch, 
     return 1;
 }
 
-static taut_status hold_piece(const pass *p, int index, taut_arena *scratch, taut_flat *flat)
+static taut_status hold_piece(const pass *p, int index, int worker, taut_arena *scratch,
+                              taut_flat *flat)
 {
     const taut_pattern_piece *piece = &p->layout->pieces[index];
     const taut_flat_strip strip = strip_of(piece);
-    taut_flat_options own = options_of(p, piece);
+    taut_flat_options own = options_of(p, piece, worker);
     int is_natural = 1, is_same = 1;
 
     for (int e = 0; e < TAUT_FLAT_EDGES; e++) {
@@ -348,9 +350,8 @@ static void together(void *context, int worker, int64_t task)
     taut_pattern_piece *piece = &p->layout->pieces[task];
     taut_arena *scratch = taut_arena_new();
     taut_flat flat = {.steps = 0};
-    (void)worker;
     taut_status status =
-        scratch != NULL ? hold_piece(p, (int)task, scratch, &flat) : TAUT_NO_MEMORY;
+        scratch != NULL ? hold_piece(p, (int)task, worker, scratch, &flat) : TAUT_NO_MEMORY;
     if (status == TAUT_OK) {
         status = taut_flat_copy(p->arenas[task], &flat, &piece->flat);
     }
@@ -408,6 +409,7 @@ taut_status taut_pattern_flatten(taut_pattern_layout *layout, const taut_pattern
                           .warp = cut->compensation.warp,
                           .weft = cut->compensation.weft,
                           .thread = cut->thread},
+              .pulse = crew->pulse,
               .status = taut_arena_take(layout->arena, count, sizeof *p.status),
               .arenas = taut_arena_take(layout->arena, count, sizeof *p.arenas),
               .folded = taut_arena_take(layout->arena, count, sizeof *p.folded)};

@@ -40,6 +40,7 @@ typedef struct request {
     const taut_pattern_problem *problem;
     const taut_make_options *options;
     taut_pattern_cut cut;
+    const taut_crew *crew;
 } request;
 
 /* The surfaces that are cut. */
@@ -321,6 +322,9 @@ static taut_status make_outlines(const request *r, made_pieces *made, taut_error
     made->widest = made->longest = made->strain = 0;
     for (int k = 0; status == TAUT_OK && k < count; k++) {
         taut_pattern_outline *outline = &made->outlines[k];
+        if (taut_pulse_report(r->crew->pulse)) {
+            return taut_fail_status(error, TAUT_INTERRUPTED);
+        }
         status = taut_pattern_outline_new(&made->layout, &r->cut, k, made->arena, outline);
         if (status != TAUT_OK) {
             return taut_fail_memory(error);
@@ -395,8 +399,7 @@ static int refine(made_pieces *made)
 
 /* All of so many strips. */
 static taut_status make_strips(const request *r, const cut_surfaces *all, int count,
-                               const taut_crew *crew, taut_arena *arena, made_pieces *made,
-                               taut_error *error)
+                               taut_arena *arena, made_pieces *made, taut_error *error)
 {
     taut_pattern_ground *own =
         taut_arena_copy(arena, all->grounds, (size_t)all->count, sizeof *all->grounds);
@@ -413,7 +416,7 @@ static taut_status make_strips(const request *r, const cut_surfaces *all, int co
         status = check_marks(r, &made->layout, error);
     }
     for (int round = 0, is_rough = 1; status == TAUT_OK && is_rough; round++) {
-        status = taut_pattern_flatten(&made->layout, &r->cut, crew, error);
+        status = taut_pattern_flatten(&made->layout, &r->cut, r->crew, error);
         if (status == TAUT_OK) {
             status = make_outlines(r, made, error);
         }
@@ -473,8 +476,8 @@ static taut_status fail_wish(const taut_carrier *carrier, const wish *w, taut_er
 }
 
 /* The least number of strips that are all as wished, up from one that is too few, or nearly; in an arena of its own. */
-static taut_status fit(const request *r, const cut_surfaces *all, const wish *w,
-                       const taut_crew *crew, made_pieces *made, taut_error *error)
+static taut_status fit(const request *r, const cut_surfaces *all, const wish *w, made_pieces *made,
+                       taut_error *error)
 {
     int count = 1, last = 0;
     taut_arena *kept = NULL;
@@ -482,8 +485,8 @@ static taut_status fit(const request *r, const cut_surfaces *all, const wish *w,
     while (count <= TAUT_PATTERN_PIECES_MAX) {
         taut_arena *own = taut_arena_new();
         made_pieces one = {.arena = own};
-        taut_status status = own != NULL ? make_strips(r, all, count, crew, own, &one, error)
-                                         : taut_fail_memory(error);
+        taut_status status =
+            own != NULL ? make_strips(r, all, count, own, &one, error) : taut_fail_memory(error);
         if (status != TAUT_OK &&
             (status == TAUT_NO_MEMORY || status == TAUT_INTERRUPTED || count > 8)) {
             taut_arena_free(own);
@@ -523,8 +526,6 @@ static taut_status cut_pieces(const request *r, const cut_surfaces *all, made_pi
     const taut_pattern_rule *searched = NULL;
     const double roll = r->problem->cloth.width;
     const int scale = all->grounds->carrier->scale;
-    taut_pulse pulse = {.monitor = &r->options->monitor, .what = "pieces", .done = taut_none};
-    const taut_crew crew = {.threads = r->options->threads, .pulse = &pulse};
 
     for (int k = 0; k < r->problem->rule_count; k++) {
         searched = is_searched(&r->problem->rules[k]) ? &r->problem->rules[k] : searched;
@@ -532,9 +533,9 @@ static taut_status cut_pieces(const request *r, const cut_surfaces *all, made_pi
     if (searched != NULL) {
         const wish w = {ldexp(searched->width > 0 ? searched->width : roll, -scale),
                         searched->strain};
-        return fit(r, all, &w, &crew, made, error);
+        return fit(r, all, &w, made, error);
     }
-    const taut_status status = make_strips(r, all, 0, &crew, all->grounds->arena, made, error);
+    const taut_status status = make_strips(r, all, 0, all->grounds->arena, made, error);
     return status == TAUT_OK && roll > 0 && made->widest > ldexp(roll, -scale)
                ? fail_width(made, all->grounds->carrier, roll, error)
                : status;
@@ -656,6 +657,9 @@ static taut_status fill(const request *r, const taut_model *of, const made_piece
 
     if (status == TAUT_OK) {
         status = place_on_roll(r, made, arena, &roll, error);
+    }
+    if (status == TAUT_OK && taut_pulse_report(r->crew->pulse)) {
+        status = taut_fail_status(error, TAUT_INTERRUPTED);
     }
     if (status != TAUT_OK) {
         return status;
@@ -814,7 +818,9 @@ taut_status taut_pattern_make(const taut_pattern_problem *problem, const taut_ma
                               taut_model **model, taut_error *error)
 {
     static const taut_make_options none;
-    request r = {problem, options != NULL ? options : &none, {.thread = 0}};
+    request r = {.problem = problem, .options = options != NULL ? options : &none};
+    taut_pulse pulse = {.monitor = &r.options->monitor, .what = "pieces", .done = taut_none};
+    const taut_crew crew = {.threads = r.options->threads, .pulse = &pulse};
     const taut_status status = check_problem(problem, error);
 
     if (status != TAUT_OK) {
@@ -824,6 +830,7 @@ taut_status taut_pattern_make(const taut_pattern_problem *problem, const taut_ma
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "taut_pattern_make needs a place for the model");
     }
+    r.crew = &crew;
     take_cut(&r);
     return taut_construct_build(build, &r, model, error);
 }

@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { NEWTON_STEPS = 60, GOLDEN_STEPS = 60, NUMBERS = 4 };
+enum { NEWTON_STEPS = 60, GOLDEN_STEPS = 60, NUMBERS = 4, OF_PAIR = 20 /* operations */ };
 
 /* A curvature below this, over the size of the axis, cannot be told from none. */
 static const double straight = 1e-12;
@@ -232,6 +232,9 @@ static void arc_with_arc(composite_axis *a, int k, int l)
         return;
     }
     for (int i = k * row; i < (k + 1) * row; i++) {
+        if (taut_pulse_beat(a->composite->pulse, OF_PAIR * row)) {
+            return;
+        }
         for (int j = l > k ? l * row : i + 1; j < (l + 1) * row; j++) {
             const double distance = sample_distance(a, i, j);
             if (distance < a->best + slack &&

@@ -9,6 +9,7 @@
 #define TAUT_PIPE_REACH_H
 
 #include "construct/pipe/bend.h"
+#include "core/pulse.h"
 
 enum { TAUT_PIPE_REACH_SAMPLES = 400 };
 #define TAUT_PIPE_REACH_ROOM(arcs) (4 * (size_t)(arcs) * (TAUT_PIPE_REACH_SAMPLES + 2))
@@ -16,9 +17,10 @@ enum { TAUT_PIPE_REACH_SAMPLES = 400 };
 typedef struct taut_pipe_composite {
     int count; /* arcs, tangent-continuous one after the other */
     const taut_pipe_arc *arcs;
-    double tails[2]; /* lengths of the straight pipes before and after; INFINITY: half lines */
-    int samples;     /* of an arc, at most TAUT_PIPE_REACH_SAMPLES; 0: so many */
-    int closed;      /* nonzero: the last arc ends where the first begins; no tails */
+    double tails[2];   /* lengths of the straight pipes before and after; INFINITY: half lines */
+    int samples;       /* of an arc, at most TAUT_PIPE_REACH_SAMPLES; 0: so many */
+    int closed;        /* nonzero: the last arc ends where the first begins; no tails */
+    taut_pulse *pulse; /* or NULL; once it says stop the reach has no meaning */
 } taut_pipe_composite;
 
 typedef struct taut_pipe_reach {

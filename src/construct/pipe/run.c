@@ -136,8 +136,13 @@ static taut_status judge_run(taut_pipe_run *run, taut_error *error)
     if (scratch == NULL) {
         return taut_fail_memory(error);
     }
-    const taut_pipe_composite composite = {.count = c.count, .arcs = c.arcs, .closed = run->closed};
+    taut_pulse pulse = {.monitor = run->monitor, .what = "choosing", .done = taut_none};
+    const taut_pipe_composite composite = {
+        .count = c.count, .arcs = c.arcs, .closed = run->closed, .pulse = &pulse};
     taut_pipe_reach_of(&composite, scratch, &run->reach);
+    if (taut_pulse_report(&pulse)) {
+        return taut_fail_status(error, TAUT_INTERRUPTED);
+    }
     rho = run->reach.radius * run->scale;
     taut_pipe_describe_radius(rho, rest, sizeof rest);
     if (!(a * run->reach.curvature < run->scale)) {

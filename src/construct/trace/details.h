@@ -7,7 +7,7 @@
 #include "trace/strip.h"
 
 /* Members trace, laths, nodes, hyperbolic_share, drift, singular_points, panel_count and max_planarity, left_out, kinks,
- * warnings; strips: one a lath, or NULL. TAUT_NO_MEMORY. */
+ * warnings; strips: one a lath, or NULL. TAUT_NO_MEMORY, TAUT_INTERRUPTED. */
 taut_status taut_trace_describe(const taut_net *net, const taut_strip *strips,
                                 taut_record *details);
 

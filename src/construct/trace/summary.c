@@ -76,7 +76,8 @@ static void sum_segment(const taut_net *net, const taut_lath *lath, const taut_s
 
 /* How far an end of a curve, its first (0) or its last one, is from where the curve ends that is followed at a hundredth of the
  * tolerance. */
-static double drift_at(const taut_net *net, const taut_lath *lath, int end, taut_arena *arena)
+static double drift_at(const taut_net *net, const taut_lath *lath, int end,
+                       const taut_monitor *monitor, taut_arena *arena)
 {
     const taut_linefield_kind kind = {net->problem->net, lath->family};
     const taut_carrier *carrier = lath->at_seed.on;
@@ -92,7 +93,7 @@ static double drift_at(const taut_net *net, const taut_lath *lath, int end, taut
 
     options.tolerance /= 100;
     options.is_bare = 1;
-    options.monitor = NULL; /* as long as the net took, which is done */
+    options.monitor = monitor;
     if (lath->ended[end] == TAUT_END_SEED || lath->ended[end] == TAUT_END_LENGTH) {
         options.max_length = length; /* it does not end by itself */
     }
@@ -123,14 +124,15 @@ static void look_at(void *context, int worker, int64_t task)
     const taut_lath *lath = &all->net->laths[task];
     taut_lath_summary *s = &all->list[task];
     taut_arena *arena = taut_arena_new();
+    taut_pulse *pulse = worker == 0 ? all->net->pulse : NULL;
+    const taut_monitor monitor = taut_pulse_monitor(pulse);
 
-    (void)worker;
-    for (int k = 0; k < lath->count; k++) {
+    for (int k = 0; k < lath->count && !taut_pulse_beat(pulse, TAUT_LATH_BENDING_WORK); k++) {
         sum_segment(all->net, lath, &lath->segments[k], s);
     }
     s->twist = s->is_turning ? s->twist : lath->twist; /* a step sums |tau_g| ill where it turns */
     for (int end = 0; arena != NULL && end < 2; end++) {
-        s->drift = fmax(s->drift, drift_at(all->net, lath, end, arena));
+        s->drift = fmax(s->drift, drift_at(all->net, lath, end, &monitor, arena));
     }
     s->status = arena != NULL ? taut_arena_status(arena) : TAUT_NO_MEMORY;
     taut_arena_free(arena);
@@ -138,13 +140,14 @@ static void look_at(void *context, int worker, int64_t task)
 
 taut_status taut_lath_summaries_new(const taut_net *net, taut_lath_summary **summaries)
 {
-    const taut_crew crew = {.threads = net->threads};
+    const taut_crew crew = {.threads = net->threads, .pulse = net->pulse};
     lookers all = {.net = net,
                    .list = taut_arena_take(net->arena, (size_t)net->count, sizeof *all.list)};
     taut_status status = all.list != NULL ? TAUT_OK : TAUT_NO_MEMORY;
 
-    if (status == TAUT_OK) {
-        taut_crew_run(&crew, taut_crew_workers(&crew, net->count), net->count, 0, look_at, &all);
+    if (status == TAUT_OK &&
+        taut_crew_run(&crew, taut_crew_workers(&crew, net->count), net->count, 0, look_at, &all)) {
+        status = TAUT_INTERRUPTED;
     }
     for (int k = 0; status == TAUT_OK && k < net->count; k++) {
         status = all.list[k].status;

@@ -14,7 +14,8 @@ typedef struct taut_lath_summary {
     taut_status status;
 } taut_lath_summary;
 
-/* One a lath, in the net's arena, by its threads; the same for any number of them. TAUT_NO_MEMORY. */
+/* One a lath, in the net's arena, by its threads; the same for any number of them. TAUT_NO_MEMORY,
+ * TAUT_INTERRUPTED. */
 taut_status taut_lath_summaries_new(const taut_net *net, taut_lath_summary **summaries);
 
 #endif /* TAUT_CONSTRUCT_TRACE_SUMMARY_H */

@@ -197,8 +197,9 @@ static taut_status fill(const request *r, const taut_model *of, const taut_net *
     if (status == TAUT_OK && r->problem->laths != NULL) {
         status = taut_strips_new(net, play_of(r), &strips, error);
     }
-    if (taut_trace_describe(net, strips, details) != TAUT_OK && status == TAUT_OK) {
-        status = taut_fail_memory(error);
+    if (status == TAUT_OK) {
+        status = taut_trace_describe(net, strips, details);
+        status = status == TAUT_OK ? TAUT_OK : taut_fail_status(error, status);
     }
     taut_atlas_describe(atlas, details);
     if (status == TAUT_OK) {
@@ -241,7 +242,9 @@ static taut_status build(void *context, taut_arena *arena, taut_model *model, ta
     const request *r = context;
     const taut_model *of = NULL;
     taut_atlas atlas;
-    taut_net net = {.problem = r->problem, .arena = arena, .threads = r->options->threads};
+    taut_pulse pulse = {.monitor = &r->options->monitor, .what = "tracing", .done = taut_none};
+    taut_net net = {
+        .problem = r->problem, .arena = arena, .threads = r->options->threads, .pulse = &pulse};
     taut_status status =
         taut_construct_of(r->problem->model, r->problem->of, r->options, arena, &of, error);
 

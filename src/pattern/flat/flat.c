@@ -437,11 +437,13 @@ static int newton_step(work *w, double *matrix, double *trial, double *length)
 static int newton(work *w, double *matrix, double *trial)
 {
     double length = INFINITY, before;
+    const double of_step = 2.0 * w->n * w->width * w->width; /* operations, about, its factor's */
     w->energy = energy_of(w, w->y);
     memset(w->multiplier, 0, sizeof(double) * (size_t)w->room);
     for (int k = 0; k < STEPS_MAX && w->energy < INFINITY; k++) {
         before = length;
-        if (!newton_step(w, matrix, trial, &length)) {
+        if (!newton_step(w, matrix, trial, &length) ||
+            taut_pulse_beat(w->options->pulse, of_step)) {
             return 0;
         }
         /* lengths end by their squares: this is what the next one would be */
@@ -914,6 +916,9 @@ taut_status taut_flatten(taut_arena *arena, const taut_flat_strip *strip,
     }
     const double area = sample(&w);
     status = solve(&w, from);
+    if (taut_pulse_is_stopped(options->pulse)) {
+        status = TAUT_INTERRUPTED;
+    }
     if (status != TAUT_OK) {
         *flat = (taut_flat){.energy = w.energy, .steps = w.steps};
         return status;

@@ -19,6 +19,7 @@
 #define TAUT_PATTERN_FLAT_H
 
 #include "core/arena.h"
+#include "core/pulse.h"
 
 enum { TAUT_FLAT_DEGREE = 5, TAUT_FLAT_GAUSS = 6, TAUT_FLAT_SPANS_MAX = 200 };
 
@@ -47,6 +48,7 @@ typedef struct taut_flat_options {
         [2]; /* nonzero: start, or end, has no length, and is one place; not both, not straight */
     /* |y_s| / |X_s| at the edge's Gauss points, [spans][TAUT_FLAT_GAUSS] as s (or t) grows; NULL: free */
     const double *held[TAUT_FLAT_EDGES];
+    taut_pulse *pulse; /* or NULL */
 } taut_flat_options;
 
 typedef struct taut_flat_strip {
@@ -69,7 +71,7 @@ typedef struct taut_flat {
     double torque; /* of the thread's constraint; 0 where the law has no direction */
 } taut_flat;
 
-/* In the arena. TAUT_NO_MEMORY; TAUT_NOT_CONVERGED: flat->steps tells after how many, and an energy of
+/* In the arena. TAUT_NO_MEMORY; TAUT_INTERRUPTED as the pulse says; TAUT_NOT_CONVERGED: flat->steps tells after how many, and an energy of
  * INFINITY that no start without folds was found. `from`: a flat piece of the same strip, law and spans to
  * start from, or NULL: unrolled. */
 taut_status taut_flatten(taut_arena *arena, const taut_flat_strip *strip,

@@ -7,6 +7,7 @@
 #include "problems.h"
 
 #include "taut/construct.h"
+#include "taut/mesh.h"
 #include "taut/read.h"
 
 #include <string.h>
@@ -53,9 +54,9 @@ static int count_words(void *context, double done, const char *what)
     return inner.progress(inner.context, done, what);
 }
 
-static taut_status make_example(const char *name, words *w, taut_model **model)
+static taut_status make_with(const char *name, int threads, words *w, taut_model **model)
 {
-    const taut_make_options options = {.monitor = {count_words, w}};
+    const taut_make_options options = {.threads = threads, .monitor = {count_words, w}};
     taut_problem *problem = NULL;
     taut_status status = TAUT_BAD_ARGUMENT;
     for (const taut_embedded *file = taut_examples; file->name != NULL; file++) {
@@ -67,6 +68,69 @@ static taut_status make_example(const char *name, words *w, taut_model **model)
     }
     taut_problem_free(problem);
     return status;
+}
+
+static taut_status make_example(const char *name, words *w, taut_model **model)
+{
+    return make_with(name, 1, w, model);
+}
+
+/* What follows the steps of a construction reports too: so many reports at least, and an end at any of them leaves nothing. */
+static void test_what_follows(void)
+{
+    static const struct {
+        const char *name;
+        int least;
+    } cases[] = {{"film-ridge.json", 17},
+                 {"film-warp-weft.json", 18},
+                 {"pattern-cone.json", 110},
+                 {"pipe-run-arcs.json", 20},
+                 {"trace-planks.json", 600}};
+    for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
+        words all = {.witness = 0};
+        taut_model *model = NULL;
+        CHECK(make_example(cases[c].name, &all, &model) == TAUT_OK, "%s", cases[c].name);
+        taut_model_free(model);
+        const int count = all.counted.reports;
+        CHECK(count >= cases[c].least, "%s: %d reports", cases[c].name, count);
+        for (int k = count; k >= 1; k -= k > count - 3 ? 1 : 1 + count / 3) {
+            for (int threads = 1; threads <= 2; threads++) {
+                words stop = {.counted = {.stop_at = k}};
+                model = NULL;
+                const taut_status status = make_with(cases[c].name, threads, &stop, &model);
+                CHECK((model == NULL) == (status != TAUT_OK), "status %d", (int)status);
+                CHECK(threads > 1 || (status == TAUT_INTERRUPTED && stop.counted.reports == k),
+                      "%s: stopped at %d of %d, status %d, went on to %d", cases[c].name, k, count,
+                      (int)status, stop.counted.reports);
+                taut_model_free(model);
+            }
+        }
+    }
+}
+
+/* A mesh reports as its samples and vertices are made. */
+static void test_mesh(int count)
+{
+    test_problem problem = problem_tetrahedron(count);
+    taut_model *model = NULL;
+    watch all = {.stop_at = 0};
+    const taut_mesh_options options = {.monitor = monitor_of(&all)};
+    taut_mesh *mesh = NULL;
+
+    CHECK(taut_dirichlet_make(&problem.data, NULL, &model, NULL) == TAUT_OK, "made");
+    CHECK(taut_mesh_new(model, &options, &mesh, NULL) == TAUT_OK, "mesh");
+    CHECK(all.reports >= 4, "%d reports", all.reports);
+    taut_mesh_free(mesh);
+    for (int k = 1; k <= all.reports; k++) {
+        watch stop = {.stop_at = k};
+        const taut_mesh_options stopped = {.monitor = monitor_of(&stop)};
+        mesh = NULL;
+        CHECK(taut_mesh_new(model, &stopped, &mesh, NULL) == TAUT_INTERRUPTED && mesh == NULL &&
+                  stop.reports == k,
+              "stopped at %d of %d: went on to %d", k, all.reports, stop.reports);
+    }
+    taut_model_free(model);
+    problem_free(&problem);
 }
 
 /* Each of 16 sign branches that the data allows is searched for from several starts: a report of each. */
@@ -115,5 +179,7 @@ int main(void)
     test_dirichlet(240);
     test_branches();
     test_witness();
+    test_what_follows();
+    test_mesh(160);
     return check_failures != 0;
 }

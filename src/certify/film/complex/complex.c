@@ -516,7 +516,7 @@ static taut_status find_stability(request *r)
                         r->problem->cell_count > 0 ? SECOND_CELLS : SECOND_EXTRA, arena, &s);
 
     if (status == TAUT_OK) {
-        status = taut_sheets_lowest(&s, stable_limit, &r->lowest, &r->below);
+        status = taut_sheets_lowest(&s, stable_limit, r->pulse, &r->lowest, &r->below);
         r->lowest_user = r->lowest * s.tension / r->size / r->size;
     }
     taut_arena_free(arena);

@@ -514,10 +514,12 @@ typedef struct envelope {
     size_t *start; /* [rows]: of column low[i] */
     size_t size;
     double *k, *m, *l; /* l: the factor, its last entry of each row D */
+    taut_pulse *pulse; /* once it says stop, nothing here has a meaning */
 } envelope;
 
 enum { LOCAL_MOST = 3 * 121 };
 static const size_t envelope_most = 60000000;
+static const double work_of_pair = 40; /* operations of two moves at a node, roughly */
 
 /* What is alive on one cell: its moves, and the function and way of each. */
 typedef struct cell {
@@ -804,6 +806,10 @@ static int factor(const envelope *e, double shift)
         }
         row[i] = pivot != 0 ? pivot : 1e-300;
         negative += !(pivot > 0);
+        const double length = i - e->low[i];
+        if (taut_pulse_beat(e->pulse, length * length)) {
+            return 0;
+        }
     }
     return negative;
 }
@@ -951,7 +957,7 @@ static taut_status iterate(const envelope *e, const border *b, taut_arena *arena
         return TAUT_NO_MEMORY;
     }
     for (int k = 0; factor_held(e, b, shift) > 0; k++) {
-        if (k == FALLS) {
+        if (k == FALLS || taut_pulse_is_stopped(e->pulse)) {
             return TAUT_NOT_CONVERGED;
         }
         shift = shift == 0 ? -1 : 4 * shift;
@@ -960,6 +966,9 @@ static taut_status iterate(const envelope *e, const border *b, taut_arena *arena
         x[i] = 1 + 0.5 * ((i * 7919) % 101) / 101.0;
     }
     for (int k = 0; k < STEPS; k++) {
+        if (taut_pulse_beat(e->pulse, 10.0 * (double)e->size)) {
+            return TAUT_INTERRUPTED;
+        }
         multiply(e, e->m, x, y);
         solve(e, y);
         hold(e, b, y);
@@ -984,11 +993,34 @@ static taut_status iterate(const envelope *e, const border *b, taut_arena *arena
     return TAUT_OK;
 }
 
-taut_status taut_sheets_lowest(const taut_sheets *sheets, double limit, double *lowest, int *below)
+/* K and M of all sheets and lines. TAUT_INTERRUPTED. */
+static taut_status fill(const taut_sheets *s, envelope *e, cell *at)
+{
+    const taut_film_problem *problem = s->complex->problem;
+
+    for (walk w = {0, -1, 0}; next_cell(s, &w);) {
+        const int eu =
+            s->axes[2 * w.p].table->count / taut_basis_span_count(problem->patches[w.p].u);
+        const int ev =
+            s->axes[2 * w.p + 1].table->count / taut_basis_span_count(problem->patches[w.p].v);
+        find_cell(s, w.p, w.a, w.b, at);
+        for (int k = 0; k < eu * ev; k++) {
+            add_node(s, w.p, w.a + k / ev, w.b + k % ev, at, e);
+        }
+        if (taut_pulse_beat(e->pulse, work_of_pair * at->count * at->count * (eu * ev))) {
+            return TAUT_INTERRUPTED;
+        }
+    }
+    add_lines(s, e);
+    return TAUT_OK;
+}
+
+taut_status taut_sheets_lowest(const taut_sheets *sheets, double limit, taut_pulse *pulse,
+                               double *lowest, int *below)
 {
     const taut_sheets *s = sheets;
     taut_arena *arena = taut_arena_new();
-    envelope e = {.rows = 0};
+    envelope e = {.pulse = pulse};
     border held = {.count = 0};
     cell *at = taut_arena_take(arena, 1, sizeof *at);
     taut_status status = taut_arena_status(arena);
@@ -1008,25 +1040,17 @@ taut_status taut_sheets_lowest(const taut_sheets *sheets, double limit, double *
         status = taut_arena_status(arena);
     }
     if (status == TAUT_OK) {
-        const taut_film_problem *problem = s->complex->problem;
-        for (walk w = {0, -1, 0}; next_cell(s, &w);) {
-            const int eu = s->axes[2 * w.p].table->count /
-                           taut_basis_span_count(problem->patches[w.p].u),
-                      ev = s->axes[2 * w.p + 1].table->count /
-                           taut_basis_span_count(problem->patches[w.p].v);
-            find_cell(s, w.p, w.a, w.b, at);
-            for (int k = 0; k < eu * ev; k++) {
-                add_node(s, w.p, w.a + k / ev, w.b + k % ev, at, &e);
-            }
-        }
-        add_lines(s, &e);
-        const double size = 2 * s->half * taut_half_factor(s->unit) / 2;
+        status = fill(s, &e, at);
+    }
+    if (status == TAUT_OK) {
         status = make_border(s, &e, arena, &held);
-        if (status == TAUT_OK) {
-            *below = factor_held(&e, &held, limit / (size * size));
-            status = iterate(&e, &held, arena, lowest);
-            *lowest *= size * size;
-        }
+    }
+    if (status == TAUT_OK) {
+        const double size = 2 * s->half * taut_half_factor(s->unit) / 2;
+        *below = factor_held(&e, &held, limit / (size * size));
+        status =
+            taut_pulse_is_stopped(pulse) ? TAUT_INTERRUPTED : iterate(&e, &held, arena, lowest);
+        *lowest *= size * size;
     }
     taut_arena_free(arena);
     return status;

@@ -16,6 +16,7 @@
 #ifndef TAUT_CERTIFY_FILM_COMPLEX_SHEETS_H
 #define TAUT_CERTIFY_FILM_COMPLEX_SHEETS_H
 
+#include "core/pulse.h"
 #include "geometry/grid/table.h"
 #include "problem/film_complex.h"
 
@@ -61,7 +62,8 @@ taut_status taut_sheets_new(const taut_film_complex *complex, const taut_surface
                             int extra, taut_arena *arena, taut_sheets *sheets);
 
 /* The lowest eigenvalue of K x = lambda M x where given volumes and lengths stay, in tension over length squared times size^2, and how many are not above `limit`.
- * TAUT_NO_MEMORY; TAUT_NOT_CONVERGED: too large, or no eigenvalue is found: *below is -1. */
-taut_status taut_sheets_lowest(const taut_sheets *sheets, double limit, double *lowest, int *below);
+ * TAUT_NO_MEMORY; TAUT_INTERRUPTED; TAUT_NOT_CONVERGED: too large, or no eigenvalue is found: *below is -1. */
+taut_status taut_sheets_lowest(const taut_sheets *sheets, double limit, taut_pulse *pulse,
+                               double *lowest, int *below);
 
 #endif /* TAUT_CERTIFY_FILM_COMPLEX_SHEETS_H */

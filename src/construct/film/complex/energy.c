@@ -252,7 +252,7 @@ static taut_status make_parts(taut_film_energy *e, int extra)
     return status;
 }
 
-taut_status taut_film_energy_new(const taut_film_layout *layout, int extra,
+taut_status taut_film_energy_new(const taut_film_layout *layout, int extra, taut_pulse *pulse,
                                  taut_film_energy **energy)
 {
     const taut_film_complex *c = &layout->complex;
@@ -263,6 +263,7 @@ taut_status taut_film_energy_new(const taut_film_layout *layout, int extra,
         return TAUT_NO_MEMORY;
     }
     e->layout = layout;
+    e->pulse = pulse;
     e->arena = taut_arena_new();
     e->areas = taut_arena_take(e->arena, patches, sizeof *e->areas);
     e->densities = taut_arena_take(e->arena, patches, sizeof *e->densities);
@@ -683,8 +684,9 @@ static void find_pulls(taut_film_energy *e)
     }
 }
 
-void taut_film_energy_second(taut_film_energy *energy)
+taut_status taut_film_energy_second(taut_film_energy *energy)
 {
+    enum { OF_PAIR = 30 }; /* operations of two functions at a node, roughly */
     const taut_film_complex *c = &energy->layout->complex;
     int nodes[LOCAL_MAX * LOCAL_MAX];
     const size_t blocks = (size_t)energy->start[c->nodes];
@@ -706,11 +708,16 @@ void taut_film_energy_second(taut_film_energy *energy)
                 }
             }
             scatter(energy, p, nodes, count, energy->element);
+            if (taut_pulse_beat(energy->pulse, (double)OF_PAIR * count * count / 2 *
+                                                   (area->u.nodes * area->v.nodes))) {
+                return TAUT_INTERRUPTED;
+            }
         }
     }
     for (int k = 0; k < c->strand_count; k++) {
         add_cable(energy, k);
     }
+    return TAUT_OK;
 }
 
 static void block_of(const void *context, int a, int b, double *block)

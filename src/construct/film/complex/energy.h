@@ -10,10 +10,12 @@
 
 #include "construct/film/complex/layout.h"
 #include "construct/plateau/density.h"
+#include "core/pulse.h"
 #include "numeric/sparse.h"
 
 typedef struct taut_film_energy {
     const taut_film_layout *layout;
+    taut_pulse *pulse;            /* or NULL */
     taut_arena *arena;            /* of one rule */
     taut_area_functional **areas; /* [patch_count] */
     taut_area_density *densities; /* [patch_count]: of patches of threads */
@@ -48,8 +50,8 @@ typedef struct taut_film_energy {
     double least; /* of the last value: smallest W over its mean, of all patches */
 } taut_film_energy;
 
-/* extra nodes a span. The energy's arena is its own. TAUT_NO_MEMORY. */
-taut_status taut_film_energy_new(const taut_film_layout *layout, int extra,
+/* extra nodes a span. The energy's arena is its own. pulse: NULL is fine. TAUT_NO_MEMORY. */
+taut_status taut_film_energy_new(const taut_film_layout *layout, int extra, taut_pulse *pulse,
                                  taut_film_energy **energy);
 void taut_film_energy_free(taut_film_energy *energy); /* NULL is fine */
 
@@ -57,8 +59,8 @@ void taut_film_energy_free(taut_film_energy *energy); /* NULL is fine */
  * NULL: the largest coordinate of a derivative of the sheets that meet in a node, each alone, and before cables add to it. */
 double taut_film_energy_value(taut_film_energy *energy, const double *x, double *gradient,
                               double *scales);
-/* H and L at the x of the last gradient. */
-void taut_film_energy_second(taut_film_energy *energy);
+/* H and L at the x of the last gradient. TAUT_INTERRUPTED as the pulse says. */
+taut_status taut_film_energy_second(taut_film_energy *energy);
 /* From now on all that is free counts, or, narrow, the moves that are seen at the x of the last value alone. TAUT_NO_MEMORY. */
 taut_status taut_film_energy_narrow(taut_film_energy *energy, int narrow);
 /* The factor of B; *negative as of taut_sparse_factor. */

@@ -61,7 +61,7 @@ static const double softs[SOFTS] = {1, 2, 4, 0.5};
 
 typedef struct work {
     const taut_film_layout *layout;
-    const taut_monitor *monitor;
+    taut_pulse pulse;
     taut_error *error;
     taut_film_energy *energy;
     taut_film_border border;
@@ -85,10 +85,20 @@ typedef struct work {
     double gain; /* of the method `normal` */
 } work;
 
-static int must_stop(const work *w)
+static taut_status fail_interrupted(const work *w)
 {
-    return w->monitor->progress != NULL &&
-           w->monitor->progress(w->monitor->context, taut_none, "film") != TAUT_GO_ON;
+    return taut_fail(w->error, TAUT_INTERRUPTED, "interrupted", NULL, taut_none, taut_none,
+                     "stopped before the film was at rest");
+}
+
+static taut_status report(work *w)
+{
+    return taut_pulse_report(&w->pulse) ? fail_interrupted(w) : TAUT_OK;
+}
+
+static taut_status find_second(work *w)
+{
+    return taut_film_energy_second(w->energy) == TAUT_OK ? TAUT_OK : fail_interrupted(w);
 }
 
 /* The largest derivative of E - sum p V along what is free, over the scale of its node; of given volumes what they are off by if that is more. */
@@ -256,10 +266,13 @@ static int is_normal(const work *w)
 /* One step, by the least theta that makes one; *taken: 0 where none is better. */
 static taut_status make_step(work *w, double *promised, int *taken)
 {
-    taut_film_energy_second(w->energy);
+    taut_status status = find_second(w);
     *taken = 0;
+    if (status != TAUT_OK) {
+        return status;
+    }
     while (!*taken) {
-        taut_status status = find_step(w, promised);
+        status = find_step(w, promised);
         if (status == TAUT_NO_MEMORY) {
             return status;
         }
@@ -313,9 +326,9 @@ static taut_status descend(work *w)
                              "expected %.3g",
                              w->iterations, w->residual, w->aim);
         }
-        if (must_stop(w)) {
-            return taut_fail(w->error, TAUT_INTERRUPTED, "interrupted", NULL, taut_none, taut_none,
-                             "stopped before the film was at rest");
+        status = report(w);
+        if (status != TAUT_OK) {
+            return status;
         }
         status = make_step(w, &promised, &taken);
         w->iterations++;
@@ -395,7 +408,10 @@ static taut_status settle(work *w)
     for (int rule = 0; status == TAUT_OK && rule < RULES; rule++) {
         taut_film_energy_free(w->energy);
         w->energy = NULL;
-        status = taut_film_energy_new(w->layout, extra_nodes[rule], &w->energy);
+        status = report(w);
+        if (status == TAUT_OK) {
+            status = taut_film_energy_new(w->layout, extra_nodes[rule], &w->pulse, &w->energy);
+        }
         if (status == TAUT_OK) {
             status = look(w);
         }
@@ -425,8 +441,14 @@ static taut_status settle(work *w)
 static taut_status count_down(work *w, int *down)
 {
     int negative = 0;
-    taut_film_energy_second(w->energy);
-    const taut_status status = taut_film_energy_factor(w->energy, theta_least, &negative);
+    taut_status status = report(w);
+
+    if (status == TAUT_OK) {
+        status = find_second(w);
+    }
+    if (status == TAUT_OK) {
+        status = taut_film_energy_factor(w->energy, theta_least, &negative);
+    }
 
     if (status == TAUT_OK) {
         *down = taut_film_border_factor(&w->border, w->energy, negative, w->right);
@@ -480,7 +502,7 @@ static taut_status begin_again(work *w)
     w->is_fresh = 1;
     taut_film_energy_free(w->energy);
     w->energy = NULL;
-    return taut_film_energy_new(w->layout, extra_nodes[0], &w->energy);
+    return taut_film_energy_new(w->layout, extra_nodes[0], &w->pulse, &w->energy);
 }
 
 /* From no pressure on; TAUT_OK: x is a film under all of it. */
@@ -738,7 +760,7 @@ taut_status taut_film_rest_find(const taut_film_layout *layout, const taut_monit
     const size_t nodes = (size_t)layout->complex.nodes, bytes = 3 * sizeof(double);
     const double tolerance = problem->tolerance > 0 ? problem->tolerance : 1e-10;
     work w = {.layout = layout,
-              .monitor = monitor,
+              .pulse = {.monitor = monitor, .what = "film", .done = taut_none},
               .error = error,
               .nodes = nodes,
               .x = taut_arena_copy(arena, layout->start, nodes, bytes),
