@@ -179,6 +179,7 @@ def test_films_refused(examples):
         with pytest.raises(taut.InputError) as caught:
             taut.film_gradient(*wrong)
         assert caught.value.reason == reason
+    assert "give one patch" in caught.value.message
 
 
 def test_refused(net, examples):

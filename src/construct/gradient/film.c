@@ -664,11 +664,16 @@ static taut_status check_request(const taut_film_problem *problem,
 static taut_status check_kind(const taut_film_problem *problem, taut_error *error)
 {
     if (taut_film_is_complex(problem)) {
-        return taut_gradient_refuse("films of many patches or with cells have no derivatives yet",
-                                    error);
+        return taut_gradient_refuse(
+            "films of many patches or with cells have no derivatives yet: give "
+            "one patch, open or a ring",
+            error);
     }
     if (problem->updates > 0) {
-        return taut_gradient_refuse("a reference that is updated moves with the film", error);
+        return taut_gradient_refuse(
+            "a reference that is updated moves with the film: leave updates out, "
+            "and give the last reference",
+            error);
     }
     if (problem->method != TAUT_FILM_FULL) {
         return taut_gradient_refuse("with the method \"normal\" the film is not at rest in all "
@@ -743,7 +748,9 @@ taut_status taut_gradient_of_film(const taut_problem *problem, const taut_model 
                                   taut_film_slopes *slopes, taut_error *error)
 {
     if (problem == NULL || problem->construct != TAUT_CONSTRUCT_INDEX_film) {
-        return taut_gradient_refuse("this is a gradient of films, and the problem is none", error);
+        return taut_gradient_refuse("this is a gradient of films, and the problem is none: call "
+                                    "taut_gradient (Python: taut.gradient)",
+                                    error);
     }
     return taut_film_gradient(problem->data, model, request, slopes, error);
 }

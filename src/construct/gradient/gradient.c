@@ -131,8 +131,11 @@ taut_status taut_gradient(const taut_problem *problem, const taut_model *model,
                                     error);
     }
     if (derive[problem->construct] == NULL) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, "no-gradient", NULL, taut_none, taut_none,
-                         "%s has no derivatives yet", taut_construct_name(problem->construct));
+        return taut_fail(
+            error, TAUT_BAD_ARGUMENT, "no-gradient", NULL, taut_none, taut_none,
+            "%s has no derivatives yet; dirichlet, plateau, harmonic and biharmonic from rows, "
+            "and films of one patch have",
+            taut_construct_name(problem->construct));
     }
     return derive[problem->construct](problem->data, model, request, gradient, error);
 }
