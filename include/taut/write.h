@@ -54,13 +54,17 @@ extern "C" {
 
 /* Colour of the surfaces in figures: none, H, K, or how far the parametrisation is from isothermal,
  * sqrt((E-G)^2 + 4 F^2) / (E+G) in [0, 1], 0 where it is; or of a film where its area is how far above
- * the lower bound of its witness, for each unit of area (docs/least.md; figures only). */
+ * the lower bound of its witness, for each unit of area (docs/least.md; figures only); or of a film of force
+ * densities what its threads pull with along u (warp) or v (weft), force per width, by the figure `force_density` of
+ * its certificate (docs/film.md; figures only). */
 typedef enum taut_colour {
     TAUT_COLOUR_PLAIN,
     TAUT_COLOUR_MEAN,
     TAUT_COLOUR_GAUSSIAN,
     TAUT_COLOUR_ISOTHERMALITY,
-    TAUT_COLOUR_GAP
+    TAUT_COLOUR_GAP,
+    TAUT_COLOUR_WARP,
+    TAUT_COLOUR_WEFT
 } taut_colour;
 
 /* Formats beyond the library's own, which another library brings: taut_draw_formats() of taut/draw.h. */

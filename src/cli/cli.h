@@ -177,7 +177,7 @@ typedef struct cli_command {
      0,                                                                                            \
      0,                                                                                            \
      0,                                                                                            \
-     "H|K|I|gap",                                                                                  \
+     "H|K|I|gap|warp|weft",                                                                        \
      "figures, GLB (not gap): colour by curvature, isothermality or gap"},                         \
         {"--isolines",                                                                             \
          CLI_INTEGER,                                                                              \

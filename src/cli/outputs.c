@@ -89,10 +89,9 @@ int cli_write_options(const cli_options *options, taut_write_options *chosen)
     static const struct {
         const char *word;
         taut_colour colour;
-    } colours[] = {{"H", TAUT_COLOUR_MEAN},
-                   {"K", TAUT_COLOUR_GAUSSIAN},
-                   {"I", TAUT_COLOUR_ISOTHERMALITY},
-                   {"gap", TAUT_COLOUR_GAP}};
+    } colours[] = {{"H", TAUT_COLOUR_MEAN},          {"K", TAUT_COLOUR_GAUSSIAN},
+                   {"I", TAUT_COLOUR_ISOTHERMALITY}, {"gap", TAUT_COLOUR_GAP},
+                   {"warp", TAUT_COLOUR_WARP},       {"weft", TAUT_COLOUR_WEFT}};
 
     *chosen = (taut_write_options){.tolerance = options->tolerance,
                                    .formats = taut_draw_formats(),
@@ -121,7 +120,7 @@ int cli_write_options(const cli_options *options, taut_write_options *chosen)
             }
         }
         if (chosen->colour == TAUT_COLOUR_PLAIN) {
-            return cli_misuse_value("--colour", options->colour, "H, K, I or gap");
+            return cli_misuse_value("--colour", options->colour, "H, K, I, gap, warp or weft");
         }
     }
     if (options->view != NULL) {

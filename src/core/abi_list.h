@@ -825,7 +825,9 @@
     X(TAUT_COLOUR_MEAN, "mean") \
     X(TAUT_COLOUR_GAUSSIAN, "gaussian") \
     X(TAUT_COLOUR_ISOTHERMALITY, "isothermality") \
-    X(TAUT_COLOUR_GAP, "gap")
+    X(TAUT_COLOUR_GAP, "gap") \
+    X(TAUT_COLOUR_WARP, "warp") \
+    X(TAUT_COLOUR_WEFT, "weft")
 
 #define TAUT_ABI_VALUES_taut_edge(X) \
     X(TAUT_EDGE_U0, "u0") \

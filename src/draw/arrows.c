@@ -8,7 +8,26 @@
 
 static const char *const corner_names[4] = {"u0v0", "u1v0", "u0v1", "u1v1"};
 
-/* Where the support of this name is; 0 where no corner is called so. */
+/* The surface that a support is a corner of, and *corner, what it is called there: "u0v0" of a film of one patch, else "NAME.u0v0". NULL:
+ * there is none. */
+static const taut_surface *find_patch(const taut_model *model, const char *support,
+                                      const char **corner)
+{
+    const char *dot = strrchr(support, '.');
+
+    *corner = dot != NULL ? dot + 1 : support;
+    for (int i = 0; i < taut_model_surface_count(model); i++) {
+        const taut_surface *surface = taut_model_surface(model, i);
+        const char *name = taut_surface_name(surface);
+        if (dot == NULL || (strlen(name) == (size_t)(dot - support) &&
+                            strncmp(name, support, (size_t)(dot - support)) == 0)) {
+            return surface;
+        }
+    }
+    return NULL;
+}
+
+/* Where the corner of this name is; 0 where none is called so. */
 static int find_corner(const taut_surface *surface, const char *name, double corner[3])
 {
     const size_t nu = (size_t)taut_basis_count(taut_surface_u(surface)),
@@ -34,7 +53,8 @@ static int read_force(const taut_record *numbers, double force[3])
            isfinite(taut_hypot(taut_hypot(force[0], force[1]), force[2]));
 }
 
-void taut_arrows_fill(const taut_model *model, taut_arrows *arrows, double *most)
+void taut_arrows_fill(const taut_model *model, const taut_surface *alone, taut_arrows *arrows,
+                      double *most)
 {
     const taut_certificate *certificate = taut_model_certificate(model);
     const taut_record *supports = taut_record_get(taut_model_details(model), "supports");
@@ -43,11 +63,13 @@ void taut_arrows_fill(const taut_model *model, taut_arrows *arrows, double *most
                             : NULL;
 
     arrows->count = 0;
-    for (size_t k = 0; k < taut_record_count(forces) && arrows->count < 4; k++) {
+    for (size_t k = 0; k < taut_record_count(forces) && arrows->count < TAUT_ARROWS_MOST; k++) {
         double *corner = arrows->head[arrows->count], *force = arrows->force[arrows->count];
-        if (find_corner(taut_model_surface(model, 0), taut_record_text(taut_record_at(supports, k)),
-                        corner) &&
-            read_force(taut_record_at(forces, k), force)) {
+        const char *name = NULL;
+        const taut_surface *patch =
+            find_patch(model, taut_record_text(taut_record_at(supports, k)), &name);
+        if (patch != NULL && (alone == NULL || patch == alone) &&
+            find_corner(patch, name, corner) && read_force(taut_record_at(forces, k), force)) {
             *most = fmax(*most, taut_hypot(taut_hypot(force[0], force[1]), force[2]));
             arrows->count++;
         }

@@ -143,7 +143,9 @@ static double noise_of(const figure *f)
                            [TAUT_COLOUR_MEAN] = 1 / size,
                            [TAUT_COLOUR_GAUSSIAN] = 1 / size / size,
                            [TAUT_COLOUR_ISOTHERMALITY] = 1,
-                           [TAUT_COLOUR_GAP] = 1e-15};
+                           [TAUT_COLOUR_GAP] = 1e-15,
+                           [TAUT_COLOUR_WARP] = 0, /* of any unit: nothing is rounding */
+                           [TAUT_COLOUR_WEFT] = 0};
     return taut_pow(10,
                     ceil(taut_log10(fmin(fmax(1e-9 * unit[f->options.colour], 1e-290), 1e290))));
 }
@@ -533,9 +535,9 @@ static taut_status check_numbers(const taut_write_options *o, taut_error *error)
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, o->reduction, taut_none,
                          "there is no such paper, or a reduction that is no number above 0");
     }
-    if (o->colour > TAUT_COLOUR_GAP) {
+    if (o->colour > TAUT_COLOUR_WEFT) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, (double)o->colour,
-                         TAUT_COLOUR_GAP, "there is no such colour");
+                         TAUT_COLOUR_WEFT, "there is no such colour");
     }
     return TAUT_OK;
 }

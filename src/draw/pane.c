@@ -29,8 +29,8 @@ static taut_status sample_surface(taut_pane *pane, const taut_write_options *opt
     taut_sheet *sheet = &pane->sheets[pane->sheet_count++];
     const taut_status status =
         taut_sheet_new(taut_model_surface(pane->model, i), cells, most, options, arena, sheet);
-    if (status == TAUT_OK && options->colour == TAUT_COLOUR_GAP) {
-        return taut_sheet_gap(options, taut_model_details(pane->model), arena, sheet);
+    if (status == TAUT_OK && options->colour >= TAUT_COLOUR_GAP) {
+        return taut_sheet_film(options, pane->model, arena, sheet);
     }
     return status == TAUT_OK && options->isolines > 0 && options->colour != TAUT_COLOUR_PLAIN
                ? taut_sheet_corners(options, arena, sheet)
@@ -110,8 +110,10 @@ static taut_status sample_combs(taut_pane *pane, taut_arena *arena)
 static void sample_arrows(taut_pane *pane)
 {
     const double size = size_of_sheets(pane);
+    const int is_alone = pane->sheet_count == 1;
 
-    taut_arrows_fill(pane->model, &pane->arrows, &pane->arrow_most);
+    taut_arrows_fill(pane->model, is_alone ? pane->sheets[0].surface : NULL, &pane->arrows,
+                     &pane->arrow_most);
     pane->arrow_scale = pane->arrow_most > 0 ? size / 8 / pane->arrow_most : 0;
     pane->arrow_scale = isfinite(pane->arrow_scale) ? pane->arrow_scale : 0;
     taut_arrows_scale(&pane->arrows, pane->arrow_scale);
@@ -135,8 +137,7 @@ taut_status taut_pane_sample(taut_pane *pane, const taut_write_options *options,
     if (status != TAUT_OK) {
         return status;
     }
-    if (options->reactions && taut_model_surface_count(pane->model) > 0 &&
-        taut_pane_shows(pane, options, 0)) {
+    if (options->reactions && pane->sheet_count > 0) {
         sample_arrows(pane);
     }
     status = sample_curves(pane, options, along, arena);

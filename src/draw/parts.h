@@ -77,15 +77,19 @@ taut_status taut_combs_add(const taut_combs *combs, const taut_camera *camera, t
  *
  * The longest of a figure is an eighth of its size, and the figure says what it is. */
 
+enum { TAUT_ARROWS_MOST = 64 }; /* supports beyond have none */
+
 typedef struct taut_arrows {
     int count;
-    double head[4][3];  /* the corners */
-    double force[4][3]; /* `reactions` among the figures of the certificate */
-    double tail[4][3];  /* after taut_arrows_scale */
+    double head[TAUT_ARROWS_MOST][3];  /* the corners */
+    double force[TAUT_ARROWS_MOST][3]; /* `reactions` among the figures of the certificate */
+    double tail[TAUT_ARROWS_MOST][3];  /* after taut_arrows_scale */
 } taut_arrows;
 
-/* None where the model's certificate tells none. The largest force in *most, which is not lowered. */
-void taut_arrows_fill(const taut_model *model, taut_arrows *arrows, double *most);
+/* Of all surfaces of the model, or of one of them alone. None where the model's certificate tells none. The largest force in *most,
+ * which is not lowered. */
+void taut_arrows_fill(const taut_model *model, const taut_surface *alone, taut_arrows *arrows,
+                      double *most);
 void taut_arrows_scale(taut_arrows *arrows, double scale);
 taut_status taut_arrows_add(const taut_arrows *arrows, const taut_camera *camera,
                             taut_scene *scene);

@@ -88,7 +88,9 @@ double taut_sheet_value(taut_colour colour, const taut_forms *forms)
         [TAUT_COLOUR_GAUSSIAN] = forms->regular ? forms->gaussian : (double)NAN,
         [TAUT_COLOUR_ISOTHERMALITY] =
             taut_hypot(forms->e - forms->g, 2 * forms->f) / (forms->e + forms->g),
-        [TAUT_COLOUR_GAP] = (double)NAN, /* forms do not tell: taut_sheet_gap */
+        [TAUT_COLOUR_GAP] = (double)NAN, /* forms do not tell: taut_sheet_film */
+        [TAUT_COLOUR_WARP] = (double)NAN,
+        [TAUT_COLOUR_WEFT] = (double)NAN,
     };
     return isfinite(x[colour]) ? x[colour] : (double)NAN;
 }

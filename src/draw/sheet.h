@@ -5,6 +5,7 @@
 #include "core/arena.h"
 #include "draw/camera.h"
 #include "taut/measure.h"
+#include "taut/model.h"
 #include "taut/surface.h"
 #include "taut/write.h"
 
@@ -41,10 +42,11 @@ taut_status taut_sheet_new(const taut_surface *surface, int cells, int most,
  * knot stays one, as each cell is looked at from within. */
 taut_status taut_sheet_corners(const taut_write_options *options, taut_arena *arena,
                                taut_sheet *sheet);
-/* For TAUT_COLOUR_GAP fills sheet->values, and with isolines sheet->corners, from the witness in the
- * details of the model (measure/dual/density.h); NaN where there is none. */
-taut_status taut_sheet_gap(const taut_write_options *options, const taut_record *details,
-                           taut_arena *arena, taut_sheet *sheet);
+/* For colours that only films have fills sheet->values, and with isolines sheet->corners: the gap by the witness in the
+ * details of the model (measure/dual/density.h), the stress by the figures of its certificate (measure/film/stress.h); NaN
+ * where there is none. */
+taut_status taut_sheet_film(const taut_write_options *options, const taut_model *model,
+                            taut_arena *arena, taut_sheet *sheet);
 /* Fills sheet->stripes by the reflection lines that `lights` lamps leave. They are tubes along
  * `up`, far away, spread evenly around the figure, each as broad as the gap to the next: the ray
  * from the eye leaves a point as r = 2 (n.eye) n - eye, and meets a lamp where

@@ -148,7 +148,7 @@ static int colour_of(const taut_page_model *p, int i)
 static taut_status put_surface(taut_json_out *out, const taut_page_model *p,
                                const taut_page_surface *s)
 {
-    static const char *const names[TAUT_PAGE_FIELDS] = {"H", "K", "I", "G", "S"};
+    static const char *const names[TAUT_PAGE_FIELDS] = {"H", "K", "I", "G", "S", "U", "V"};
     const taut_surface *surface = s->surface;
     const size_t count = (size_t)s->u.count * (size_t)s->v.count;
     const size_t net = (size_t)taut_page_kept(net_u(surface), s->every[0]) *
@@ -174,7 +174,8 @@ static taut_status put_surface(taut_json_out *out, const taut_page_model *p,
     }
     put_shorts(out, "normals", 2 * count, room.shorts, room.text);
     for (int k = 0; k < TAUT_PAGE_FIELDS; k++) {
-        if ((k == TAUT_PAGE_GAP && !s->has_gap) || (k == TAUT_PAGE_STRAIN && s->mounted == NULL)) {
+        if ((k == TAUT_PAGE_GAP && !s->has_gap) || (k == TAUT_PAGE_STRAIN && s->mounted == NULL) ||
+            (k >= TAUT_PAGE_WARP && !s->has_stress)) {
             continue;
         }
         for (size_t i = 0; i < count; i++) {

@@ -131,8 +131,8 @@ static int choose_box(taut_page_model *p)
 /* The scale of each field over all surfaces, as in figures (mesh/colour.h). */
 static taut_status choose_limits(taut_page_model *p)
 {
-    const double noise[TAUT_PAGE_FIELDS] = {1e-9 / p->box.half, 1e-9 / p->box.half / p->box.half,
-                                            1e-9, 1e-15, 1e-9};
+    const double noise[TAUT_PAGE_FIELDS] = {
+        1e-9 / p->box.half, 1e-9 / p->box.half / p->box.half, 1e-9, 1e-15, 1e-9, 0, 0};
     size_t count = 0;
     double *values = NULL;
 

@@ -20,7 +20,16 @@
  *     values   32766 v / limit, 32767 and -32767 beyond the scale, -32768 where there is none
  */
 
-enum { TAUT_PAGE_H, TAUT_PAGE_K, TAUT_PAGE_I, TAUT_PAGE_GAP, TAUT_PAGE_STRAIN, TAUT_PAGE_FIELDS };
+enum {
+    TAUT_PAGE_H,
+    TAUT_PAGE_K,
+    TAUT_PAGE_I,
+    TAUT_PAGE_GAP,
+    TAUT_PAGE_STRAIN,
+    TAUT_PAGE_WARP,
+    TAUT_PAGE_WEFT,
+    TAUT_PAGE_FIELDS
+};
 
 /* Parameters of the lines in one direction. */
 typedef struct taut_page_lines {
@@ -37,12 +46,14 @@ typedef struct taut_page_surface {
     double *normals;                  /* likewise; NaN where there is none */
     double *fields[TAUT_PAGE_FIELDS]; /* [u.count][v.count] */
     int has_gap;                      /* a witness tells the gap (measure/dual/density.h) */
+    int has_stress;                   /* of threads (measure/film/stress.h) */
     double *mounted,
         *mounted_normals; /* of a flat piece of cloth, where its places are on the surface; or NULL, and there is no strain */
     int every[2]; /* every so many points of the net are kept, along u and v */
 } taut_page_surface;
 
-/* model: that it is in: where details hold a witness, the gap is among the fields; of a cutting pattern, the strain of its pieces.
+/* model: that it is in: where details hold a witness, the gap is among the fields; of a cutting pattern, the strain of its pieces; of a film of force
+ * densities, the stress along both.
  * About `vertices` vertices, or, where divide is above 0, so many cells a knot span but no more
  * vertices than that; and at most `net` points of the net. */
 taut_status taut_page_sample(const taut_surface *surface, const taut_model *model, int vertices,

@@ -3,6 +3,7 @@
 #include "core/elementary/elementary.h"
 #include "measure/cloth/mounted.h"
 #include "measure/dual/density.h"
+#include "measure/film/stress.h"
 #include "taut/measure.h"
 
 #include <math.h>
@@ -43,7 +44,8 @@ static taut_status fill_lines(const taut_basis *basis, int cells, taut_arena *ar
     return TAUT_OK;
 }
 
-static void fill_row(size_t count, const double *vectors, size_t first, taut_page_surface *page)
+static void fill_row(const double densities[2], size_t count, const double *vectors, size_t first,
+                     taut_page_surface *page)
 {
     for (size_t j = 0; j < count; j++) {
         const size_t at = first + j;
@@ -55,14 +57,23 @@ static void fill_row(size_t count, const double *vectors, size_t first, taut_pag
         page->fields[TAUT_PAGE_K][at] = forms.regular ? forms.gaussian : nan("");
         page->fields[TAUT_PAGE_I][at] =
             taut_hypot(forms.e - forms.g, 2 * forms.f) / (forms.e + forms.g);
+        double stress[2] = {(double)NAN, (double)NAN};
+        if (page->has_stress) {
+            taut_stress_of(page->surface, densities, &forms, stress);
+        }
+        page->fields[TAUT_PAGE_WARP][at] = stress[0];
+        page->fields[TAUT_PAGE_WEFT][at] = stress[1];
     }
 }
 
-static taut_status fill_grid(int threads, taut_arena *arena, taut_page_surface *page)
+static taut_status fill_grid(const taut_model *model, int threads, taut_arena *arena,
+                             taut_page_surface *page)
 {
+    double densities[2] = {0, 0};
     const size_t nv = (size_t)page->v.count, count = (size_t)page->u.count * nv;
     double *vectors = taut_arena_take(arena, nv, 18 * sizeof(double));
 
+    page->has_stress = taut_stress_densities(model, page->surface, densities);
     page->points = taut_arena_take(arena, count, 3 * sizeof(double));
     page->normals = taut_arena_take(arena, count, 3 * sizeof(double));
     for (int k = 0; k < TAUT_PAGE_FIELDS; k++) {
@@ -77,7 +88,7 @@ static taut_status fill_grid(int threads, taut_arena *arena, taut_page_surface *
         if (status != TAUT_OK) {
             return status;
         }
-        fill_row(nv, vectors, (size_t)i * nv, page);
+        fill_row(densities, nv, vectors, (size_t)i * nv, page);
     }
     return TAUT_OK;
 }
@@ -159,7 +170,7 @@ taut_status taut_page_sample(const taut_surface *surface, const taut_model *mode
         fill_lines(taut_surface_v(surface), v, arena, &page->v) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
-    status = fill_grid(threads, arena, page);
+    status = fill_grid(model, threads, arena, page);
     if (status == TAUT_OK) {
         status = fill_gaps(taut_model_details(model), page);
     }

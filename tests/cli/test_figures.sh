@@ -20,6 +20,32 @@ run 0 convert skew.json -o gap.svg --colour gap --isolines 3
 contains gap.svg 'Gap per area'
 grep -q undefined gap.svg && complain "the gap of a film with its witness has places without one"
 run 2 convert skew.json -o gap.glb --colour gap
+run 2 convert skew.json -o gap.glb --colour warp
+run 0 convert skew.json -o warp.svg --colour warp
+contains warp.svg 'undefined'
+"$TAUT" example film-warp-weft | "$TAUT" make - --quiet -o cloth.json -o warp.svg --colour warp
+contains warp.svg 'Stress, warp'
+grep -q undefined warp.svg && complain "the stress of threads has places without one"
+run 0 convert cloth.json -o weft.svg --colour weft --isolines 5
+contains weft.svg 'Stress, weft'
+contains weft.svg 'a line every 0\.6'
+cat > patches.json <<'JSON'
+{ "taut": 1, "construct": "film", "patches": [
+  { "name": "a", "force_density": [2, 1], "corners": { "u0v0": [0,0,0], "u1v0": [1,0,0], "u0v1": [0,1,0], "u1v1": [1,1,0] },
+    "edges": { "u0": "fixed", "v0": "fixed", "v1": "fixed" } },
+  { "name": "b", "force_density": [1, 3], "corners": { "u0v0": [1,0,0], "u1v0": [2,0,0], "u0v1": [1,1,0], "u1v1": [2,1,0] },
+    "edges": { "u1": "fixed", "v0": "fixed", "v1": "fixed" } } ],
+  "seams": [["a.u1", "b.u0"]] }
+JSON
+run 0 make patches.json -o patches.svg --colour weft
+grep -q undefined patches.svg && complain "the stress of patches has places without one"
+sed 's/"force_density": .1, 3.,/"tension": 1,/' patches.json > half.json
+run 0 make half.json -o half.svg --colour weft
+contains half.svg 'undefined'
+run 0 convert skew.json -o unheld.svg --reactions
+contains unheld.svg 'no reactions'
+"$TAUT" example film-tent | "$TAUT" make - --quiet -o tent.svg --reactions
+contains tent.svg 'the longest arrow is a force of 5\.74'
 contains i.svg 'Isothermality'
 run 0 convert saddle.json -o c.svg --combs --reflections 12 --no-net
 contains c.svg 'the longest tooth is a curvature of '
@@ -95,7 +121,7 @@ run 0 convert run.json -o with.svg --show-net
 contains caps.svg 'the longest tooth is a curvature of 0.125/mm'
 
 run 0 convert saddle.json -o w.png --width 200
-refused 2 'value --colour Q found null expected H, K, I or gap' convert saddle.json -o x.svg --colour Q
+refused 2 'value --colour Q found null expected H, K, I, gap, warp or weft' convert saddle.json -o x.svg --colour Q
 refused 2 'value --width 8 found 8' convert saddle.json -o x.png --width 8
 refused 2 'value --isolines 0 found 0' convert saddle.json -o x.png --isolines 0
 refused 2 'value --reflections 1\.5 found 1\.5' convert saddle.json -o x.png --reflections 1.5

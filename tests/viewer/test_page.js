@@ -367,6 +367,54 @@ async function testGap(browser) {
     await plain.close();
 }
 
+/* A film of threads shows what they pull with, one of supports what these do; nothing of that is offered of anything else. */
+async function testForces(browser) {
+    const held = (name) => ({ [name]: 'fixed' });
+    const flat = path.join(folder, 'flat.json');
+    fs.writeFileSync(flat, JSON.stringify({ taut: 1, construct: 'film', unit: 'm', force_density: [3, 1.5],
+        corners: { u0v0: [0, 0, 0], u1v0: [2, 0, 0], u0v1: [0, 3, 0], u1v1: [2, 3, 0] },
+        edges: { ...held('u0'), ...held('u1'), ...held('v0'), ...held('v1') } }));
+    const model = path.join(folder, 'flat-model.json');
+    execFileSync(taut, ['make', flat, '-o', model, '--quiet']);
+    const page = await Page.open(browser, makePage('flat-film', JSON.parse(fs.readFileSync(model, 'utf8'))), 800, 420);
+    await page.until(drawn);
+    await page.evaluate('document.getElementById("canvas").focus()');
+    await mustChange(page, 'warp', () => page.click('[name=colour][value=U]'));
+    check((await page.evaluate('document.getElementById("legend-title").textContent')) === 'Stress along the warp (u), force per m', 'the scale of the stress has no name');
+    await page.evaluate('document.getElementById("canvas").focus()');
+    await page.key('Enter');
+    const found = await probed(page); /* 3 * 2 / 3 along u, 1.5 * 3 / 2 along v */
+    check(Math.abs(numberIn(found['warp stress']) - 2) < 1e-3 && found['warp stress'].endsWith(' 1/m'), 'warp stress ' + found['warp stress']);
+    check(Math.abs(numberIn(found['weft stress']) - 2.25) < 1e-3, 'weft stress ' + found['weft stress']);
+    check(await page.evaluate('document.getElementById("reaction-choice").hidden'), 'supports that carry nothing have arrows');
+    quiet(page, 'the flat film');
+    await page.close();
+    for (const [name, count] of [['film-warp-weft', 4], ['film-tent', 5]]) {
+        const file = path.join(folder, name + '.json');
+        execFileSync(taut, ['make', path.join(__dirname, '../../examples/' + name + '.json'), '-o', file, '--quiet']);
+        const made = JSON.parse(fs.readFileSync(file, 'utf8'));
+        const longest = Math.max(...made.certificate.figures.reactions.map((force) => Math.hypot(...force)));
+        const sail = await Page.open(browser, makePage(name + '-page', made), 800, 420);
+        await sail.until(drawn);
+        check(made.certificate.figures.reactions.length === count, name + ' has other supports');
+        await mustChange(sail, name + '-reactions', () => sail.click('#reactions'));
+        const note = await sail.evaluate('document.getElementById("reaction-note").textContent');
+        check(Math.abs(numberIn(note.replace(/\.$/, '')) / longest - 1) < 0.005, name + ': ' + note + ', the longest is ' + longest);
+        await sail.evaluate('document.getElementById("canvas").focus()');
+        await mustChange(sail, name + '-reactions-off', () => sail.key('a'));
+        check(await sail.evaluate('document.getElementById("weft-choice").hidden') === (name === 'film-tent'), name + ': weft is offered wrongly');
+        if (name === 'film-warp-weft') {
+            await mustChange(sail, 'weft', () => sail.click('[name=colour][value=V]'));
+        }
+        quiet(sail, name);
+        await sail.close();
+    }
+    const plain = await Page.open(browser, path.join(folder, 'frames.html'), 800, 420);
+    await plain.until(drawn);
+    check(await plain.evaluate('["reaction-choice", "warp-choice", "weft-choice"].every((id) => document.getElementById(id).hidden)'), 'forces are offered where there are none');
+    await plain.close();
+}
+
 async function testPhone(browser) {
     const page = await Page.open(browser, path.join(folder, 'frames.html'), 390, 800);
     await page.until(drawn);
@@ -479,6 +527,7 @@ async function main() {
         await testSaving(browser);
         await testClaims(browser);
         await testGap(browser);
+        await testForces(browser);
         await testPhone(browser);
         await testLarge(browser);
         await testFarNet(browser);

@@ -710,6 +710,9 @@ static void add_stress(const taut_film_sheet *sheet, taut_record *figures)
     for (int d = 0; d < 2; d++) {
         taut_record_add_numbers(stress, NULL, 2, range[d]);
     }
+    if (sheet->problem->force_density[0] > 0) { /* what it is everywhere, by |x_u| and |x_v| */
+        taut_record_add_numbers(figures, "force_density", 2, sheet->problem->force_density);
+    }
 }
 
 static int has_slide(const taut_film_problem *problem)

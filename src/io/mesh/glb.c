@@ -484,9 +484,9 @@ static taut_status write_glb(const taut_model *model, const taut_write_options *
     glb_plan plan = {.arena = NULL, .colour = options->colour};
     taut_status status = TAUT_OK;
 
-    if (plan.colour == TAUT_COLOUR_GAP) {
+    if (plan.colour >= TAUT_COLOUR_GAP) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
-                         "glb files show H, K or I; the gap is for figures");
+                         "glb files show H, K or I; gap, warp and weft are for figures");
     }
     plan.arena = taut_arena_new();
     status = write_planned(&plan, model, options, out, error);

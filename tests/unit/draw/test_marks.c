@@ -240,10 +240,10 @@ static void test_arrows(void)
     taut_arrows arrows = {.count = 9};
     double most = 0;
 
-    taut_arrows_fill(model, &arrows, &most);
+    taut_arrows_fill(model, NULL, &arrows, &most);
     CHECK(arrows.count == 0 && !(most > 0), "without a certificate");
     taut_model_set_certificate(model, proof);
-    taut_arrows_fill(model, &arrows, &most);
+    taut_arrows_fill(model, NULL, &arrows, &most);
     taut_arrows_scale(&arrows, scale);
     CHECK(arrows.count == 4, "%d arrows", arrows.count);
     CHECK_NEAR(most, force, 1e-6, "the largest");
@@ -255,6 +255,10 @@ static void test_arrows(void)
                        1e-6, "tail %d", k);
         }
     }
+    taut_surface *other = saddle();
+    taut_arrows_fill(model, other, &arrows, &most);
+    CHECK(arrows.count == 0, "%d arrows on another surface", arrows.count);
+    taut_surface_free(other);
     taut_model_free(model);
     sail_free(&s);
 }

@@ -584,6 +584,31 @@ static int has_slide(const taut_film_problem *problem)
     return 0;
 }
 
+/* The stress that threads reach, and what it is everywhere, by |x_u| and |x_v|: of patches by their order. */
+static void add_stress(const taut_film_problem *problem, const taut_sheets *sheets,
+                       taut_record *figures)
+{
+    double stress[2][2];
+    int has_densities = 0;
+    taut_record *list = taut_record_add_list(figures, "stress");
+
+    taut_complex_stress(sheets, stress);
+    for (int k = 0; k < 2; k++) {
+        taut_record_add_numbers(list, NULL, 2, stress[k]);
+    }
+    for (int p = 0; p < problem->patch_count; p++) {
+        has_densities |= problem->patches[p].force_density[0] > 0;
+    }
+    list = has_densities ? taut_record_add_list(figures, "force_density") : NULL;
+    for (int p = 0; has_densities && p < problem->patch_count; p++) {
+        if (problem->patches[p].force_density[0] > 0) {
+            taut_record_add_numbers(list, NULL, 2, problem->patches[p].force_density);
+        } else {
+            taut_record_add_null(list, NULL);
+        }
+    }
+}
+
 static taut_status fill_figures(const request *r, taut_record *figures,
                                 taut_certificate *certificate, taut_error *error)
 {
@@ -593,7 +618,7 @@ static taut_status fill_figures(const request *r, taut_record *figures,
     double *pressures = taut_arena_take(r->arena, (size_t)r->problem->cell_count, sizeof(double));
     double *forces = taut_arena_take(r->arena, (size_t)r->complex.nodes, 3 * sizeof(double));
     unsigned char *seen = taut_arena_take(r->arena, (size_t)r->complex.nodes, 1);
-    double energy = 0, area = 0, stress[2][2];
+    double energy = 0, area = 0;
     int plain = 0, has_threads = 0;
 
     if (taut_arena_status(r->arena) != TAUT_OK ||
@@ -641,11 +666,7 @@ static taut_status fill_figures(const request *r, taut_record *figures,
         taut_record_add_number(figures, "mean_curvature", d.mean);
     }
     if (has_threads) {
-        taut_record *list = taut_record_add_list(figures, "stress");
-        taut_complex_stress(&s, stress);
-        for (int k = 0; k < 2; k++) {
-            taut_record_add_numbers(list, NULL, 2, stress[k]);
-        }
+        add_stress(r->problem, &s, figures);
     }
     if (ropes > 0) {
         taut_record_add_number(figures, "cable_geodesic", d.geodesic);

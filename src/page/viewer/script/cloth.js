@@ -85,13 +85,7 @@ function follow() {
     }
     const [from, to] = flight.ends;
     const centre = from.centre.clone().lerp(to.centre, flight.at);
-    const moved = centre.clone().sub(stage.centre);
-    stage.reach = from.reach.map((x, c) => x + (to.reach[c] - x) * flight.at);
-    stage.centre.copy(centre);
-    stage.camera.position.add(moved);
-    stage.orbit.target.add(moved);
-    stage.orbit.update();
-    resize();
+    adjust(from.reach.map((x, c) => x + (to.reach[c] - x) * flight.at), centre);
 }
 
 function placePieces() {

@@ -6,7 +6,9 @@ const headings = {
     K: ['Gaussian curvature K', '1/', '²'],
     I: ['Isothermality, 0 where isothermal', '', ''],
     G: ['Gap to the least area, 0 where none', '', ''],
-    S: ['Strain of the cloth, beyond the compensation', '', '']
+    S: ['Strain of the cloth, beyond the compensation', '', ''],
+    U: ['Stress along the warp (u)', 'force per ', ''],
+    V: ['Stress along the weft (v)', 'force per ', '']
 };
 
 /* A round step of 1, 2 or 5 that gives two to five ticks to the limit. */
@@ -95,12 +97,17 @@ function change(values) {
     if (values.layout !== undefined) {
         measure(list);
         home();
+    } else if (values.reactions !== undefined && shown.layout === 'together') {
+        const { reach, centre } = reachOfList(list);
+        adjust(reach, centre);
     }
     byId('net').checked = shown.net;
     byId('reflections').checked = shown.reflections;
     byId('isolines').checked = shown.isolines;
     byId('panels').checked = shown.panels;
     byId('measure').checked = shown.measure;
+    byId('reactions').checked = shown.reactions;
+    byId('reaction-note').textContent = shown.reactions ? 'The longest arrow is a force of ' + show(Number(strongest.toPrecision(3))) + '.' : '';
     fillSection();
     document.querySelector('[name=colour][value=' + shown.colour + ']').checked = true;
     document.querySelector('[name=layout][value=' + shown.layout + ']').checked = true;
@@ -134,7 +141,8 @@ function step(by) {
 }
 
 const hasGap = model.surfaces.some((s) => s.G !== undefined);
-const colours = ['plain', 'H', 'K', 'I'].concat(hasGap ? ['G'] : [], hasStrain ? ['S'] : []);
+const hasStress = model.surfaces.some((s) => s.U !== undefined);
+const colours = ['plain', 'H', 'K', 'I'].concat(hasGap ? ['G'] : [], hasStrain ? ['S'] : [], hasStress ? ['U', 'V'] : []);
 const keys = {
     ArrowLeft: () => turn(-6, 0),
     ArrowRight: () => turn(6, 0),
@@ -149,6 +157,7 @@ const keys = {
     r: () => change({ reflections: !shown.reflections }),
     l: () => change({ isolines: !shown.isolines }),
     p: () => change({ panels: !shown.panels }),
+    a: () => { if (reactions.length > 0) change({ reactions: !shown.reactions }); },
     c: () => change({ colour: colours[(colours.indexOf(shown.colour) + 1) % colours.length] }),
     1: () => lookFrom(...views.front),
     2: () => lookFrom(...views.right),
@@ -193,7 +202,7 @@ function fillParts() {
 }
 
 function setControls() {
-    for (const id of ['net', 'reflections', 'isolines', 'panels', 'measure']) {
+    for (const id of ['net', 'reflections', 'isolines', 'panels', 'reactions', 'measure']) {
         byId(id).addEventListener('change', (event) => change({ [id]: event.target.checked }));
     }
     for (const name of ['colour', 'layout']) {
@@ -221,6 +230,8 @@ function setControls() {
         }
     });
     byId('gap-choice').hidden = !hasGap;
+    byId('warp-choice').hidden = byId('weft-choice').hidden = !hasStress;
+    byId('reaction-choice').hidden = reactions.length === 0;
     byId('strain-choice').hidden = byId('cloth').hidden = !hasStrain;
     document.querySelectorAll('[name=cloth]').forEach((radio) => radio.addEventListener('change', () => mount(radio.value === 'mounted')));
     fillParts();

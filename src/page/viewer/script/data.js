@@ -1,6 +1,6 @@
 /* data.js -- the model out of the page: html_page.h says how its numbers are packed. */
 const model = JSON.parse(document.getElementById('model').textContent);
-const fieldNames = ['H', 'K', 'I', 'G', 'S'];
+const fieldNames = ['H', 'K', 'I', 'G', 'S', 'U', 'V'];
 
 /* 16-bit numbers out of base64, low byte first whatever the machine. */
 function shorts(text) {
@@ -50,10 +50,9 @@ function unpackValues(text) {
 function unpackSurface(packed) {
     if (packed.grid === undefined) {
         const fields = {};
-        for (const name of fieldNames) {
-            if (packed[name] !== undefined) {
-                fields[name] = unpackValues(packed[name]);
-            }
+        const named = fieldNames.filter((name) => packed[name] !== undefined);
+        for (const name of named) {
+            fields[name] = unpackValues(packed[name]);
         }
         packed.grid = {
             nu: packed.u.count,
@@ -64,7 +63,7 @@ function unpackSurface(packed) {
             normals: unpackNormals(packed.normals),
             fields: fields
         };
-        packed.points = packed.normals = packed.H = packed.K = packed.I = packed.G = packed.S = null;
+        named.concat('points', 'normals').forEach((name) => { packed[name] = null; });
     }
     return packed.grid;
 }

@@ -110,7 +110,7 @@ function describe(found) {
     const round = (x) => show(Number(x.toPrecision(4)));
     const rows = [['u', round(parameter(grid.u, packed.u, (k) => Math.floor(k / grid.nv)))], ['v', round(parameter(grid.v, packed.v, (k) => k % grid.nv))]]
         .concat(['x', 'y', 'z'].map((name, c) => [name, showLength(point[c]) + ' ' + model.unit]),
-            [['H', 'H', '1/' + model.unit], ['K', 'K', '1/' + model.unit + '²'], ['I', 'isothermality', ''], ['G', 'gap', ''], ['S', 'strain', '']]
+            [['H', 'H', '1/' + model.unit], ['K', 'K', '1/' + model.unit + '²'], ['I', 'isothermality', ''], ['G', 'gap', ''], ['S', 'strain', ''], ['U', 'warp stress', '1/' + model.unit], ['V', 'weft stress', '1/' + model.unit]]
                 .filter(([name]) => grid.fields[name]).map(([name, label, unit]) => {
                     const field = grid.fields[name];
                     const isNone = corners.some((k) => field[k] > 2);

@@ -6,7 +6,7 @@ const plainColour = index => index >= 1 << 24 ? index - (1 << 24) : plainColours
 const curveColours = [0xb02a30, 0x164e8c, 0x1e7040, 0x96540c, 0x683088, 0x146e76];
 
 /* Lines by what they are, on light paper and on dark; curves have colours of their own. */
-const inks = { edge: [0x242a36, 0xdfe3ea], knot: [0x6d7788, 0x515b6c], net: [0x444a5a, 0x98a2b6], panel: [0x2b3240, 0x2b3240], mark: [0xc2185b, 0xff5c9a] };
+const inks = { edge: [0x242a36, 0xdfe3ea], knot: [0x6d7788, 0x515b6c], net: [0x444a5a, 0x98a2b6], panel: [0x2b3240, 0x2b3240], mark: [0xc2185b, 0xff5c9a], reaction: [0x18685c, 0x5fcbb8] };
 const papers = [0xffffff, 0x14171d];
 let isDark = false;
 

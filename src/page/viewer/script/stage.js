@@ -8,6 +8,7 @@ const stage = {
     surfaces: [],  /* by index: { mesh, outline, net, panels, group }, made when first shown */
     curves: new THREE.Group(),
     nodes: new THREE.Group(), /* where curves of a net cross */
+    reactions: new THREE.Group(), /* forces on supports (arrows.js) */
     marks: new THREE.Group(), /* points and lines that say where: of a pick, of a claim (marks.js) */
     reach: [1, 1], /* of what is shown from the start, to the right and up from the middle */
     centre: new THREE.Vector3(),
@@ -26,7 +27,7 @@ const shown = {
     colour: 'plain', net: !coversAll, reflections: false, isolines: false, panels: false, panelCount: 12,
     layout: 'together', frame: 0, hidden: new Set(),
     section: -1, sectionAt: 0, /* along an axis, 0 to 2, or none; -1 to 1 in the box of the model */
-    measure: false
+    reactions: false, measure: false
 };
 
 const LIGHTS = 12;
@@ -179,6 +180,7 @@ function refresh() {
     cut();
     stage.curves.visible = shown.layout === 'together';
     stage.nodes.visible = stage.curves.visible;
+    stage.reactions.visible = stage.curves.visible && shown.reactions;
     stage.curves.children.forEach((group, i) => {
         group.visible = !shown.hidden.has('curve ' + i) && (isFlat() || !isCutLine(model.curves[i]));
         group.children[1].visible = shown.net;
@@ -209,17 +211,28 @@ function measure(list) {
         stage.reach = [1.1 * columns, 1.1 * Math.ceil(list.length / columns)];
         stage.centre.set(0, 0, 0);
     } else {
-        reach(list);
+        Object.assign(stage, reachOfList(list));
     }
     resize();
 }
 
-/* The surfaces, their nets and the curves, as they are seen from the start; of many frames some. */
-function reach(list) {
+/* The surfaces, their nets, the curves and arrows, as they are seen from the start; of many frames some. */
+function reachOfList(list) {
     const every = Math.ceil(model.surfaces.length / 20);
     const some = shown.layout === 'frames' ? model.surfaces.map((_, i) => i).filter((i) => i % every === 0) : list;
-    Object.assign(stage, reachOf(some.flatMap((i) => [unpackSurface(model.surfaces[i]).points, unpackPoints(model.surfaces[i].net.points)])
-        .concat(model.curves.map((curve) => unpackPoints(curve.points)))));
+    return reachOf(some.flatMap((i) => [unpackSurface(model.surfaces[i]).points, unpackPoints(model.surfaces[i].net.points)])
+        .concat(model.curves.map((curve) => unpackPoints(curve.points)), shown.reactions ? [arrowTails()] : []));
+}
+
+/* The camera sees as far as this, as it was turned and moved by hand. */
+function adjust(reach, centre) {
+    const moved = centre.clone().sub(stage.centre);
+    stage.reach = reach;
+    stage.centre.copy(centre);
+    stage.camera.position.add(moved);
+    stage.orbit.target.add(moved);
+    stage.orbit.update();
+    resize();
 }
 
 /* How far lists of points reach on the screen, and their middle. */
@@ -264,7 +277,10 @@ function setStage() {
     if (model.nodes.names.length > 0) {
         stage.nodes.add(pointsObject(unpackPoints(model.nodes.points), 251));
     }
-    stage.scene.add(stage.curves, stage.nodes, stage.marks);
+    if (reactions.length > 0) {
+        stage.reactions.add(arrowsObject());
+    }
+    stage.scene.add(stage.curves, stage.nodes, stage.reactions, stage.marks);
     new ResizeObserver(() => {
         resize();
         render(); /* now: the canvas is white since its size was set, and this frame is about to be shown */
