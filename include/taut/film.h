@@ -242,7 +242,8 @@ typedef struct taut_film_problem {
     X("crossed", "the corners of a flat film, in their order, bound no polygon",                   \
       "u0v0, u1v0, u1v1, u0v1 must run round it")                                                  \
     X("cable-too-weak", "the film draws a cable into another edge",                                \
-      "give the cables the force that the message names, or more")                                 \
+      "give the cables the force that the message names, or more, or the film less tension (1 "    \
+      "where the document says none)")                                                             \
     X("cable-too-short", "a cable is not longer than the chord it has to span",                    \
       "give it more length, or draw the corners together")                                         \
     X("cell-sides", "a side of a patch bounds two cells",                                          \

@@ -11,7 +11,7 @@ REMEDIES = {
     'bend-radius': 'ask for the one named, or take ends farther apart',
     'broken': 'export it again',
     'cable-too-short': 'give it more length, or draw the corners together',
-    'cable-too-weak': 'give the cables the force that the message names, or more',
+    'cable-too-weak': 'give the cables the force that the message names, or more, or the film less tension (1 where the document says none)',
     'canal-joint': 'join it with "g1", or take the naive sweep',
     'canal-not-real': 'take radii nearer to each other, ends farther apart, longer handles',
     'canal-not-regular': 'take smaller radii, nearer to each other, or ends farther apart',

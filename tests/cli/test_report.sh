@@ -43,4 +43,39 @@ refused 5 'write nodir/r\.json' make sail.json -o a.json --report nodir/r.json
 absent a.json
 refused 2 'format x\.JPG' convert form.json -o x.JPG
 contains err.txt 'a picture is \.png, \.svg or \.pdf'
+
+# What a sail is where the document does not say it: the tension, edges that are left out, corners round the film.
+run 0 make sail.json -o form.json
+contains err.txt '^  tension +1$'
+if grep -q -e notes -e 'held straight' err.txt; then complain "a sail has notes: $(cat err.txt)"; fi
+"$TAUT" example film-tent | "$TAUT" make - > /dev/null 2> err.txt
+contains err.txt '^  tension +1$'
+sed 's/, "v1": { "cable": { "force": 2 } }//' sail.json > straight.json
+run 0 make straight.json -o straight-made.json
+contains err.txt '^  held straight +v1$'
+sed -e 's/u0v1/there/; s/u1v1/u0v1/; s/there/u1v1/; s/"force": 2/"force": 4/g' sail.json > tie.json
+run 0 make tie.json -o tie-made.json
+contains err.txt '^  notes +edges u0 and u1 cross: exchange corners u0v1 and u1v1'
+run 0 certify tie-made.json tie.json
+few='{ "type": "bspline", "degree": 2, "count": 6 }'
+sed "s/\"force\": 4/\"force\": 2/g; s/\"corners\"/\"u\": $few, \"v\": $few, &/" tie.json > weak.json
+refused 4 'cable-too-weak /edges/u0/cable' make weak.json
+contains err.txt 'film of tension 1: .*edges u0 and u1 cross: exchange corners u0v1 and u1v1'
+
+# Slips of newcomers: each has one line that says what to write.
+sed 's/"u0": { "cable": { "force": 2 } }/"u0": { "force": 2 }/' sail.json > slip.json
+refused 3 'unknown-member /edges/u0/force found null expected .*cable.*' make slip.json
+contains err.txt 'inside it: \{ .*cable.*: \{ .*force'
+sed 's/"u1v1"/"B"/' sail.json > slip.json
+refused 3 'unknown-member /corners/B' make slip.json
+contains err.txt 'u0v0.*u1v0.*u0v1.*u1v1'
+sed 's/, "u1v1": \[[^]]*\]//' sail.json > slip.json
+refused 4 'no-corner /corners/u1v1' make slip.json
+contains err.txt 'corner u1v1 has no place.*hold it \(.*\[x, y, z\]\)'
+sed 's/-1, -1, 0\.5/-1, -1, 0,5/' sail.json > slip.json
+refused 3 'type /corners/u0v0 found null expected a point \[x, y, z\]' make slip.json
+contains err.txt '1\.5, not 1,5'
+sed '0,/"force": 2/s//"force": 2,5/' sail.json > slip.json
+refused 3 'syntax slip\.json:5:44' make slip.json
+contains err.txt '1\.5, not 1,5'
 finish

@@ -14,6 +14,7 @@
 #include "construct/film/draft.h"
 #include "construct/film/flat.h"
 #include "construct/film/images.h"
+#include "construct/film/order.h"
 #include "construct/film/refine.h"
 #include "construct/film/ring.h"
 #include "construct/film/solve.h"
@@ -181,9 +182,9 @@ static taut_status check_moving(const taut_film_problem *problem, int c, taut_er
     if (edges[0]->kind == TAUT_FILM_CABLE && edges[1]->kind == TAUT_FILM_CABLE) {
         return taut_fail(
             error, TAUT_NO_SOLUTION, "no-corner", where, taut_none, taut_none,
-            "the two cables that meet in the free corner %s draw it straight, and it is "
-            "none: hold it, or keep it on a line or in a plane",
-            taut_film_corner_names[c]);
+            "corner %s has no place, so the two cables that meet in it draw it straight, and it is "
+            "none: hold it (\"%s\": [x, y, z]), or keep it on a line or in a plane",
+            taut_film_corner_names[c], taut_film_corner_names[c]);
     }
     return TAUT_OK;
 }
@@ -373,6 +374,27 @@ static taut_status check_problem(const taut_film_problem *problem, taut_error *e
 
 /* ---- the model ---- */
 
+/* What the document need not say: the tension, and how edges are held of which it says nothing. */
+static void describe_defaults(const taut_film_space *space, taut_record *details)
+{
+    const taut_film_problem *problem = space->problem;
+    taut_record *straight = NULL;
+    char note[200];
+
+    for (int e = 0; e < 4 && problem->ring == TAUT_FILM_OPEN; e++) {
+        if (problem->edges[e].kind == TAUT_FILM_FIXED && problem->edges[e].curve == NULL) {
+            straight = straight != NULL ? straight : taut_record_add_list(details, "held_straight");
+            taut_record_add_text(straight, NULL, taut_film_edge_names[e]);
+        }
+    }
+    if (!taut_film_has_density(problem)) {
+        taut_record_add_number(details, "tension", taut_film_tension(problem));
+    }
+    if (taut_film_order_note(problem, note, sizeof note)) {
+        taut_record_add_text(taut_record_add_list(details, "notes"), NULL, note);
+    }
+}
+
 static void describe_cables(const taut_film_space *space, const taut_film_solution *solution,
                             taut_record *details)
 {
@@ -407,6 +429,7 @@ static taut_record *details_of(const taut_film_space *space, const taut_film_sol
     taut_record_add_text(details, "method", solution->by_moves ? "normal" : "full");
     taut_record_add_text(details, "solver", solution->method);
     taut_record_add_number(details, "residual", solution->residual);
+    describe_defaults(space, details);
     describe_cables(space, solution, details);
     taut_record *verdict = taut_record_add_object(details, "verdict");
     taut_record_add_text(verdict, "exists", "found");

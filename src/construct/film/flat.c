@@ -346,10 +346,11 @@ static taut_status refuse_weak(const taut_film_space *space, polygon *p, taut_er
     const double force = taut_film_force(space, e, 1);
     snprintf(where, sizeof where, "/edges/%s/cable", taut_film_edge_names[e]);
     return taut_fail(error, TAUT_NO_SOLUTION, "cable-too-weak", where, force, factor * force,
-                     "the cables are too weak for this flat sail: with these forces their arcs "
-                     "touch or do not span their chords; expected more than %.15g times the "
-                     "forces (%.15g for edge %s)",
-                     factor, factor * force, taut_film_edge_names[e]);
+                     "the cables are too weak for this flat sail of tension %g: with these forces "
+                     "their arcs touch or do not span their chords; expected more than %.15g times "
+                     "the forces (%.15g for edge %s), or so much less tension",
+                     taut_film_tension(space->problem), factor, factor * force,
+                     taut_film_edge_names[e]);
 }
 
 taut_status taut_film_flat_check(const taut_film_space *space, taut_error *error)

@@ -12,6 +12,7 @@
 #include "construct/film/stronger.h"
 
 #include "construct/film/coarse.h"
+#include "construct/film/order.h"
 #include "core/fail.h"
 
 #include <math.h>
@@ -31,7 +32,8 @@ static taut_status refuse_weak(const taut_film_work *w, double least, taut_error
     const taut_film_space *space = w->space;
     const taut_film_problem *problem = space->problem;
     const int unit = space->scaling.outer + space->scaling.inner;
-    char where[32], strong[96];
+    char where[32], strong[96], note[200] = "";
+    const int is_crossed = taut_film_order_note(problem, note, sizeof note);
     int e = w->edges[0];
 
     for (int k = w->functional->cable_count - 1; k >= 0;
@@ -55,11 +57,11 @@ static taut_status refuse_weak(const taut_film_work *w, double least, taut_error
     snprintf(where, sizeof where, "/edges/%s/cable", name);
     return taut_fail(
         error, TAUT_NO_SOLUTION, "cable-too-weak", where, found, limit,
-        "the cables are too weak for this film: lowered together from where there is "
-        "a film, the last found is at %.6g times their forces (%s); "
+        "the cables are too weak for this film of tension %g: lowered together from where there "
+        "is a film, the last found is at %.6g times their forces (%s); "
         "below it the film draws a cable into another edge, folds, or gets thinner at a "
-        "corner than its knots can tell",
-        least, strong);
+        "corner than its knots can tell%s%s",
+        taut_film_tension(problem), least, strong, is_crossed ? "; " : "", note);
 }
 
 /* net: the film with all forces so many times that the start leads to. */

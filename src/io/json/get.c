@@ -7,15 +7,39 @@
 #include <stdio.h>
 #include <string.h>
 
+/* "\"mm\", \"m\" or \"cm\""; 0 where not all find room. */
+static int list_words(const char *const *words, char *text, size_t size)
+{
+    size_t n = 0;
+    text[0] = '\0';
+    for (int i = 0; words[i] != NULL; i++) {
+        const char *between = i == 0 ? "" : words[i + 1] == NULL ? " or " : ", ";
+        const size_t more = strlen(between) + strlen(words[i]) + 2;
+        if (n + more + 1 > size) {
+            return 0;
+        }
+        n += (size_t)sprintf(text + n, "%s\"%s\"", between, words[i]);
+    }
+    return 1;
+}
+
 /* Refuses a member that the list does not have, and names the one it may have been meant for. */
 static taut_status unknown_member(const taut_json *object, const char *key,
                                   const char *const *members, taut_error *error)
 {
     const taut_json at = taut_json_member(object, key);
-    const char *near = taut_nearest_word(key, members, NULL);
-    const taut_status status = taut_json_fail(
-        &at, error, "unknown-member", taut_none, taut_none,
-        "there is no such member here; the nearest one known is \"%s\"", near != NULL ? near : "");
+    int edits = 0;
+    const char *near = taut_nearest_word(key, members, &edits);
+    char list[160];
+    /* no slip of a finger: what there is helps more */
+    const int is_far =
+        edits > (int)strnlen(key, 64) / 3 + 1 && list_words(members, list, sizeof list);
+    const taut_status status =
+        is_far ? taut_json_fail(&at, error, "unknown-member", taut_none, taut_none,
+                                "there is no such member here, expected %s", list)
+               : taut_json_fail(&at, error, "unknown-member", taut_none, taut_none,
+                                "there is no such member here; the nearest one known is \"%s\"",
+                                near != NULL ? near : "");
     if (error != NULL && near != NULL) {
         snprintf(error->expected, sizeof error->expected, "\"%s\"", near);
     }
@@ -116,21 +140,6 @@ taut_status taut_json_text(const taut_json *at, const char **text, taut_error *e
     }
     *text = at->value->as.string;
     return TAUT_OK;
-}
-
-/* "\"mm\", \"m\" or \"cm\"" */
-static void list_words(const char *const *words, char *text, size_t size)
-{
-    size_t n = 0;
-    text[0] = '\0';
-    for (int i = 0; words[i] != NULL; i++) {
-        const char *between = i == 0 ? "" : words[i + 1] == NULL ? " or " : ", ";
-        const size_t more = strlen(between) + strlen(words[i]) + 2;
-        if (n + more + 1 > size) {
-            return;
-        }
-        n += (size_t)sprintf(text + n, "%s\"%s\"", between, words[i]);
-    }
 }
 
 taut_status taut_json_word(const taut_json *at, const char *const *words, int *word,

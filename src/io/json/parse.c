@@ -433,6 +433,11 @@ static int check_twice(parser *p, const taut_json_entry *members, size_t count)
                                      "the member %s is given twice");
 }
 
+static int is_digit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
 /* One "key": value. */
 static int parse_member(parser *p, int depth)
 {
@@ -441,9 +446,15 @@ static int parse_member(parser *p, int depth)
 
     skip_space(&p->scan);
     if (p->scan.at == p->scan.end || *p->scan.at != '"') {
+        const char *at = p->scan.at; /* "force": 1,5 */
+        const int is_decimal = at < p->scan.end && is_digit(*at) && at - p->scan.begin > 1 &&
+                               at[-1] == ',' && is_digit(at[-2]);
         return stop(&p->scan, p->scan.at,
-                    "this is not JSON: found %s, expected the name of a member, in "
-                    "double quotes");
+                    is_decimal
+                        ? "this is not JSON: found %s behind a comma, expected the name of a "
+                          "member (decimal numbers have a point: 1.5, not 1,5)"
+                        : "this is not JSON: found %s, expected the name of a member, in "
+                          "double quotes");
     }
     member.offset = (size_t)(p->scan.at - p->scan.begin);
     if (!scan_string(&p->scan, &key)) {

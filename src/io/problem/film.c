@@ -27,6 +27,7 @@
 #include "io/problem/member.h"
 #include "io/problem/net_document.h"
 
+#include <stdio.h>
 #include <string.h>
 
 enum { DEGREE = 4, COUNT = 12, IMAGES = 64 };
@@ -412,10 +413,30 @@ static void read_kind(taut_reader *in, const char *kind, taut_arena *arena, taut
 }
 
 /* One of fixed, cable, slide, mirror and pole; a plane beside a cable. */
+/* The law of a cable is inside "cable". */
+static taut_status refuse_law(const taut_json *at, taut_error *error)
+{
+    for (int k = 0; law_members[k] != NULL; k++) {
+        const taut_json law = taut_json_member(at, law_members[k]);
+        if (law.value != NULL) {
+            const taut_status status =
+                taut_json_fail(&law, error, "unknown-member", taut_none, taut_none,
+                               "\"%s\" is of a cable, and inside it: { \"cable\": { \"%s\": .. } }",
+                               law_members[k], law_members[k]);
+            if (error != NULL) {
+                snprintf(error->expected, sizeof error->expected, "\"cable\"");
+            }
+            return status;
+        }
+    }
+    return TAUT_OK;
+}
+
 static void read_edge_object(taut_reader *edges, const taut_json *at, taut_arena *arena,
                              taut_film_edge *edge)
 {
     static const char *const kinds[] = {"fixed", "cable", "slide", "mirror", "pole", NULL};
+    edges->status = edges->status == TAUT_OK ? refuse_law(at, edges->error) : edges->status;
     taut_reader in = taut_reader_inside(edges, at, kind_members);
     const char *kind = NULL;
     int count = 0;

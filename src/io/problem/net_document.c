@@ -6,6 +6,7 @@
 #include "taut/limits.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 taut_status taut_net_document_shape(const taut_json *points, int *rows, int *columns,
@@ -57,10 +58,24 @@ static taut_status read_basis(const taut_json *object, const char *key, int func
     return status;
 }
 
+/* More numbers than three: some may be halves of 1,5. */
+static taut_status refuse_point(const taut_json *at, taut_error *error)
+{
+    const taut_status status = taut_json_refuse(at, error, "type", "a point [x, y, z]");
+    const taut_json first = taut_json_item(at, 0);
+    const size_t used = error != NULL ? strlen(error->message) : 0;
+    if (error != NULL && taut_json_kind_at(at) == TAUT_JSON_ARRAY && taut_json_count_at(at) > 3 &&
+        taut_json_kind_at(&first) == TAUT_JSON_NUMBER) {
+        snprintf(error->message + used, sizeof error->message - used,
+                 " (decimal numbers have a point: 1.5, not 1,5)");
+    }
+    return status;
+}
+
 taut_status taut_net_document_point(const taut_json *at, double point[3], taut_error *error)
 {
     if (taut_json_kind_at(at) != TAUT_JSON_ARRAY || taut_json_count_at(at) != 3) {
-        return taut_json_refuse(at, error, "type", "a point [x, y, z]");
+        return refuse_point(at, error);
     }
     double read[3];
     for (size_t c = 0; c < 3; c++) {

@@ -9,6 +9,7 @@
 
 #include "construct/common/build.h"
 #include "construct/film/complex/refine.h"
+#include "construct/film/edges.h"
 #include "construct/film/images.h"
 #include "construct/film/threads.h"
 #include "core/fail.h"
@@ -338,6 +339,19 @@ static void add_rope(const taut_film_complex *c, int k, const taut_film_rest *re
     }
 }
 
+/* Where it is one, which documents need not say; patches of threads have none. */
+static void add_tension(const taut_film_problem *problem, taut_record *details)
+{
+    for (int p = 0; p < problem->patch_count; p++) {
+        const taut_film_problem *patch = &problem->patches[p];
+        if (taut_film_has_density(patch) ||
+            taut_film_tension(patch) != taut_film_tension(&problem->patches[0])) {
+            return;
+        }
+    }
+    taut_record_add_number(details, "tension", taut_film_tension(&problem->patches[0]));
+}
+
 static taut_record *details_of(const taut_film_layout *l, const taut_film_rest *rest,
                                taut_arena *arena)
 {
@@ -350,6 +364,7 @@ static taut_record *details_of(const taut_film_layout *l, const taut_film_rest *
     taut_record_add_text(details, "method", rest->method == TAUT_FILM_NORMAL ? "normal" : "full");
     taut_record_add_text(details, "solver", "fronts");
     taut_record_add_number(details, "residual", rest->residual);
+    add_tension(c->problem, details);
     taut_record *cables = taut_record_add_list(details, "cables");
     for (int k = 0; k < c->rope_count; k++) {
         add_rope(c, k, rest, cables);
