@@ -1,12 +1,14 @@
 """Curves and surfaces as the XML that G+Smo and splinepy read and write, bit for bit.
 
-    <Geometry type="BSpline">, "Nurbs", "TensorBSpline2", "TensorNurbs2"
+    <Geometry type="BSpline">, "Nurbs", "TensorBSpline2", "TensorNurbs2"; read also "TensorBSpline1", "TensorNurbs1", as splinepy has curves
 
 Each has a basis of knot vectors, weights in the basis, and points by rows, the first direction running fastest. What else is in
 such a file (boundaries, interfaces, materials) is passed over; trims and names have no place there.
 """
 from __future__ import annotations
 
+import base64
+import binascii
 import os
 from collections.abc import Iterable
 from typing import Union
@@ -24,18 +26,22 @@ Shape = Union[Curve, Surface]
 Path = Union[str, "os.PathLike[str]"]
 Array = npt.NDArray[np.float64]
 
-_TYPES = {"BSpline": 1, "Nurbs": 1, "TensorBSpline2": 2, "TensorNurbs2": 2}  # and how many directions each has
+_TYPES = {"BSpline": 1, "Nurbs": 1, "TensorBSpline1": 1, "TensorNurbs1": 1, "TensorBSpline2": 2, "TensorNurbs2": 2}  # and their directions
+_BINARY = {"b64float64": "<f8", "b64float32": "<f4"}
 
 
 def _numbers(element: xml.Element, where: str) -> Array:
-    """The numbers in an element, which are written as text."""
-    form = element.get("format", "ASCII")
-    if form.upper() != "ASCII":
-        raise InputError(f"{where}: format is \"{form}\", expected ASCII", where, "value", expected="ASCII")
+    """The numbers in an element, which are written as text or in base64."""
+    form, text = element.get("format", "ASCII"), element.text or ""
     try:
-        return np.array([float(word) for word in (element.text or "").split()])
-    except ValueError as error:
+        if form.lower() in _BINARY:
+            return np.frombuffer(base64.b64decode("".join(text.split()), validate=True), _BINARY[form.lower()]).astype(np.float64)
+        if form.lower() == "ascii":
+            return np.array([float(word) for word in text.split()])
+    except (ValueError, binascii.Error) as error:
         raise InputError(f"{where}: {error}, expected numbers", where, "type", expected="numbers") from None
+    expected = "ASCII, B64Float64 or B64Float32"
+    raise InputError(f"{where}: format is \"{form}\", expected {expected}", where, "value", expected=expected)
 
 
 def _whole(element: xml.Element, name: str, where: str) -> int:

@@ -1,4 +1,6 @@
 """G+Smo's XML: a file written by hand against its closed form, round trips bit for bit, and what goes wrong."""
+import base64
+
 import numpy as np
 import pytest
 
@@ -74,12 +76,33 @@ def test_elements(tmp_path):
     ("0 3</coefs>", "0</coefs>", "Geometry/0/coefs", "size"),
     ("0 3</coefs>", "0 x</coefs>", "Geometry/0/coefs", "type"),
     ("<weights>1 ", "<weights>", "Geometry/0/weights", "size"),
-    ("<weights>", '<weights format="B64Float64">', "Geometry/0/weights", "value"),
+    ("<weights>", '<weights format="B64Int64">', "Geometry/0/weights", "value"),
+    ("<weights>", '<weights format="B64Float64">', "Geometry/0/weights", "type"),
+    ("<weights>1 1 0.70710678118654757 0.70710678118654757 1 1<", '<weights format="B64Float64">AAAA<', "Geometry/0/weights", "type"),
 ])
 def test_wrong(tmp_path, old, new, where, reason):
     with pytest.raises(taut.InputError) as error:
         gismo.read(file_of(tmp_path, RING.replace(old, new)))
     assert (error.value.where, error.value.reason) == (where, reason)
+
+
+def test_as_splinepy_writes(tmp_path):
+    """Base64, curves as tensors of one direction, boundary conditions beside: as splinepy's exporter has them."""
+    def binary(numbers, kind):
+        return base64.b64encode(np.array(numbers, kind).tobytes()).decode()
+    text = f"""<xml><!--generated--><MultiPatch id="0" parDim="1"><patches type="id_range">100 101</patches></MultiPatch>
+<boundaryConditions id="1" multipatch="2"><bc type="Dirichlet" unknown="0">0 3</bc></boundaryConditions>
+<Geometry id="100" type="TensorNurbs1"><Basis type="TensorNurbsBasis1"><Basis type="TensorBSplineBasis1"><Basis index="0" type="BSplineBasis">
+<KnotVector degree="2" format="B64Float64">{binary([0, 0, 0, 1, 1, 1], "<f8")}</KnotVector></Basis></Basis>
+<weights format="B64Float32">{binary([1, 0.5, 1], "<f4")}</weights></Basis>
+<coefs format="B64Float64" geoDim="2">{binary([1, 0, 1, 1, 0, 1 / 3], "<f8")}</coefs></Geometry>
+<Geometry id="101" type="TensorBSpline1"><Basis type="TensorBSplineBasis1"><Basis index="0" type="BSplineBasis">
+<KnotVector degree="1" format="ASCII">0.0 0.0 1.0 1.0</KnotVector></Basis></Basis>
+<coefs format="ASCII" geoDim="2">1.0 2.0
+3.0 4.0</coefs></Geometry></xml>"""
+    arc, line = gismo.read(file_of(tmp_path, text))
+    assert arc == taut.Curve(taut.bspline(2, count=3), [[1, 0, 0], [1, 1, 0], [0, 1 / 3, 0]], [1, 0.5, 1])
+    assert line == taut.Curve(taut.bspline(1, count=2), [[1, 2, 0], [3, 4, 0]])
 
 
 def test_wrong_values(tmp_path):
