@@ -59,10 +59,19 @@ def _workers(client: Any) -> int:
     return int(getattr(client, "_max_workers", None) or os.cpu_count() or 1)
 
 
+def _json(value: Any) -> str:
+    """As the program writes it: the fewest digits from 15 on that are read as the number, null for what JSON has no number for."""
+    if isinstance(value, (int, float)):
+        texts = (format(value, f".{digits}g") for digits in (15, 16, 17))
+        return next(text for text in texts if float(text) == value) if math.isfinite(value) else "null"
+    return json.dumps(value, ensure_ascii=False)
+
+
 def _line_of(error: Error) -> bytes:
-    found = error.found if error.found is not None and math.isfinite(error.found) else None  # JSON has no infinity
-    return json.dumps({"error": {"exit": _EXIT.get(type(error), 6), "reason": error.reason, "where": error.where, "message": error.message,
-                                 "found": found, "expected": error.expected}}, allow_nan=False).encode()
+    members = {"exit": _EXIT.get(type(error), 6), "reason": error.reason, "where": error.where, "message": error.message,
+               "found": error.found, "expected": error.expected}
+    text = ", ".join(f'"{name}": {_json(value)}' for name, value in members.items())
+    return f'{{ "error": {{ {text} }} }}'.encode("utf-8", "replace")
 
 
 def _result(line: bytes) -> Model | Error:

@@ -227,6 +227,19 @@ def test_other_problems(tmp_path):
         assert len(list(taut.map(first + other, out=out))) == 5
 
 
+def test_lines_are_the_programs(tmp_path, program):
+    """Byte for byte, models and errors."""
+    good = (ROOT / "examples/dirichlet-bicubic.json").read_text()
+    wrong = [{"construct": "nope"}, {"construct": "bonnet", "sign": "+", "alpha": 1, "beta": 2, "lambda": 1.1},
+             {"construct": "dirichlet", "name": "Dächer \u2028 \"x\"", "points": [[None] * 2] * 2, "u": {"type": "bezier", "degree": 1},
+              "v": {"type": "bezier", "degree": 1}}, {"construct": "dirichlet", "u": {"type": "bezier", "degree": 1e9}}]
+    designs = [json.dumps(json.loads(good)), *(json.dumps({"taut": 1, **one}, ensure_ascii=False) for one in wrong)]
+    (tmp_path / "in.jsonl").write_text("\n".join(designs) + "\n", encoding="utf-8")
+    done = subprocess.run([program, "make", "--quiet", "--lines", "in.jsonl", "-o", "program.jsonl"], cwd=tmp_path, check=False)
+    assert done.returncode == 1 and all(isinstance(one, taut.Error) for i, one in taut.map(designs, out=tmp_path / "python.jsonl") if i > 0)
+    assert (tmp_path / "python.jsonl").read_bytes() == (tmp_path / "program.jsonl").read_bytes()
+
+
 def test_lines_are_json(tmp_path):
     """Also of numbers that JSON does not have; and the errors come back from them as they were, but for such a number."""
     out = tmp_path / "r.jsonl"
