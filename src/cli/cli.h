@@ -248,7 +248,7 @@ typedef struct cli_command {
          0,                                                                                        \
          0,                                                                                        \
          NULL,                                                                                     \
-         "figures: the control net, of pipes too, which are shown without"},                       \
+         "figures: the control net, of pipes and films too, which are shown without"},             \
     {                                                                                              \
         "--column", CLI_FLAG, offsetof(cli_options, column), 0, 0, 0, NULL,                        \
             "figures: 88 mm wide, for a paper's column"                                            \

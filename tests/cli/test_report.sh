@@ -12,6 +12,9 @@ contains err.txt '^  forces on supports +u0v0: 2\.4917657'
 contains err.txt '^  mean curvature +[0-9.e-]+$' # times the size
 contains err.txt '^  certificate +holds: all 6 claims$'
 contains form.svg 'reactions: as the cables pull at the supports'
+run 0 make sail.json --quiet -o bare.svg
+run 0 make sail.json --quiet -o net.svg --show-net
+[ "$(wc -c < net.svg)" -gt "$(($(wc -c < bare.svg) + 5000))" ] || complain "the net of a sail hides it"
 
 # A STEP file has no certificate and no witness, and its certificate says what is missing.
 run 0 certify form.json sail.json

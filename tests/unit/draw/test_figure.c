@@ -349,7 +349,8 @@ static void test_options(void)
     free(draw(a, &(taut_write_options){.isolines = -1}, "svg", &size, TAUT_BAD_ARGUMENT));
     free(draw(a, &(taut_write_options){.reflections = 101}, "svg", &size, TAUT_BAD_ARGUMENT));
     free(draw(a, &(taut_write_options){.width = 5000}, "png", &size, TAUT_BAD_ARGUMENT));
-    free(draw(a, &(taut_write_options){.colour = (taut_colour)5}, "svg", &size, TAUT_BAD_ARGUMENT));
+    free(draw(a, &(taut_write_options){.colour = (taut_colour)(TAUT_COLOUR_WEFT + 1)}, "svg", &size,
+              TAUT_BAD_ARGUMENT));
     svg = draw(a, &(taut_write_options){.width = 300}, "png", &size, TAUT_OK);
     CHECK(big_endian(svg + 16) == 300 && big_endian(svg + 20) > 100, "as wide as asked for");
     free(svg);
