@@ -532,11 +532,12 @@ static void multiply(const profile *s, const double *a, const double *x, double 
     memset(y, 0, (size_t)s->count * sizeof(double));
     for (int i = 0; i < s->count; i++) {
         const double *row = a + s->at[i];
+        double sum = 0;
         for (int j = s->begin[i]; j < i; j++) {
-            y[i] += row[j - s->begin[i]] * x[j];
+            sum += row[j - s->begin[i]] * x[j];
             y[j] += row[j - s->begin[i]] * x[i];
         }
-        y[i] += row[i - s->begin[i]] * x[i];
+        y[i] = sum + row[i - s->begin[i]] * x[i]; /* rows before give nothing to this one */
     }
 }
 
@@ -624,7 +625,7 @@ static void multiply_stiff(const pencil *p, const double *x, double *y)
 }
 
 /* Inverse iterations by factors of K - shift M that are positive definite. */
-static taut_status iterate(const pencil *p, double *x, double *y, double *lowest)
+static taut_status iterate(const pencil *p, double *x, double *y, double *stiff, double *lowest)
 {
     const double work = 10.0 * (double)p->shape.size;
     const int n = p->shape.count;
@@ -635,9 +636,10 @@ static taut_status iterate(const pencil *p, double *x, double *y, double *lowest
         seed = 1664525u * seed + 1013904223u;
         x[i] = (double)(seed >> 8) * 0x1p-24 - 0.25;
     }
+    multiply(&p->shape, p->m, x, y);
+    double mass = dot(n, x, y);
     for (int k = 0; k < INVERSIONS; k++) {
-        multiply(&p->shape, p->m, x, y);
-        const double size = sqrt(dot(n, x, y));
+        const double size = sqrt(mass);
         if (!(size > 0) || !isfinite(size)) {
             return TAUT_NOT_CONVERGED;
         }
@@ -646,9 +648,9 @@ static taut_status iterate(const pencil *p, double *x, double *y, double *lowest
         }
         solve(p, x);
         multiply(&p->shape, p->m, x, y);
-        const double mass = dot(n, x, y);
-        multiply_stiff(p, x, y);
-        *lowest = dot(n, x, y) / mass;
+        mass = dot(n, x, y);
+        multiply_stiff(p, x, stiff);
+        *lowest = dot(n, x, stiff) / mass;
         if (fabs(*lowest - before) <= settled * fabs(*lowest)) {
             return TAUT_OK;
         }
@@ -673,6 +675,7 @@ taut_status taut_film_moves_lowest(const taut_film_sheet *sheet, const taut_film
     }
     double *x = taut_arena_take(sheet->arena, (size_t)moves->count, sizeof(double));
     double *y = taut_arena_take(sheet->arena, (size_t)moves->count, sizeof(double));
+    double *stiff = taut_arena_take(sheet->arena, (size_t)moves->count, sizeof(double));
     if (taut_arena_status(sheet->arena) != TAUT_OK || make_pencil(sheet, moves, &p) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
@@ -688,7 +691,7 @@ taut_status taut_film_moves_lowest(const taut_film_sheet *sheet, const taut_film
         shift = k == 0 ? -1 : 2 * shift;
         under = factorise(&p, shift);
     }
-    status = taut_pulse_is_stopped(pulse) ? TAUT_INTERRUPTED : iterate(&p, x, y, lowest);
+    status = taut_pulse_is_stopped(pulse) ? TAUT_INTERRUPTED : iterate(&p, x, y, stiff, lowest);
     *below = status == TAUT_OK ? found : -1;
     return status;
 }

@@ -32,6 +32,7 @@ typedef struct taut_area_cell {
  * each function alive at a point: p_u, p_v, w_g (G p_u - F p_v) / W, w_g (E p_v - F p_u) / W. */
 typedef struct taut_area_pairs {
     int nodes, local, wide;                            /* wide: local rounded up */
+    int begins;                                        /* the element is not yet anything */
     const double *slope_u, *slope_v, *flux_u, *flux_v; /* [nodes][wide] */
     const double
         *normal; /* [nodes][TAUT_AREA_BLOCK - 1]: n n^T, row by row to the diagonal; w_g n */
@@ -53,7 +54,7 @@ typedef struct taut_area_ops {
     void (*gradient)(const taut_area_cell *cell, const double *weights, double *state, double *w);
     /* The product of the direction in the polygons with the operator of the state and theta. */
     void (*product)(const taut_area_cell *cell, double theta, const double *state);
-    /* element[local][TAUT_AREA_BLOCK][wide] += the blocks of functions p and q, for q <= p and what
+    /* element[local][TAUT_AREA_BLOCK][wide] += (or =, where it begins) the blocks of functions p and q, for q <= p and what
      * vectors add beyond. */
     void (*pairs)(const taut_area_pairs *points, double *element);
 } taut_area_ops;

@@ -211,7 +211,7 @@ INLINE void add_pairs(const taut_area_pairs *p, size_t row, size_t at, double *e
     lanes sum[TAUT_AREA_BLOCK];
 
     for (size_t c = 0; c < TAUT_AREA_BLOCK; c++) {
-        sum[c] = OF(element + c * wide + at);
+        sum[c] = p->begins ? (lanes){0} : OF(element + c * wide + at);
     }
     for (int g = 0; g < p->nodes; g++) {
         const size_t from = (size_t)g * wide;

@@ -23,6 +23,9 @@ typedef struct border {
     int is_signed;                                        /* are both factors those of any signs? */
 } border;
 
+/* Of Gauss points: what is known of them stays in the nearest cache. */
+enum { POINTS_AT_ONCE = 64 };
+
 /* What factors may cost; beyond it conjugate gradients serve. */
 static const struct {
     double factor_flops;   /* of one factorisation: a second or so */
@@ -39,9 +42,11 @@ struct taut_area_hessian {
     taut_band second, metric, factor; /* H, L_g, what was made of both */
     int wide;                         /* local, rounded up to vectors */
     double *element;                  /* [local][TAUT_AREA_BLOCK][wide], the lower half used */
-    double *slope_u, *slope_v;        /* [v.nodes][wide]: of the points of a line in a cell */
-    double *flux_u, *flux_v;          /* [v.nodes][wide] */
-    double *normal;                   /* [v.nodes][TAUT_AREA_BLOCK - 1] */
+    int lines;                        /* of a cell that are added at once */
+    int *alive;                       /* [local]: the unknowns of one cell, or -1 */
+    double *slope_u, *slope_v;        /* [lines v.nodes][wide]: of the points of lines in a cell */
+    double *flux_u, *flux_v;          /* [lines v.nodes][wide] */
+    double *normal;                   /* [lines v.nodes][TAUT_AREA_BLOCK - 1] */
     double *right;                    /* [unknowns][3] */
     double *work;                     /* of the factors of wide bands */
     const double **
@@ -180,10 +185,12 @@ static taut_status take_arrays(const taut_area_functional *functional, taut_area
 {
     taut_arena *arena = hessian->arena = taut_arena_new();
     const size_t local = (size_t)hessian->local, wide = (size_t)hessian->wide;
-    const size_t nodes = (size_t)functional->v.nodes, line = wide * sizeof(double);
+    const size_t nodes = (size_t)hessian->lines * (size_t)functional->v.nodes,
+                 line = wide * sizeof(double);
 
     hessian->index =
         taut_arena_take(arena, (size_t)functional->nu * (size_t)functional->nv, sizeof(int));
+    hessian->alive = taut_arena_take(arena, local, sizeof(int));
     hessian->element = taut_arena_take(arena, local, TAUT_AREA_BLOCK * line);
     hessian->slope_u = taut_arena_take(arena, nodes, line);
     hessian->slope_v = taut_arena_take(arena, nodes, line);
@@ -246,6 +253,10 @@ taut_status taut_area_hessian_new(const taut_area_functional *functional, const 
     made->mask = mask;
     made->local = functional->u.local * functional->v.local;
     made->wide = (made->local + TAUT_AREA_PAD - 1) / TAUT_AREA_PAD * TAUT_AREA_PAD;
+    made->lines = POINTS_AT_ONCE / functional->v.nodes;
+    made->lines = made->lines < 1                     ? 1
+                  : made->lines < functional->u.nodes ? made->lines
+                                                      : functional->u.nodes;
     status = make_matrices(functional, made);
     if (status != TAUT_OK) {
         taut_area_hessian_free(made);
@@ -288,7 +299,7 @@ static void find_slopes(const taut_area_functional *functional, int line, int k,
     }
 }
 
-/* What Gauss point (line, k) gives to every pair of functions: the g-th of its line in the cell. */
+/* What Gauss point (line, k) gives to every pair of functions: the g-th of those that are added at once. */
 static void lay_point(taut_area_hessian *hessian, const taut_area_functional *functional, int line,
                       int k, int g)
 {
@@ -316,11 +327,13 @@ static void lay_point(taut_area_hessian *hessian, const taut_area_functional *fu
     }
 }
 
-/* Adds the points of a line in one cell to the element. */
-static void add_line(taut_area_hessian *hessian, const taut_area_functional *functional, int line,
-                     int k)
+/* Adds the points of some lines in one cell to the element, or begins it with them. */
+static void add_lines(taut_area_hessian *hessian, const taut_area_functional *functional, int line,
+                      int lines, int k, int begins)
 {
-    const taut_area_pairs points = {.nodes = functional->v.nodes,
+    const int nodes = functional->v.nodes;
+    const taut_area_pairs points = {.nodes = lines * nodes,
+                                    .begins = begins,
                                     .local = hessian->local,
                                     .wide = hessian->wide,
                                     .slope_u = hessian->slope_u,
@@ -329,46 +342,49 @@ static void add_line(taut_area_hessian *hessian, const taut_area_functional *fun
                                     .flux_v = hessian->flux_v,
                                     .normal = hessian->normal};
     for (int g = 0; g < points.nodes; g++) {
-        lay_point(hessian, functional, line, k + g, g);
+        lay_point(hessian, functional, line + g / nodes, k + g % nodes, g);
     }
     functional->ops->pairs(&points, hessian->element);
 }
 
 /* Adds a block to row a, column b of both matrices, a >= b. sign: -1 when a and b have changed
  * places, since H_qp is the transpose of H_pq. */
-static void add_block(taut_area_hessian *hessian, int a, int b, double sign, const double *block)
+static void add_block(taut_area_hessian *hessian, int a, int b, double sign, const double *block,
+                      size_t stride)
 {
-    const double x = sign * block[6], y = sign * block[7], z = sign * block[8];
+    const double x = sign * block[6 * stride], y = sign * block[7 * stride],
+                 z = sign * block[8 * stride];
     double *const metric = taut_band_row(&hessian->metric, a) + (a - b);
     const int next = hessian->second.width + 2; /* from column 0 of a row to that of the next */
     double *const top = taut_band_row(&hessian->second, 3 * a) + 3 * (a - b);
     double *const middle = top + next, *const low = middle + next;
 
     top[0] += block[0];
-    middle[0] += block[1] + z;
-    middle[-1] += block[2];
-    low[0] += block[3] - y;
-    low[-1] += block[4] + x;
-    low[-2] += block[5];
+    middle[0] += block[stride] + z;
+    middle[-1] += block[2 * stride];
+    low[0] += block[3 * stride] - y;
+    low[-1] += block[4 * stride] + x;
+    low[-2] += block[5 * stride];
     if (a > b) { /* else above the diagonal */
-        top[-1] += block[1] - z;
-        top[-2] += block[3] + y;
-        middle[-2] += block[4] - x;
+        top[-1] += block[stride] - z;
+        top[-2] += block[3 * stride] + y;
+        middle[-2] += block[4 * stride] - x;
     }
-    metric[0] += block[9];
+    metric[0] += block[9 * stride];
 }
 
-/* Adds the block of points a and b, in the order that the band keeps; of two points that are one, both
+/* Adds the block of points a and b, numbers so far apart, in the order that the band keeps; of two points that are one, both
  * that they have. */
-static void add_pair(taut_area_hessian *hessian, int a, int b, int are_two, const double *block)
+static void add_pair(taut_area_hessian *hessian, int a, int b, int are_two, const double *block,
+                     size_t stride)
 {
     if (b > a) {
-        add_block(hessian, b, a, -1, block);
+        add_block(hessian, b, a, -1, block, stride);
     } else if (b >= 0) {
-        add_block(hessian, a, b, 1, block);
+        add_block(hessian, a, b, 1, block, stride);
     }
     if (a == b && are_two) {
-        add_block(hessian, a, b, -1, block);
+        add_block(hessian, a, b, -1, block, stride);
     }
 }
 
@@ -376,20 +392,18 @@ static void add_pair(taut_area_hessian *hessian, int a, int b, int are_two, cons
 static void add_element(taut_area_hessian *hessian, const taut_area_functional *functional,
                         int line, int k)
 {
+    const size_t wide = (size_t)hessian->wide;
+    int *const alive = hessian->alive;
+
     for (int p = 0; p < hessian->local; p++) {
-        const int ip = functional->u.first[line] + p / functional->v.local;
-        const int jp = functional->v.first[k] + p % functional->v.local;
-        const int a = hessian->index[(size_t)ip * (size_t)functional->nv + (size_t)jp];
-        const double *row = hessian->element + (size_t)p * TAUT_AREA_BLOCK * (size_t)hessian->wide;
-        for (int q = 0; a >= 0 && q <= p; q++) {
-            const int iq = functional->u.first[line] + q / functional->v.local;
-            const int jq = functional->v.first[k] + q % functional->v.local;
-            const int b = hessian->index[(size_t)iq * (size_t)functional->nv + (size_t)jq];
-            double block[TAUT_AREA_BLOCK];
-            for (size_t c = 0; c < TAUT_AREA_BLOCK; c++) {
-                block[c] = row[c * (size_t)hessian->wide + (size_t)q];
-            }
-            add_pair(hessian, a, b, p != q, block);
+        const int i = functional->u.first[line] + p / functional->v.local;
+        const int j = functional->v.first[k] + p % functional->v.local;
+        alive[p] = hessian->index[(size_t)i * (size_t)functional->nv + (size_t)j];
+    }
+    for (int p = 0; p < hessian->local; p++) {
+        const double *row = hessian->element + (size_t)p * TAUT_AREA_BLOCK * wide;
+        for (int q = 0; alive[p] >= 0 && q <= p; q++) {
+            add_pair(hessian, alive[p], alive[q], p != q, row + q, wide);
         }
     }
 }
@@ -413,7 +427,7 @@ static void add_cable_node(taut_area_hessian *hessian, const taut_area_cable *ca
             for (int c = 0; c < 6; c++) {
                 block[c] = block[9] * across[c];
             }
-            add_pair(hessian, a, b, p != q, block);
+            add_pair(hessian, a, b, p != q, block, 1);
         }
     }
 }
@@ -445,15 +459,15 @@ static void clear_band(taut_band *matrix)
 
 void taut_area_hessian_assemble(taut_area_hessian *hessian, const taut_area_functional *functional)
 {
-    const size_t numbers = (size_t)hessian->local * TAUT_AREA_BLOCK * (size_t)hessian->wide;
+    const int nodes = functional->u.nodes;
 
     clear_band(&hessian->second);
     clear_band(&hessian->metric);
-    for (int line = 0; line < functional->u.count; line += functional->u.nodes) {
+    for (int line = 0; line < functional->u.count; line += nodes) {
         for (int k = 0; k < functional->v.count; k += functional->v.nodes) {
-            memset(hessian->element, 0, numbers * sizeof(double));
-            for (int g = 0; g < functional->u.nodes; g++) {
-                add_line(hessian, functional, line + g, k);
+            for (int g = 0; g < nodes; g += hessian->lines) {
+                const int lines = hessian->lines < nodes - g ? hessian->lines : nodes - g;
+                add_lines(hessian, functional, line + g, lines, k, g == 0);
             }
             add_element(hessian, functional, line, k);
         }
