@@ -26,6 +26,7 @@ HEAD = '''"""A function for each construction, its arguments the members of its 
 docs/schema/problem.json. Arguments that are None are left out of the document. Lengths are in `unit`, angles in radians."""
 from __future__ import annotations
 
+import os
 from typing import Any, Literal, Mapping, Sequence, Union
 
 import numpy.typing as npt
@@ -38,6 +39,7 @@ from .model import Model
 
 CurveLike = Union[Curve, Mapping[str, Any]]
 SurfaceLike = Union[Surface, Mapping[str, Any]]
+ModelLike = Union[Model, Mapping[str, Any]]
 '''
 
 
@@ -142,6 +144,10 @@ def function_of(schema, name, body):
     arguments = (["points: npt.ArrayLike | None = None"] if has_net else []) + ["*"]
     for key in others:
         kind = annotation_of(schema, members[key])
+        if key == "of":  # what a net or a pattern is of
+            kind = "Union[ModelLike, Surface, str, os.PathLike[str]]"
+        elif key == "start" and kind == "Mapping[str, Any]":
+            kind = "ModelLike"
         arguments.append(f"{argument_of(key)}: {kind}" + ("" if key in required else " = None" if kind == "Any" else " | None = None"))
     if has_mask:
         arguments.append("known: npt.ArrayLike | None = None")

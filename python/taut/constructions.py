@@ -2,6 +2,7 @@
 docs/schema/problem.json. Arguments that are None are left out of the document. Lengths are in `unit`, angles in radians."""
 from __future__ import annotations
 
+import os
 from typing import Any, Literal, Mapping, Sequence, Union
 
 import numpy.typing as npt
@@ -14,6 +15,7 @@ from .model import Model
 
 CurveLike = Union[Curve, Mapping[str, Any]]
 SurfaceLike = Union[Surface, Mapping[str, Any]]
+ModelLike = Union[Model, Mapping[str, Any]]
 
 
 def asymptotic(*, unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, degree: int | None = None,
@@ -194,7 +196,7 @@ def film(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None, v: 
         prestress: npt.ArrayLike | None = None, reference: SurfaceLike | None = None, updates: int | None = None,
         tolerance: float | None = None, max_iterations: int | None = None, equilibrium: float | None = None,
         method: Literal["full", "normal"] | None = None, accept: Literal["minimum", "stationary"] | None = None,
-        least: bool | None = None, start: Mapping[str, Any] | None = None, refine: int | None = None,
+        least: bool | None = None, start: ModelLike | None = None, refine: int | None = None,
         known: npt.ArrayLike | None = None, threads: int | None = None, progress: Progress | None = None,
         strict: bool = False) -> Model:
     """The film of least energy between edges that are held or drawn by cables.
@@ -461,12 +463,12 @@ def plateau(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None, 
     return made_of("plateau", said, known, threads=threads, progress=progress, strict=strict)
 
 
-def trace(*, trace: Literal["asymptotic", "principal", "geodesic", "isoparametric"], of: Union[str, Mapping[str, Any]],
-        unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, surface: str | None = None, carry: bool | None = None,
-        families: Sequence[Any] | None = None, seeds: Sequence[Any] | None = None, max_length: float | None = None,
-        panels: bool | None = None, untrim: bool | None = None, laths: Mapping[str, Any] | None = None,
-        sheet: Mapping[str, Any] | None = None, tolerance: float | None = None, threads: int | None = None,
-        progress: Progress | None = None, strict: bool = False) -> Model:
+def trace(*, trace: Literal["asymptotic", "principal", "geodesic", "isoparametric"],
+        of: Union[ModelLike, Surface, str, os.PathLike[str]], unit: Literal["mm", "m", "cm", "in", "ft"] | None = None,
+        surface: str | None = None, carry: bool | None = None, families: Sequence[Any] | None = None,
+        seeds: Sequence[Any] | None = None, max_length: float | None = None, panels: bool | None = None,
+        untrim: bool | None = None, laths: Mapping[str, Any] | None = None, sheet: Mapping[str, Any] | None = None,
+        tolerance: float | None = None, threads: int | None = None, progress: Progress | None = None, strict: bool = False) -> Model:
     """A net of asymptotic, principal, geodesic or isoparametric curves on a surface.
 
     trace                  which curves; one of "asymptotic", "principal", "geodesic", "isoparametric"
@@ -505,7 +507,7 @@ def trace(*, trace: Literal["asymptotic", "principal", "geodesic", "isoparametri
     return made_of("trace", said, None, tolerance=tolerance, threads=threads, progress=progress, strict=strict)
 
 
-def pattern(*, pattern: Literal["cloth"], of: Union[str, Mapping[str, Any]], seams: Sequence[Any],
+def pattern(*, pattern: Literal["cloth"], of: Union[ModelLike, Surface, str, os.PathLike[str]], seams: Sequence[Any],
         unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, surface: str | None = None,
         seam_length: Literal["shared", "true"] | None = None, cloth: Mapping[str, Any] | None = None,
         untrim: bool | None = None, compensation: Mapping[str, float] | None = None,

@@ -5,6 +5,7 @@ import importlib
 import json
 import math
 import os
+import re
 import signal
 import sys
 import threading
@@ -26,8 +27,11 @@ Document = Union[Mapping[str, Any], Sequence[Any], str, "os.PathLike[str]"]
 # --- Documents -------------------------------------------------------------------------------------------------------
 
 
+_OF = re.compile(r"(/\d+)?/of")  # what a net or a pattern is of: a model, or here its one surface
+
+
 def plain(value: Any, where: str = "") -> Any:
-    """value with JSON's types alone: arrays become lists (rows with a NaN become null), bases, curves, surfaces objects."""
+    """value with JSON's types alone: arrays become lists (rows with a NaN become null), bases, curves, surfaces, models objects."""
     if value is None or isinstance(value, (str, bool, int)):
         return value
     if isinstance(value, float):
@@ -37,6 +41,8 @@ def plain(value: Any, where: str = "") -> Any:
     if isinstance(value, np.ndarray):
         return _plain_array(value, where)
     if isinstance(value, (Basis, Curve, Surface)):
+        return Model([value]).to_dict() if _OF.fullmatch(where) and isinstance(value, Surface) else value.to_dict()
+    if isinstance(value, Model):
         return value.to_dict()
     if isinstance(value, Mapping):
         return {str(key): plain(one, f"{where}/{key}") for key, one in value.items()}
@@ -201,7 +207,7 @@ def make(document: Sequence[Any], tolerance: float | None = None, threads: int |
          strict: bool = False, exact: bool = False) -> list[Model]: ...
 def make(document: Document, tolerance: float | None = None, threads: int | None = None, progress: Progress | None = None,
          strict: bool = False, exact: bool = False) -> Any:
-    """The model of a problem, proved: document is a dict (arrays, bases, curves and surfaces may stand in it), a JSON text, or a
+    """The model of a problem, proved: document is a dict (arrays, bases, curves, surfaces and models may be in it), a JSON text, or a
     path. A list of problems gives a list of models.
 
     tolerance   largest distance from the exact surface over its size, where a construction approximates; None: 1e-6

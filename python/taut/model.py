@@ -227,6 +227,11 @@ class Model:
         """The document, byte for byte what the program writes."""
         return self._bytes().decode()
 
+    def to_dict(self) -> dict[str, Any]:
+        """The document's object."""
+        document: dict[str, Any] = json.loads(self._bytes(), parse_int=lambda text: -0.0 if text == "-0" else int(text))
+        return document
+
     def _bytes(self) -> bytes:
         if self._text is None:
             self._text = text_of(library.taut_model_write_text, self._pointer, b"json", None)

@@ -1,4 +1,6 @@
 """Curves followed step by step."""
+import json
+
 import numpy as np
 import pytest
 
@@ -50,3 +52,14 @@ def test_follow_refuses_families():
         taut.follow(SADDLE, "asymptotic", (0, 0), (1, 0), family="max")
     with pytest.raises(taut.InputError):
         taut.follow(SADDLE, "asymptotic", (0, 0), (1, 0), max_length=-1)
+
+
+def test_of_models_and_surfaces(examples, tmp_path):
+    """A net on a model or a surface at hand is that of its file, bit for bit."""
+    model = taut.make(examples["plateau-saddle"])
+    model.write(tmp_path / "saddle.json")
+    expected = taut.trace(trace="isoparametric", of=tmp_path / "saddle.json")
+    assert taut.trace(trace="isoparametric", of=model) == expected
+    assert taut.make([{"construct": "trace", "trace": "isoparametric", "of": model.surfaces[0]}])[0].surfaces[0] == expected.surfaces[0]
+    assert taut.Model.from_json(json.dumps(model.to_dict())) == model
+    assert taut.certify(expected, {"construct": "trace", "trace": "isoparametric", "of": model}).holds
