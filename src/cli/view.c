@@ -86,7 +86,7 @@ static const cli_option options_of_view[] = {
      "where it is looked at from at first, in degrees"},
     {"--title", CLI_TEXT, offsetof(cli_options, title), 0, 0, 0, "TEXT", "its heading"},
     {"--frames", CLI_FLAG, offsetof(cli_options, side_by_side), 0, 0, 0, NULL,
-     "the surfaces are frames of one that moves (told by itself where the details say so)"},
+     "the surfaces are frames of one that moves (found by itself where the details say so)"},
     CLI_UNTRIM,
     CLI_THREADS,
     CLI_LAST};

@@ -159,7 +159,7 @@ static taut_status check_seam(const taut_film_problem *problem, int s, taut_erro
         if (often > 1 || edge->kind != TAUT_FILM_FIXED || edge->curve != NULL) {
             return taut_fail(error, TAUT_BAD_INPUT, "edge-conflict", where, often, 1,
                              often > 1
-                                 ? "edge %s stands in a seam %d times, expected once"
+                                 ? "edge %s is in a seam %d times, expected once"
                                  : "edge %s is in a seam, and held or drawn too: leave out one "
                                    "of them (seams: %d)",
                              name, often);

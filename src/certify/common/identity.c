@@ -203,7 +203,7 @@ static void count_twins(taut_identity *identity, int k)
     for (int i = 1; i < shelves[k].count; i++) {
         if (strcmp(identity->names[i - 1].name, identity->names[i].name) == 0) {
             snprintf(place, sizeof place, "/%s/%d/name", shelves[k].kind, identity->names[i].index);
-            differs(identity, place, "a name that stands twice");
+            differs(identity, place, "a name that is there twice");
         }
     }
 }
