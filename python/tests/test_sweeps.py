@@ -56,16 +56,18 @@ def test_map_by_dask():
         check(dict(taut.map(problems(20), client=client)), 20)
 
 
+def film(seed, n=12):
+    """A problem of n x n points on a boundary of its own."""
+    x, y = np.meshgrid(np.linspace(0, 1, n), np.linspace(0, 1, n), indexing="ij")
+    a, b, c = np.random.default_rng(seed).uniform(-0.3, 0.3, 3)
+    points = np.stack([x, y, a * np.sin(3 * x) + b * x * y + c * np.cos(2 * y)], axis=-1)
+    points[1:-1, 1:-1] = np.nan
+    basis = taut.bspline(3, count=n)
+    return {"construct": "plateau", "method": "normal", "least": False, "u": basis, "v": basis, "points": points}
+
+
 def test_a_thousand_films():
     """Of 12 x 12 points, by two threads: none is lost or fails (some claims are undecided by their rounding), and each is what it is by itself."""
-    x, y = np.meshgrid(np.linspace(0, 1, 12), np.linspace(0, 1, 12), indexing="ij")
-    basis = taut.bspline(3, count=12)
-
-    def film(seed):
-        a, b, c = np.random.default_rng(seed).uniform(-0.3, 0.3, 3)
-        points = np.stack([x, y, a * np.sin(3 * x) + b * x * y + c * np.cos(2 * y)], axis=-1)
-        points[1:-1, 1:-1] = np.nan
-        return {"construct": "plateau", "method": "normal", "least": False, "u": basis, "v": basis, "points": points}
     seen = set()
     for index, model in taut.map((film(seed) for seed in range(1000)), threads=2):
         assert isinstance(model, taut.Model) and model.certificate.holds is not False, (index, model)
@@ -73,6 +75,20 @@ def test_a_thousand_films():
             assert model == taut.make(film(index))
         seen.add(index)
     assert seen == set(range(1000))
+
+
+def test_the_same_bytes_wherever_a_task_ran(tmp_path):
+    """Two hundred films by one thread, two, two processes and two workers of Dask."""
+    def lines(name, **how):
+        assert len(list(taut.map((film(seed, 7) for seed in range(200)), out=tmp_path / name, **how))) == 200
+        return (tmp_path / name).read_bytes()
+    alone = lines("alone", threads=1)
+    assert lines("threads", threads=2) == alone
+    with concurrent.futures.ProcessPoolExecutor(2) as executor:
+        assert lines("processes", client=executor) == alone
+    distributed = pytest.importorskip("distributed", reason="needs python3-distributed")
+    with distributed.Client(n_workers=2, threads_per_worker=1, dashboard_address=None) as client:
+        assert lines("dask", client=client) == alone
 
 
 def test_as_many_at_once_as_there_are_workers():
