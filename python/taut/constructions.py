@@ -215,8 +215,8 @@ def film(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None, v: 
     cables                 one cable along several edges, as it runs, with one force; its law counts the whole length
     cells                  what sides of the film bound, each under a pressure or of a volume
     curves                 in place of patches: curves that go round, in their order, each run either way
-    boundary               in place of curves: those of a file, 3 to 12 that go round, in any order; or a file and which
-                           of its curves and edges
+    boundary               in place of curves: those of a file, 3 to 12 that go round, in any order, or one or two
+                           closed ones; or a file and which of its curves and edges
     degree                 of the patches between curves, those of a boundary too; at least 2; 4 if not given
     count                  of their points either way; at least 3; 12 if not given
     images                 each in turn adds its images of all surfaces so far

@@ -110,6 +110,51 @@ contains err.txt '/boundary: found "boundary" beside "curves"'
 between 3 '"boundary": "curves.json", "patches": []'
 contains err.txt '/boundary: found "boundary" beside "patches"'
 between 5 '"boundary": "nothing.json"'
+# one closed curve, or two: a disc with a pole, a ring; circles of CAD files, three rational arcs, become circles
+python3 - <<'END'
+import json, math
+def circle(name, radius, centre, start, sense=1, ratio=1):
+    """Three rational arcs, an ellipse where ratio is not 1; they begin at angle `start`."""
+    points, weights = [], []
+    for k in range(7):
+        angle, far = start + sense * k * math.pi / 3, 1 if k % 2 == 0 else 2
+        x, y = radius * far * math.cos(angle), radius * far * math.sin(angle) * ratio
+        points.append([centre[0] + x, centre[1] + y, centre[2]])
+        weights.append(1 if k % 2 == 0 else 0.5)
+    points[6] = points[0]
+    return {"name": name, "t": {"type": "bspline", "degree": 2, "knots": [0, 0, 0, 1, 1, 2, 2, 3, 3, 3]}, "points": points, "weights": weights}
+square = {"name": "square", "t": {"type": "bspline", "degree": 1, "knots": [0, 0, 1, 2, 3, 4, 4]},
+          "points": [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 0]]}
+open_one = {"name": "open", "t": {"type": "bezier", "degree": 1}, "points": [[0, 0, 0], [1, 0, 0]]}
+json.dump({"taut": 1, "curves": [circle("low", 1, (0, 0, 0), 0.3), circle("high", 1, (0, 0, 1), 2.5, -1),
+           circle("oval", 2, (0, 0, 0), 0, 1, 0.5), square, open_one], "surfaces": []}, open("closed.json", "w"))
+END
+area_of() { sed -n 's/^ *area  *\([0-9.e+-]*\).*/\1/p' err.txt | head -n 1; }
+near() { # near AREA EXACT TOLERANCE WHAT
+    awk "BEGIN { d = ($1) / ($2) - 1; exit !(d < $3 && d > -($3)) }" || complain "$4: area $1, not $2"
+}
+around() { # around EXIT EDGES
+    echo "{ \"taut\": 1, \"construct\": \"film\", \"boundary\": { \"file\": \"closed.json\", \"edges\": $2 } }" > around.json
+    run "$1" make around.json -o around-model.json
+}
+around 0 '["low"]'
+contains err.txt 'one closed curve: the film closes in a pole, v1, the curve is a circle'
+near "$(area_of)" 3.14159265358979 1e-8 'a disc'
+run 0 certify around-model.json around.json
+around 0 '["low", "high"]'
+contains err.txt 'both curves are circles'
+near "$(area_of)" 5.99179697580228 1e-8 'a catenoid'
+run 0 certify around-model.json around.json
+around 0 '["oval"]'
+! grep -q 'is a circle' err.txt || complain 'an ellipse is a circle'
+near "$(area_of)" 6.28318530717959 4e-6 'an ellipse' # 2.4e-6: 24 points of degree 4 for rational arcs with jumps of curvature
+around 0 '["oval", "high"]'
+contains err.txt 'one of the curves is a circle'
+run 0 certify around-model.json around.json
+for picked in '["square"]' '["low", "open"]' '["open"]'; do
+    around 3 "$picked"
+    contains err.txt '/boundary/edges: found [12] curves, expected 3 to 12 that go round, or one or two that are closed'
+done
 # threads
 film 0 '' '"force_density": [1, 1]'
 contains err.txt 'least +holds'

@@ -23,6 +23,9 @@ taut_status taut_boundary_order(const taut_curve *const curves[TAUT_SIDES], doub
 taut_status taut_boundary_join(int count, const taut_curve *const *curves, double tolerance,
                                taut_curve *joined[TAUT_SIDES], taut_error *error);
 
+/* Does a closed curve turn by no more than an angle, in radians, at its knots and where it closes? */
+int taut_boundary_is_smooth(const taut_curve *closed, double angle);
+
 /* The same sides with u0 and u1 on one basis, and v0 and v1: exactly, by raising degrees and
  * putting knots in, over the ranges of u0 and v0. degree and halvings ask for at least these
  * degrees along u and v and for spans cut in two so often. Rational sides are scaled so that

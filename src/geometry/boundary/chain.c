@@ -90,28 +90,38 @@ static double angle_between(const double a[3], const double b[3])
 }
 
 /* Does the curve turn at control point i, where two pieces meet? */
-static int turns_at(const taut_curve *curve, int i)
+static int turns_at(const taut_curve *curve, int i, double angle)
 {
     const double *p = taut_curve_points(curve) + 3 * (ptrdiff_t)i;
     double before[3], after[3];
     taut_difference(p, p - 3, before);
     taut_difference(p + 3, p, after);
-    return angle_between(before, after) > kink;
+    return angle_between(before, after) > angle;
 }
 
-/* The first inner knot at which a spline has a kink; NaN. */
-static double first_kink(const taut_curve *curve)
+/* The first inner knot at which a spline turns by more than an angle; NaN. */
+static double first_kink(const taut_curve *curve, double angle)
 {
     const taut_basis *t = taut_curve_t(curve);
     taut_basis_spec spec;
     taut_basis_spec_of(t, &spec);
     const int p = spec.degree, n = taut_basis_count(t);
     for (int i = p + 1; i + p - 1 < n; i++) {
-        if (spec.knots[i] == spec.knots[i + p - 1] && turns_at(curve, i - 1)) {
+        if (spec.knots[i] == spec.knots[i + p - 1] && turns_at(curve, i - 1, angle)) {
             return spec.knots[i];
         }
     }
     return nan("");
+}
+
+int taut_boundary_is_smooth(const taut_curve *closed, double angle)
+{
+    piece whole = {.curve = closed};
+    taut_basis_spec spec;
+    taut_basis_spec_of(taut_curve_t(closed), &spec);
+    find_ends(&whole);
+    return angle_between(whole.along[1], whole.along[0]) <= angle &&
+           (strcmp(spec.type, "bspline") != 0 || isnan(first_kink(closed, angle)));
 }
 
 /* A half of a curve, under the curve's own name. */
@@ -127,7 +137,7 @@ static taut_status copy_half(const taut_model *halves, int which, const char *na
 static taut_status add_spline(chain *c, const char *name, taut_curve *spline, taut_error *error)
 {
     for (;;) {
-        const double t = first_kink(spline);
+        const double t = first_kink(spline, kink);
         taut_model *halves = NULL;
         taut_curve *low = NULL, *high = NULL;
         if (isnan(t)) {

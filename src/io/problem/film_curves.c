@@ -4,6 +4,7 @@
 #include "core/vec3.h"
 #include "geometry/keep.h"
 #include "io/problem/boundary_file.h"
+#include "io/problem/film_curves_closed.h"
 #include "taut/operations.h"
 
 #include <math.h>
@@ -244,6 +245,26 @@ static taut_status make_round(reading *r, const taut_basis *basis, taut_film_pro
     return status;
 }
 
+/* Fewer than three curves are a boundary where each is closed. */
+static void take_around(reading *r, const taut_basis_spec *spec, taut_film_problem *data)
+{
+    taut_reader *document = r->document;
+    const taut_json boundary = taut_json_member(document->object, r->member);
+    const taut_json picks = taut_json_member(&boundary, "edges");
+    for (int k = 0; k < r->count; k++) {
+        if (!taut_film_curve_is_closed(r->curves[k])) {
+            document->status = taut_json_fail(
+                picks.value != NULL ? &picks : &boundary, document->error, "size", r->count, 3,
+                "found %d curves, expected 3 to %d that go round, or one or two that are closed "
+                "and have no corners: `taut boundary` lists what \"edges\" may pick",
+                r->count, TAUT_FILM_CURVES_MAX);
+            return;
+        }
+    }
+    document->status =
+        taut_film_curves_around(r->problem, r->count, r->curves, spec, data, document->error);
+}
+
 void taut_film_document_curves(taut_reader *document, taut_problem *problem,
                                taut_film_curve_read *read, taut_film_problem *data,
                                taut_film_parts *parts)
@@ -269,7 +290,11 @@ void taut_film_document_curves(taut_reader *document, taut_problem *problem,
     spec.count = spec.count > spec.degree ? spec.count : spec.degree + 1;
     taut_reader_optional_integer(document, "count", spec.degree + 1, COUNT_MOST, &spec.count);
     if (is_file) {
-        taut_boundary_file_curves(document, problem, 3, TAUT_FILM_CURVES_MAX, r.curves, &r.count);
+        taut_boundary_file_curves(document, problem, 1, TAUT_FILM_CURVES_MAX, r.curves, &r.count);
+        if (document->status == TAUT_OK && r.count < 3) {
+            take_around(&r, &spec, data);
+            return;
+        }
         if (document->status == TAUT_OK) {
             arrange(&r);
         }
