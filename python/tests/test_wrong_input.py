@@ -185,11 +185,11 @@ pages = int(open("/proc/self/statm").read().split()[0])
 resource.setrlimit(resource.RLIMIT_AS, (pages * os.sysconf("SC_PAGESIZE") + (6 << 20),) * 2)
 for name, (_, _, call) in WRONG.items():
     grown = []
-    for _ in range(3):
+    while len(grown) < 10 and not (grown and grown[-1] < 50 * 32):  # what is kept for the next call is kept once
         before = used()
         loop(call, 50)
         grown.append(used() - before)
-    if min(grown) >= 50 * 32:
+    if grown[-1] >= 50 * 32:
         print(name, grown)
 print("done")
 """
@@ -197,9 +197,9 @@ print("done")
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="needs /proc")
 def test_nothing_leaks():
-    """All of it 150 times, with 6 MB more than it had at first. The least that malloc gives is 32 bytes: who loses as much by each call
-    is named."""
-    environment = {**os.environ, "PYTHONPATH": str(pathlib.Path(taut.__file__).parents[1])}
+    """All of it again and again, with 6 MB more than it had at first. The least that malloc gives is 32 bytes: who loses as much by each
+    call is named."""
+    environment = {**os.environ, "GLIBC_TUNABLES": "glibc.malloc.tcache_count=0", "PYTHONPATH": str(pathlib.Path(taut.__file__).parents[1])}
     done = subprocess.run([sys.executable, "-c", LOOP, str(pathlib.Path(__file__).parent)], env=environment, check=False,
                           capture_output=True, text=True)
     assert done.stdout == "done\n", done.stderr
