@@ -69,7 +69,7 @@ bench-web:
 	@cmake --build --preset bench --target bench-web-native
 	@cmake --preset wasm
 	@cmake --build --preset wasm
-	@node bench/web/web.mjs build/bench/bin/bench-web-native build/wasm/bin/taut.wasm
+	@node --no-liftoff bench/web/web.mjs build/bench/bin/bench-web-native build/wasm/bin/taut.wasm
 
 wasm: build
 	@tools/deps.sh wasm

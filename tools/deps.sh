@@ -78,6 +78,8 @@ nightly cmd:musl-gcc                 musl-tools             compiles for another
 nightly cmd:aarch64-linux-gnu-gcc    gcc-aarch64-linux-gnu  compiles for another processor
 nightly file:/usr/aarch64-linux-gnu/lib/libc.a libc6-dev-arm64-cross its C library
 nightly cmd:qemu-aarch64             qemu-user              is that processor
+nightly cmd:ruby                     ruby                   reads the recipe for Homebrew
+nightly file:/usr/lib/python3/dist-packages/yaml/__init__.py python3-yaml reads the one for conda
 hosts cmd:freecadcmd                 freecad                runs the tests of plugins/freecad
 hosts cmd:blender                    blender                those of plugins/blender
 hosts cmd:pvpython                   python3-paraview       those of plugins/paraview

@@ -14,13 +14,14 @@
 #     fuzz       every fuzz target, NIGHTLY_FUZZ seconds in all (3600)
 #     mutants    every mutant that was made by hand
 #     generated  mutants made by rule, for NIGHTLY_GENERATED seconds (7200)
+#     recipes    those of packaging/ for conda-forge, Homebrew and vcpkg, run by stand-ins of their tools
 #     plugins    those of FreeCAD, Blender, ParaView and Grasshopper in their hosts
 #     layouts    a thousand random films of many patches, against what is known of them
 #     films      a thousand random sails and rings: films whose claims hold, or refusals that are true by other means
 #     forge      forgeries of models against the judge from outside, seed NIGHTLY_SEED (the day)
 set -u
 cd "$(dirname "$0")/.." || exit 1
-all="compilers musl aarch64 sanitize windows wasm studio fuzz mutants generated plugins layouts films forge"
+all="compilers musl aarch64 sanitize windows wasm studio fuzz mutants generated recipes plugins layouts films forge"
 page=docs/nightly.md logs=build/nightly
 for name in "$@"; do
     case " $all " in *" $name "*) ;; *)
@@ -68,6 +69,7 @@ do_fuzz() {
 }
 do_mutants() { tools/mutants.sh; }
 do_generated() { tools/mutants_generated.py --seconds "${NIGHTLY_GENERATED:-7200}"; }
+do_recipes() { tools/recipes.sh; }
 do_plugins() { tools/deps.sh hosts && tools/plugins.sh test; }
 do_layouts() { cmake --build --preset release --target test-property-layouts && build/release/tests/test-property-layouts 1000; }
 do_films() { cmake --build --preset release --target test-property-film_laws && build/release/tests/test-property-film_laws 1000 200; }
@@ -75,7 +77,7 @@ do_forge() { tools/forge_night.sh "${NIGHTLY_SEED:-$(date +%j)}" "${NIGHTLY_SEED
 
 # What a step says of itself: of tests how many, of examples how many.
 told() { # told LOG
-    grep -hE '^[0-9]+ of [0-9]+ examples|^[0-9]+ examples take|tests passed, |^# (pass|fail) |^[0-9]+ (passed|failed)|mutants tried|^seed [0-9]|^[0-9]+ films, |^after [0-9]+ (gestures|s of dragging)' "$1" | tail -n 3 |
+    grep -hE '^[a-z]+: installed, |^[0-9]+ of [0-9]+ examples|^[0-9]+ examples take|tests passed, |^# (pass|fail) |^[0-9]+ (passed|failed)|mutants tried|^seed [0-9]|^[0-9]+ films, |^after [0-9]+ (gestures|s of dragging)' "$1" | tail -n 3 |
         tr '\n|' ' /' | sed 's/  */ /g; s/ $//'
 }
 
