@@ -161,6 +161,7 @@ function actionsOf(/** @type {Hand} */ hand) {
     { menu: "View", name: "Nearer", key: "+", act: () => scene.zoom(1.2) },
     { menu: "View", name: "Farther", key: "-", act: () => scene.zoom(1 / 1.2) },
     { menu: "View", name: "Net", key: "N", act: () => input("net").click() },
+    { menu: "View", name: "Forces on the supports of a film", key: "A", act: () => showLines(input("lines").value === "forces" ? "none" : "forces") },
     { menu: "View", name: "Colour by H", key: "H", act: () => showColour(scene.colour === "H" ? "none" : "H") },
     { menu: "View", name: "Colour by K", key: "K", act: () => showColour(scene.colour === "K" ? "none" : "K") },
     { menu: "View", name: "Colour by what moved", key: "M", act: () => showColour(scene.colour === "change" ? "none" : "change") },

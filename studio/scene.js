@@ -2,6 +2,7 @@
 // of side 2 about the origin, so that a surface of a micrometre looks as one of a kilometre.
 // @ts-check
 import { combsOf } from "./combs.js";
+import { arrowsOf } from "./forces.js";
 import { colourOf, lineMaterial, look, pointMaterial, surfaceMaterial } from "./shading.js";
 
 /** @typedef {import("./engine.js").Drawn} Drawn */
@@ -14,6 +15,7 @@ const MARGIN = 1.1; // of the picture about the ball that holds everything
 const NET_MOST = 4000; // points of a net that is drawn
 const COMBS = 8; // lines of a surface that have one each way, beside the last
 const COMB_LENGTH = 0.25; // of the half of the cube
+const ARROW_LENGTH = 0.25; // likewise
 
 export class Scene {
   constructor(/** @type {HTMLCanvasElement} */ canvas) {
@@ -31,13 +33,17 @@ export class Scene {
     this.net = new THREE.Group();
     this.curves = new THREE.Group();
     this.combs = new THREE.Group();
+    this.arrows = new THREE.Group();
     this.handles = new THREE.Group();
-    this.scene.add(this.surfaces, this.net, this.curves, this.combs, this.handles);
+    this.scene.add(this.surfaces, this.net, this.curves, this.combs, this.arrows, this.handles);
     this.box = { centre: [0, 0, 0], half: 1 };
     this.colour = "none";
     this.limit = 0;
     this.hasNet = true;
     this.hasCombs = false;
+    this.hasForces = false;
+    /** @type {import("./forces.js").Force[]} */
+    this.forces = []; // on the supports of what is drawn, once it is proved
     /** @type {(Float32Array | null)[]} */
     this.gaps = []; // of what is drawn, once it is proved
     /** @type {Drawn[]} */
@@ -46,8 +52,8 @@ export class Scene {
     this.drawn = [];
     /** @type {Float32Array[]} */
     this.courses = [];
-    /** @type {{ edge: any, net: any, curve: any, comb: any, taken: any }} */
-    this.materials = { edge: null, net: null, curve: null, comb: null, taken: null };
+    /** @type {{ edge: any, net: any, curve: any, comb: any, force: any, taken: any }} */
+    this.materials = { edge: null, net: null, curve: null, comb: null, force: null, taken: null };
     this.restyle();
     new ResizeObserver(() => { this.resize(); this.render(); }).observe(/** @type {Element} */ (canvas.parentElement));
   }
@@ -60,7 +66,7 @@ export class Scene {
     }
     Object.values(this.materials).forEach((material) => material?.dispose());
     this.materials = { edge: lineMaterial("--ink", 2), net: lineMaterial("--net", 1), curve: lineMaterial("--mark", 2.5, true),
-      comb: lineMaterial("--comb", 1), taken: lineMaterial("--mark", 3) };
+      comb: lineMaterial("--comb", 1), force: lineMaterial("--force", 2), taken: lineMaterial("--mark", 3) };
     this.show(this.drawn);
     this.showCurves(this.courses);
   }
@@ -149,7 +155,7 @@ export class Scene {
 
   /** Surfaces as they were drawn last; the same grid again only moves. */
   show(/** @type {Drawn[]} */ drawn) {
-    if (drawn !== this.drawn) this.gaps = [];
+    if (drawn !== this.drawn) this.gaps = this.forces = [];
     this.drawn = drawn;
     this.clear(this.net);
     this.clear(this.surfaces);
@@ -165,7 +171,23 @@ export class Scene {
     }
     this.net.children.forEach((/** @type {any} */ child) => { child.visible = child.material !== this.materials.net || this.hasNet; });
     this.showCombs();
+    this.showForces();
     this.draw();
+  }
+
+  /** What the certificate of a film says that its supports carry. */
+  setForces(/** @type {import("./forces.js").Force[]} */ forces) {
+    this.forces = forces;
+    this.showForces();
+    this.draw();
+  }
+
+  /** An arrow at each support. */
+  showForces() {
+    this.clear(this.arrows);
+    if (!this.hasForces || this.forces.length === 0) return;
+    const corners = this.forces.map(({ corner }) => [...this.inCube(corner)]);
+    this.arrows.add(this.segments(arrowsOf(this.forces, corners, ARROW_LENGTH), this.materials.force));
   }
 
   /** What the witness of a film says of what is drawn. */
@@ -311,11 +333,13 @@ export class Scene {
     this.show(this.drawn);
   }
 
-  /** Lines on the surface: "none", "reflection" of a room of bars, "height", or "combs" of curvature. */
+  /** Lines on the surface: "none", "reflection" of a room of bars, "height", "combs" of curvature, or "forces" on supports. */
   setLines(/** @type {string} */ kind) {
     look.stripes.value = Math.max(0, ["none", "reflection", "height"].indexOf(kind));
     this.hasCombs = kind === "combs";
+    this.hasForces = kind === "forces";
     this.showCombs();
+    this.showForces();
     this.draw();
   }
 

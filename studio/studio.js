@@ -1,5 +1,6 @@
 // studio.js -- the document that is edited, and what follows it: picture, fields and proof.
 // @ts-check
+import { forcesOf } from "./forces.js";
 import { History } from "./history.js";
 import { edgesOf, freePlacesOf, placesOf } from "./places.js";
 import { withEdits, withValue } from "./pointer.js";
@@ -113,8 +114,10 @@ export class Studio {
       return null;
     });
     if (reply === null || (text !== this.text() && text !== this.moving)) return;
-    this.certificate = JSON.parse(reply.json).certificate;
+    const model = JSON.parse(reply.json);
+    this.certificate = model.certificate;
     this.scene.setGaps(reply.gaps);
+    this.scene.setForces(forcesOf(model));
     this.views.proof(this.certificate, text !== this.text());
   }
 

@@ -11,6 +11,7 @@ import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { Channel } from "../../studio/channel.js";
 import { bendAt, combsOf } from "../../studio/combs.js";
+import { arrowsOf, forcesOf } from "../../studio/forces.js";
 import { alongAxis, distanceTo, editsOf, tidy } from "../../studio/hand.js";
 import { middleOf, withImages } from "../../studio/mirror.js";
 import { History } from "../../studio/history.js";
@@ -167,6 +168,23 @@ test("a reason has a remedy", () => {
   for (const [list, words] of Object.entries(remedies)) {
     for (const [word, remedy] of Object.entries(words)) assert.ok(/^[a-z0-9-]+$/.test(word) && remedy.length > 3, `${list} ${word}: ${remedy}`);
   }
+});
+
+test("forces on supports are arrows to their corners", () => {
+  const points = [[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 0]]];
+  const model = { surfaces: [{ name: "a", points: [[[9, 9, 9]]] }, { name: "b", points }], details: { supports: ["b.u1v0", "b.u0v1", "c.u0v0", "b.u0v0"] },
+    certificate: { figures: { reactions: [[0, 0, -2], [1, 0, 0], [1, 1, 1], [0, 0, 0]] } } };
+  const forces = forcesOf(model);
+  assert.deepEqual(forces, [{ corner: [1, 0, 0], force: [0, 0, -2] }, { corner: [0, 1, 0], force: [1, 0, 0] }]);
+  const pairs = arrowsOf(forces, forces.map(({ corner }) => corner), 0.5);
+  assert.equal(pairs.length, 2 * 5 * 6);
+  assert.deepEqual(pairs.slice(0, 6), [1, 0, 0.5, 1, 0, 0]); // the longest, from outside
+  assert.deepEqual(pairs.slice(30, 36), [-0.25, 1, 0, 0, 1, 0]);
+  for (let k = 6; k < 30; k += 6) { // barbs, from the head back and aside
+    assert.deepEqual(pairs.slice(k, k + 3), [1, 0, 0]);
+    assert.ok(Math.abs(pairs[k + 5] - 0.11) < 1e-15 && Math.abs(Math.hypot(pairs[k + 3] - 1, pairs[k + 4]) - 0.035) < 1e-15);
+  }
+  assert.deepEqual(forcesOf({ surfaces: [{ points }] }), []);
 });
 
 test("combs are as long as a curve bends", () => {
