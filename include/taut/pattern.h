@@ -98,6 +98,7 @@ typedef struct taut_pattern_cloth {
     int has_gap; /* nonzero, or pieces are 5 mm apart on the roll */
     double gap;  /* not negative */
     int has_nap; /* nonzero: pieces all lie one way on the roll; or some are turned by half a turn */
+    int shows_lower; /* nonzero: files show the side that the normal leaves from, mirrored; or the upper one */
 } taut_pattern_cloth;
 
 /* How much smaller the cloth is cut than it is mounted: flat = (1 - c) mounted; each in [-0.1, 0.3]. */
@@ -156,6 +157,12 @@ typedef struct taut_pattern_held {
     int borders[4], edges[4];
 } taut_pattern_held;
 
+/* How start and end of pieces run. */
+typedef enum taut_pattern_ends {
+    TAUT_PATTERN_ENDS_FREE = 0,
+    TAUT_PATTERN_ENDS_STRAIGHT /* straight and square to y_1, along which the thread runs */
+} taut_pattern_ends;
+
 /* Zero means default everywhere. One of `model` and `of`. */
 typedef struct taut_pattern_problem {
     const taut_model *model; /* the surface is in it */
@@ -176,6 +183,7 @@ typedef struct taut_pattern_problem {
     double
         strain; /* claim: the largest |principal strain| is no more; 0: that of the rule, or none */
     taut_pattern_held held;
+    taut_pattern_ends ends;
 } taut_pattern_problem;
 
 /* Reasons: word, meaning, remedy. */
@@ -192,6 +200,8 @@ typedef struct taut_pattern_problem {
       "give one of its curves, from border to border of the window")                               \
     X("held", "an edge to hold that is not known",                                                 \
       "give edges of the window, u0, u1, v0, v1, or of every piece, right, end, left, start")      \
+    X("ends", "straight ends of a piece whose sides have not one length, or that has a tip",       \
+      "leave ends free, or cut strips alike on both sides")                                        \
     X("material", "a material that is not known, or whose moduli are those of no cloth",           \
       "give a name that the message tells, or E and G above 0 with nu^2 below E_warp/E_weft")      \
     X("compensation", "a compensation outside [-0.1, 0.3]",                                        \

@@ -47,6 +47,7 @@ REMEDIES = {
     'elliptic': 'seed where it is negative, as at the place that the message names',
     'empty': 'give one that holds some',
     'end-weights': 'take the weights that the message names',
+    'ends': 'leave ends free, or cut strips alike on both sides',
     'enneper': 'make them from its problem, with "normalize": true and "lambda": 1',
     'extreme-size': 'scale it',
     'family': 'take one of those that the message names',

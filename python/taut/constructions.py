@@ -512,9 +512,9 @@ def pattern(*, pattern: Literal["cloth"], of: Union[ModelLike, Surface, str, os.
         seam_length: Literal["shared", "true"] | None = None, cloth: Mapping[str, Any] | None = None,
         untrim: bool | None = None, compensation: Mapping[str, float] | None = None,
         prestress: Union[npt.ArrayLike, Literal["film"]] | None = None, allowance: Mapping[str, Any] | None = None,
-        held: Sequence[Any] | None = None, hems: Sequence[Any] | None = None, marks: Mapping[str, Any] | None = None,
-        strain: float | None = None, tolerance: float | None = None, threads: int | None = None,
-        progress: Progress | None = None, strict: bool = False) -> Model:
+        held: Sequence[Any] | None = None, ends: Literal["free", "straight"] | None = None,
+        hems: Sequence[Any] | None = None, marks: Mapping[str, Any] | None = None, strain: float | None = None,
+        tolerance: float | None = None, threads: int | None = None, progress: Progress | None = None, strict: bool = False) -> Model:
     """Flat pieces of cloth that are sewn together to a surface.
 
     pattern                what it is cut of
@@ -531,6 +531,8 @@ def pattern(*, pattern: Literal["cloth"], of: Union[ModelLike, Surface, str, os.
     prestress              of warp and weft, in kN/m, in place of their compensation: e = D^-1 s, c = e/(1 + e)
     allowance              cloth that is left beyond the lines to sew
     held                   edges to which nothing is sewn, held at the length of the surface less the compensation
+    ends                   straight: start and end of flat pieces are straight, and square to the warp; one of "free",
+                           "straight"; "free" if not given
     hems                   borders that are folded over
     marks                  marks that meet when a seam is sewn
     strain                 claimed: no principal strain is larger; above 0
@@ -544,7 +546,7 @@ def pattern(*, pattern: Literal["cloth"], of: Union[ModelLike, Surface, str, os.
 
     Raises Error, with a `reason` that docs/errors.md explains; of this construction's own:
     InputError             rule, edge, count, outside, curve, material, held, compensation, allowance
-    NoSolution             no-geodesic, crossing, shape, singular, crease, extreme-size, width, length, allowance,
+    NoSolution             ends, no-geodesic, crossing, shape, singular, crease, extreme-size, width, length, allowance,
                            strain, overlap
     NotConverged           folds, not-converged
 
@@ -552,7 +554,7 @@ def pattern(*, pattern: Literal["cloth"], of: Union[ModelLike, Surface, str, os.
     """
     said: dict[str, Any] = {"pattern": pattern, "of": of, "seams": seams, "unit": unit, "surface": surface,
         "seam_length": seam_length, "cloth": cloth, "untrim": untrim, "compensation": compensation, "prestress": prestress,
-        "allowance": allowance, "held": held, "hems": hems, "marks": marks, "strain": strain}
+        "allowance": allowance, "held": held, "ends": ends, "hems": hems, "marks": marks, "strain": strain}
     return made_of("pattern", said, None, tolerance=tolerance, threads=threads, progress=progress, strict=strict)
 
 

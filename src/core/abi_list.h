@@ -405,7 +405,8 @@
     X(taut_pattern_cloth, thread, "double") \
     X(taut_pattern_cloth, has_gap, "int") \
     X(taut_pattern_cloth, gap, "double") \
-    X(taut_pattern_cloth, has_nap, "int")
+    X(taut_pattern_cloth, has_nap, "int") \
+    X(taut_pattern_cloth, shows_lower, "int")
 
 #define TAUT_ABI_MEMBERS_taut_pattern_compensation(X) \
     X(taut_pattern_compensation, warp, "double") \
@@ -450,7 +451,8 @@
     X(taut_pattern_problem, hems, "const taut_pattern_hem *") \
     X(taut_pattern_problem, marks, "taut_pattern_marks") \
     X(taut_pattern_problem, strain, "double") \
-    X(taut_pattern_problem, held, "taut_pattern_held")
+    X(taut_pattern_problem, held, "taut_pattern_held") \
+    X(taut_pattern_problem, ends, "taut_pattern_ends")
 
 #define TAUT_ABI_MEMBERS_taut_pattern_rule(X) \
     X(taut_pattern_rule, kind, "taut_pattern_rule_kind") \
@@ -925,6 +927,10 @@
     X(TAUT_PATTERN_SQUARE, "square") \
     X(TAUT_PATTERN_MIRROR, "mirror")
 
+#define TAUT_ABI_VALUES_taut_pattern_ends(X) \
+    X(TAUT_PATTERN_ENDS_FREE, "free") \
+    X(TAUT_PATTERN_ENDS_STRAIGHT, "straight")
+
 #define TAUT_ABI_VALUES_taut_pattern_notch(X) \
     X(TAUT_PATTERN_SLIT, "slit") \
     X(TAUT_PATTERN_V, "v") \
@@ -1066,6 +1072,7 @@
     X(taut_paper) \
     X(taut_pattern_by) \
     X(taut_pattern_corner) \
+    X(taut_pattern_ends) \
     X(taut_pattern_notch) \
     X(taut_pattern_place) \
     X(taut_pattern_rule_kind) \

@@ -25,6 +25,20 @@ for threads in 1 3; do
 done
 cmp threads-1.json threads-3.json || complain "threads change the pattern"
 
+# From below: the same model, drawings mirrored across the roll.
+sed 's/"cloth": {/"cloth": { "side": "lower",/' sail.json > lower.json
+run 0 make lower.json --quiet -o lower-made.json -o lower.dxf
+run 0 certify lower-made.json lower.json
+grep -v '"side"' made.json | tr -d ' \n,' > a.txt
+grep -v '"side"' lower-made.json | tr -d ' \n,' > b.txt
+cmp a.txt b.txt || complain "the lower side is another model"
+ys() { awk '{ gsub(/\r/, "") } getline value { if (value ~ /ENTITIES/) on = 1; if (on && $1 == 20) printf "%.12f\n", value }' "$1"; } # pairs of lines: a code, its value
+ys made.dxf > up.txt
+ys lower.dxf > down.txt
+paste -d ' ' up.txt down.txt | awk '$1 == 0 && $2 == 0 { next } # the heads of polylines, which are no places
+    { s = $1 + $2; if (!n++) low = high = s; if (s < low) low = s; if (s > high) high = s }
+    END { exit !(n > 100 && high - low < 1e-9 && high > 0) }' || complain "drawings of the lower side are not mirrored"
+
 run 0 pattern surface.json --across v0,v1 --count 3 --hold v0 --hold left --quiet -o held.json
 run 0 certify held.json
 refused 2 'held' pattern surface.json --across v0,v1 --count 3 --hold w1 -o none.json

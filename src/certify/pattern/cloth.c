@@ -307,6 +307,8 @@ static void take_asked(taut_cloth *cloth, const taut_record *details)
                                number_of(material, "G")};
 
     cloth->is_true = strcmp(taut_record_text(taut_record_get(details, "seam_length")), "true") == 0;
+    cloth->is_straight =
+        strcmp(taut_record_text(taut_record_get(details, "ends")), "straight") == 0;
     cloth->warp = number_of(share, "warp");
     cloth->weft = number_of(share, "weft");
     cloth->thread = number_of(told, "thread");
@@ -316,6 +318,7 @@ static void take_asked(taut_cloth *cloth, const taut_record *details)
         m = cloth->problem->cloth.material;
         cloth->has_law = m.g > 0;
         cloth->is_true = cloth->problem->seam_length == TAUT_PATTERN_TRUE;
+        cloth->is_straight = cloth->problem->ends == TAUT_PATTERN_ENDS_STRAIGHT;
         cloth->warp = cloth->problem->compensation.warp;
         cloth->weft = cloth->problem->compensation.weft;
         cloth->thread = cloth->problem->cloth.thread;

@@ -65,7 +65,7 @@ typedef struct taut_cloth {
     int missing; /* objects that details speak of and that are not there, or not what they are to be */
     char where[96];
     /* what was asked for */
-    int is_true, has_law;
+    int is_true, is_straight, has_law;
     double law[4]; /* D11, D22, D12, D33 */
     double warp, weft, thread;
     double strain; /* that none is to be above; 0: none */

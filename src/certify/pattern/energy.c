@@ -443,6 +443,19 @@ static void add_thread(work *w)
     }
 }
 
+/* Or both ends are straight and square to y_1: what it is at their functions is one. */
+static void add_ends(work *w)
+{
+    const int last[2] = {0, w->lines[0].count - 1}, count = w->lines[1].count;
+    for (int end = 0; end < 2; end++) {
+        for (int k = 1; k < count; k++) {
+            double *row = row_of(w, w->rows - 2 * (count - 1) + end * (count - 1) + k - 1);
+            row[unknown(w, last[end], k, 0)] = 1;
+            row[unknown(w, last[end], 0, 0)] = -1;
+        }
+    }
+}
+
 /* x [rows] that makes g + A^T x least, by the normal equations; dependent rows are held by a little. */
 static taut_status fit_multipliers(work *w)
 {
@@ -590,7 +603,7 @@ static taut_status make_room(work *w)
         w->rows += is_held(w, e) ? along(w, e)->count - 1 : 0;
     }
     w->rows += points_of(w) * 2 * (t->count - 1);
-    w->rows++; /* of the thread */
+    w->rows += w->cloth->is_straight ? 2 * (t->count - 1) : 1; /* of the ends, or of the thread */
     w->gradient = taut_arena_take(w->arena, (size_t)w->n, sizeof(double));
     w->scale = taut_arena_take(w->arena, (size_t)w->n, sizeof(double));
     w->a = taut_arena_take(w->arena, (size_t)w->rows * (size_t)w->n, sizeof(double));
@@ -672,7 +685,11 @@ static taut_status look_in(work *w, int solved)
         }
     }
     add_points(w);
-    add_thread(w);
+    if (w->cloth->is_straight) {
+        add_ends(w);
+    } else {
+        add_thread(w);
+    }
     status = fit_multipliers(w);
     if (status != TAUT_OK) {
         return status;

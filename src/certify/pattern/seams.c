@@ -23,7 +23,7 @@
 enum { PLACES = 8, NODES = 16, STEPS = 1024, FEW = 4 };
 /* Corners, evaluated along both edges that meet there, over the window. */
 static const double same_corner = 1e-13;
-static const double geodesic_limit = 1e-6, seam_limit = 1e-9, edge_limit = 1e-6;
+static const double geodesic_limit = 1e-6, seam_limit = 1e-9, edge_limit = 1e-6, end_limit = 1e-9;
 
 /* ---- cover ---- */
 
@@ -577,6 +577,25 @@ static int is_bare(const taut_cloth_piece *piece)
     return all;
 }
 
+/* Ends that are told to be straight and square to y_1: how far apart their y_1 are, over the size. */
+static taut_status add_ends(const taut_cloth *cloth, taut_certificate *certificate)
+{
+    static const int ends[2] = {TAUT_CLOTH_START, TAUT_CLOTH_END};
+    taut_worst w = {0, ""};
+    for (int k = 0; k < 2 * cloth->piece_count; k++) {
+        const taut_cloth_piece *piece = &cloth->pieces[k / 2];
+        const taut_curve *line = piece->edges[ends[k % 2]];
+        double first[1][3], y[1][3];
+        taut_cloth_line(cloth, line, 0, 0, first);
+        for (int i = 1; i <= STEPS; i++) {
+            taut_cloth_line(cloth, line, (double)i / STEPS, 0, y);
+            taut_worst_take(&w, fabs(y[0][0] - first[0][0]) / cloth->size, piece->name,
+                            (double)i / STEPS);
+        }
+    }
+    return taut_worst_add(&w, "ends", TAUT_CHECK, end_limit, certificate);
+}
+
 static taut_status add_edges(const taut_cloth *cloth, taut_certificate *certificate)
 {
     taut_worst w = {0, ""};
@@ -610,6 +629,9 @@ taut_status taut_cloth_add_lines(const taut_cloth *cloth, taut_certificate *cert
     }
     if (status == TAUT_OK) {
         status = add_edges(cloth, certificate);
+    }
+    if (status == TAUT_OK && cloth->is_straight) {
+        status = add_ends(cloth, certificate);
     }
     return status == TAUT_OK ? add_seams(cloth, certificate) : status;
 }

@@ -320,6 +320,9 @@ static void describe_cloth(const taut_pattern_problem *problem, const taut_patte
         taut_record_add_number(material, "nu", m->nu);
         taut_record_add_number(material, "G", m->g);
     }
+    if (problem->cloth.shows_lower) {
+        taut_record_add_text(cloth, "side", "lower");
+    }
     taut_record *compensation = taut_record_add_object(details, "compensation");
     taut_record_add_number(compensation, "warp", cut->compensation.warp);
     taut_record_add_number(compensation, "weft", cut->compensation.weft);
@@ -370,6 +373,9 @@ void taut_pattern_describe(const taut_pattern_told *told, taut_record *details)
     }
     if (strain > 0) {
         taut_record_add_number(details, "strain", strain);
+    }
+    if (told->cut->is_straight) {
+        taut_record_add_text(details, "ends", "straight");
     }
     describe_allowance(&problem->allowance, details);
     describe_marks(&problem->marks, details);

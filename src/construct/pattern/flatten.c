@@ -13,6 +13,8 @@
 enum { ALONG = 16, ACROSS = 4, EDGE_NODES = 16 };
 /* Stretches that differ by less are the same. */
 static const double same_stretch = 1e-11;
+/* Sides between straight ends are of one length where they differ by less, over it. */
+static const double same_sides = 1e-4;
 /* Of a piece for the pulse: operations, roughly. */
 static const double work_of_piece = 5e7;
 
@@ -324,7 +326,10 @@ static taut_status hold_piece(const pass *p, int index, int worker, taut_arena *
     const taut_pattern_piece *piece = &p->layout->pieces[index];
     const taut_flat_strip strip = strip_of(piece);
     taut_flat_options own = options_of(p, piece, worker);
-    int is_natural = 1, is_same = 1;
+    int is_natural = 1, is_same = !p->cut->is_straight;
+
+    /* not of pieces alone: corners that are forced would say how seams stretch */
+    own.straight = p->cut->is_straight;
 
     for (int e = 0; e < TAUT_FLAT_EDGES; e++) {
         const int spans = own.spans[e == TAUT_FLAT_START || e == TAUT_FLAT_END];
@@ -337,11 +342,12 @@ static taut_status hold_piece(const pass *p, int index, int worker, taut_arena *
             is_same = 0;
         }
     }
-    if (is_same || (piece->is_developable && is_natural)) {
+    if (is_same || (piece->is_developable && is_natural && !own.straight)) {
         *flat = piece->alone;
         return TAUT_OK;
     }
-    return taut_flatten(scratch, &strip, &own, piece->is_developable ? NULL : &piece->alone, flat);
+    return taut_flatten(scratch, &strip, &own,
+                        piece->is_developable || own.straight ? NULL : &piece->alone, flat);
 }
 
 static void together(void *context, int worker, int64_t task)
@@ -399,6 +405,50 @@ static taut_status run(pass *p, const taut_crew *crew, taut_task *task, taut_err
     return outcome(p, error);
 }
 
+/* The flat length that an edge is held at, over the range of its parameter; 0 where it is free. */
+static double held_length(const taut_pattern_layout *layout, const taut_pattern_cut *cut, int piece,
+                          int edge)
+{
+    double nodes[TAUT_FLAT_GAUSS], weights[TAUT_FLAT_GAUSS], sum = 0;
+    taut_gauss_rule(TAUT_FLAT_GAUSS, nodes, weights);
+    for (int k = 0; k < ALONG * TAUT_FLAT_GAUSS; k++) {
+        const int at = k % TAUT_FLAT_GAUSS;
+        const double x = (k / TAUT_FLAT_GAUSS + 0.5 + 0.5 * nodes[at]) / ALONG;
+        double speed[2];
+        if (!taut_pattern_held_speed(layout, cut, piece, edge, x, speed)) {
+            return 0;
+        }
+        sum += weights[at] / (2 * ALONG) * speed[0];
+    }
+    return sum;
+}
+
+/* Between straight ends that are parallel the longer one of two sides has to wave: sides that are held have one length. */
+static taut_status check_ends(const taut_pattern_layout *layout, const taut_pattern_cut *cut,
+                              taut_error *error)
+{
+    for (int k = 0; cut->is_straight && k < layout->piece_count; k++) {
+        const taut_pattern_piece *piece = &layout->pieces[k];
+        const double right = held_length(layout, cut, k, TAUT_FLAT_RIGHT),
+                     left = held_length(layout, cut, k, TAUT_FLAT_LEFT);
+        if (piece->bounds[TAUT_FLAT_START].is_point || piece->bounds[TAUT_FLAT_END].is_point) {
+            return taut_fail(error, TAUT_NO_SOLUTION, "ends", "/ends", taut_none, taut_none,
+                             "an end of piece %s is one place, and cannot be straight: leave ends "
+                             "free",
+                             piece->name);
+        }
+        if (right > 0 && left > 0 && fabs(right - left) > same_sides * fmax(right, left)) {
+            const double unit = ldexp(1, layout->carrier->scale);
+            return taut_fail(error, TAUT_NO_SOLUTION, "ends", "/ends", fmax(right, left) * unit,
+                             fmin(right, left) * unit,
+                             "the sides of piece %s are to be %.6g and %.6g long: between straight "
+                             "ends both have one length; leave ends free",
+                             piece->name, right * unit, left * unit);
+        }
+    }
+    return TAUT_OK;
+}
+
 taut_status taut_pattern_flatten(taut_pattern_layout *layout, const taut_pattern_cut *cut,
                                  const taut_crew *crew, taut_error *error)
 {
@@ -427,10 +477,11 @@ taut_status taut_pattern_flatten(taut_pattern_layout *layout, const taut_pattern
             return taut_fail_memory(error);
         }
     }
-    const taut_status status = run(&p, crew, alone, error);
+    taut_status status = run(&p, crew, alone, error);
     if (status != TAUT_OK) {
         return status;
     }
     set_seams(layout, cut);
-    return run(&p, crew, together, error);
+    status = check_ends(layout, cut, error);
+    return status == TAUT_OK ? run(&p, crew, together, error) : status;
 }

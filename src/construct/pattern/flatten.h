@@ -18,6 +18,7 @@ typedef struct taut_pattern_cut {
     taut_pattern_compensation compensation;
     double thread;
     taut_pattern_held held;
+    int is_straight; /* start and end of pieces are */
 } taut_pattern_cut;
 
 /* Is an edge held to which nothing is sewn? */

@@ -234,6 +234,12 @@ static taut_status check_problem(const taut_pattern_problem *problem, taut_error
     if (status == TAUT_OK) {
         status = check_material(&problem->cloth.material, error);
     }
+    if (status == TAUT_OK && problem->ends == TAUT_PATTERN_ENDS_STRAIGHT &&
+        problem->cloth.thread != 0) {
+        return taut_fail(error, TAUT_BAD_INPUT, "conflict", "/ends", problem->cloth.thread, 0,
+                         "found ends that are straight, square to the warp, beside a thread that "
+                         "does not run along");
+    }
     if (status == TAUT_OK && problem->has_prestress && !(problem->cloth.material.g > 0)) {
         return taut_fail(error, TAUT_BAD_INPUT, "material", "/prestress", taut_none, taut_none,
                          "found a prestress without the moduli of a material");
@@ -271,7 +277,8 @@ static void take_cut(request *r)
                                 .has_law = m->g > 0,
                                 .compensation = compensation_of(r->problem),
                                 .thread = r->problem->cloth.thread,
-                                .held = r->problem->held};
+                                .held = r->problem->held,
+                                .is_straight = r->problem->ends == TAUT_PATTERN_ENDS_STRAIGHT};
     if (r->cut.has_law) {
         const double d = 1 - m->nu * m->nu * m->e[1] / m->e[0], unit = m->e[0];
         r->cut.law = (taut_flat_law){.d11 = m->e[0] / d / unit,
@@ -382,7 +389,8 @@ static double drift_of(const taut_pattern_piece *piece, const taut_pattern_outli
     return most;
 }
 
-/* Finer splines where the edges of these are not what is sewn; whether there are any. */
+/* Finer splines where the edges of these are not what is sewn; whether there are any. Not between straight ends, whose corners
+ * finer ones do not settle. */
 static int refine(made_pieces *made)
 {
     int any = 0;
@@ -420,7 +428,8 @@ static taut_status make_strips(const request *r, const cut_surfaces *all, int co
         if (status == TAUT_OK) {
             status = make_outlines(r, made, error);
         }
-        is_rough = status == TAUT_OK && round < REFINEMENTS && refine(made);
+        is_rough =
+            status == TAUT_OK && round < (r->cut.is_straight ? 0 : REFINEMENTS) && refine(made);
     }
     return status;
 }

@@ -301,6 +301,24 @@ static void turn(drawing *to, size_t line, size_t text, const double about[2])
     }
 }
 
+/* The lower side: all of it mirrored across the roll, texts but for their places. */
+static void mirror(drawing *to)
+{
+    for (size_t line = 0; line < to->flat->line_count; line++) {
+        taut_flat_line *one = &to->flat->lines[line];
+        double(*points)[2] = taut_arena_copy(to->arena, one->points, one->count, sizeof *points);
+        for (size_t k = 0; points != NULL && k < one->count; k++) {
+            points[k][1] = to->flat->size[1] - points[k][1];
+        }
+        one->points = (const double(*)[2])points;
+    }
+    for (size_t text = 0; text < to->flat->text_count; text++) {
+        taut_flat_text *one = &to->flat->texts[text];
+        one->at[1] = to->flat->size[1] - one->at[1];
+        one->angle = -one->angle;
+    }
+}
+
 static int add_piece(drawing *to, const taut_record *piece, const taut_record *roll)
 {
     const char *name = taut_record_text(member(piece, "name"));
@@ -341,6 +359,7 @@ taut_status taut_flat_read_cloth(const taut_model *model, taut_arena *arena, tau
 {
     const taut_record *details = taut_model_details(model), *roll = member(details, "roll");
     const taut_record *pieces = member(details, "pieces");
+    const taut_record *side = member(member(details, "cloth"), "side");
     const size_t count = taut_record_count(pieces);
     const double millimetre = taut_unit_ratio("mm", taut_model_unit(model));
     drawing to = {.model = model,
@@ -371,6 +390,10 @@ taut_status taut_flat_read_cloth(const taut_model *model, taut_arena *arena, tau
     add_roll(&to, flat->size);
     for (size_t k = 0; is_fine && k < count; k++) {
         is_fine = add_piece(&to, taut_record_at(pieces, k), roll);
+    }
+    if (is_fine && side != NULL && taut_record_kind_of(side) == TAUT_RECORD_TEXT &&
+        strcmp(taut_record_text(side), "lower") == 0) {
+        mirror(&to);
     }
     if (taut_arena_status(arena) != TAUT_OK) {
         return taut_fail_memory(error);

@@ -16,11 +16,12 @@
 #include <string.h>
 
 static const char *const members[] = {
-    "pattern", "of",           "surface",   "seams",     "seam_length",
-    "cloth",   "compensation", "prestress", "allowance", "held",
-    "hems",    "marks",        "strain",    "untrim",    NULL};
+    "pattern",   "of",   "surface", "seams", "seam_length", "cloth",  "compensation", "prestress",
+    "allowance", "held", "ends",    "hems",  "marks",       "strain", "untrim",       NULL};
 static const char *const patterns[] = {"cloth", NULL};
 static const char *const lengths[] = {"shared", "true", NULL};
+static const char *const sides[] = {"upper", "lower", NULL};
+static const char *const ends[] = {"free", "straight", NULL};
 static const char *const edges[] = {"u0", "u1", "v0", "v1", NULL};
 static const char *const measures[] = {"length", "parameter", NULL};
 static const char *const kinds[] = {"across", "radial", "parallel", "geodesic",
@@ -35,7 +36,7 @@ static const char *const butt_members[] = {"butt", "at", NULL};
 static const char *const at_members[] = {"edge", "part", "length", "parameter", NULL};
 static const char *const parameters[] = {"u", "v", NULL};
 static const char *const cloth_members[] = {"width", "length", "material", "thread",
-                                            "nap",   "gap",    NULL};
+                                            "nap",   "gap",    "side",     NULL};
 static const char *const material_members[] = {"E", "nu", "G", NULL};
 static const char *const compensation_members[] = {"warp", "weft", "seam", NULL};
 
@@ -414,6 +415,7 @@ static taut_status read_cloth(const taut_json *at, void *into, taut_error *error
     taut_reader_optional(&in, "material", read_material, &cloth->material);
     taut_reader_optional(&in, "thread", read_thread, &cloth->thread);
     taut_reader_flag(&in, "nap", &cloth->has_nap);
+    taut_reader_optional_word(&in, "side", sides, &cloth->shows_lower);
     taut_reader_optional(&in, "gap", read_gap, cloth);
     return in.status;
 }
@@ -629,6 +631,9 @@ static void pattern_read(taut_reader *document, taut_problem *problem, void *int
     taut_reader_optional(document, "compensation", read_compensation, &data->compensation);
     read_prestress(document, data);
     taut_reader_optional(document, "allowance", read_allowance, &data->allowance);
+    word = 0;
+    taut_reader_optional_word(document, "ends", ends, &word);
+    data->ends = (taut_pattern_ends)word;
     if (document->status == TAUT_OK && taut_reader_has(document, "held")) {
         const taut_json held = taut_json_member(document->object, "held");
         document->status =

@@ -159,6 +159,25 @@ static void test_joints(void)
     cloth_free(&made);
 }
 
+/* Ends that are to be straight, of a pattern whose ends are free. */
+static void test_straight(void)
+{
+    static const char *const texts[2] = {
+        "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 3 }]",
+        "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 3 }], \"ends\": \"straight\""};
+    made_cloth bent = cloth_make(SADDLE, texts[0]), straight = cloth_make(SADDLE, texts[1]);
+    taut_certificate *proof = NULL;
+    taut_error error = {.status = TAUT_OK};
+    CHECK(bent.status == TAUT_OK && straight.status == TAUT_OK, "%s", straight.error.message);
+    CHECK(claim_of(straight.proof, "ends")->holds == TAUT_TRUE, "as it is");
+    CHECK(taut_certify(bent.model, straight.problem, NULL, &proof, &error) == TAUT_OK, "%s",
+          error.message);
+    CHECK(claim_of(proof, "ends")->holds == TAUT_FALSE, "of ends that are free");
+    taut_certificate_free(proof);
+    cloth_free(&bent);
+    cloth_free(&straight);
+}
+
 /* Next to a tip det J is 0: what is proved is how it grows. A tip that is pulled apart is none, and then it folds. */
 static void test_tips(void)
 {
@@ -337,6 +356,7 @@ int main(void)
     test_told();
     test_joints();
     test_tips();
+    test_straight();
     test_true_length();
     test_held();
     test_isometric();

@@ -4,6 +4,7 @@
 #include "check.h"
 #include "cli/embedded_files.h"
 #include "cloths.h"
+#include "core/constants.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -137,6 +138,70 @@ static void test_held(void)
     CHECK_NEAR(cloth_number(&made, "pieces", "P1", "width_middle"), 0.522095538, 2e-8, "width");
     CHECK_NEAR(cloth_number(&made, "pieces", "P1", "flat_area"), 0.8922630244, 7e-8, "area");
     CHECK_NEAR(cloth_number(&made, "pieces", "P1", "edges/left/compensation"), 0, 0, "none");
+    cloth_free(&made);
+}
+
+/* Of cos and sin, a (1, 0) + b (0, 1) at t = 0 and at t = alpha: the first coordinate's four numbers in c-Bezier form. */
+static void circle_part(double alpha, const double value[2], const double slope[2], double four[4])
+{
+    const double reach = (alpha - sin(alpha)) / (1 - cos(alpha));
+    four[0] = value[0];
+    four[1] = value[0] + reach * slope[0];
+    four[2] = value[1] - reach * slope[1];
+    four[3] = value[1];
+}
+
+/* The unit sphere between latitudes -w and w, a quarter of it. */
+static void band_of_sphere(double w, char *text, size_t room)
+{
+    const double turn = TAUT_PI / 2;
+    double cosine[4], sine[4], radius[4], height[4];
+    circle_part(turn, (double[2]){1, 0}, (double[2]){0, -1}, cosine);
+    circle_part(turn, (double[2]){0, 1}, (double[2]){1, 0}, sine);
+    circle_part(2 * w, (double[2]){cos(w), cos(w)}, (double[2]){sin(w), -sin(w)}, radius);
+    circle_part(2 * w, (double[2]){-sin(w), sin(w)}, (double[2]){cos(w), cos(w)}, height);
+    size_t n = (size_t)snprintf(text, room,
+                                "{ \"taut\": 1, \"surfaces\": [{ \"u\": { \"type\": \"c-bezier\", "
+                                "\"alpha\": %.17g }, \"v\": { \"type\": \"c-bezier\", \"alpha\": "
+                                "%.17g }, \"points\": [",
+                                turn, 2 * w);
+    for (int k = 0; k < 16; k++) {
+        const int i = k / 4, j = k % 4;
+        n += (size_t)snprintf(text + n, room - n, "%s[%.17g, %.17g, %.17g]%s", j == 0 ? "[" : "",
+                              cosine[i] * radius[j], sine[i] * radius[j], height[j],
+                              k == 15  ? "]] }] }"
+                              : j == 3 ? "], "
+                                       : ", ");
+    }
+}
+
+/* A band of the sphere, held at its own length between straight ends: one variable, by quadrature at 30 digits. Sails in three strips
+ * whose sides are of one length; those in four have sides that are not. */
+static void test_straight(void)
+{
+    char band[2400];
+    band_of_sphere(0.25, band, sizeof band);
+    made_cloth made =
+        cloth_make(band, "\"seams\": [{ \"across\": [\"u0\", \"u1\"], \"count\": 1 }], \"held\": "
+                         "[\"v0\", \"v1\"], \"ends\": \"straight\"");
+    CHECK(made.status == TAUT_OK, "%s", made.error.message);
+    check_holds(&made, "band");
+    CHECK(has_claim(made.proof, "ends") && has_claim(made.proof, "lengths"), "claims");
+    CHECK_NEAR(cloth_number(&made, "pieces", "P1", "width_middle"), 0.499859320096304401, 1e-14,
+               "width");
+    CHECK_NEAR(cloth_number(&made, "pieces", "P1", "energy") / (TAUT_PI / 2),
+               1.36444152740974141e-4, 2e-15, "energy");
+    CHECK_NEAR(cloth_number(&made, "pieces", "P1", "strain/max"), 0.0320850239843856444, 1e-13,
+               "strain on the axis");
+    cloth_free(&made);
+
+    made = cloth_make(SADDLE, "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 3 }], "
+                              "\"ends\": \"straight\"");
+    CHECK(made.status == TAUT_OK, "%s", made.error.message);
+    check_holds(&made, "saddle with straight ends");
+    CHECK(!has_claim(made.proof, "thread"), "the ends say how the warp runs");
+    CHECK_NEAR(cloth_number(&made, "seams", "S1", "flat_length"),
+               cloth_number(&made, "seams", "S2", "flat_length"), 1e-9, "sides of one length");
     cloth_free(&made);
 }
 
@@ -616,6 +681,15 @@ static void test_refusals(void)
         {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }], \"allowance\": { "
          "\"seam\": 1, \"overlap\": 1 }",
          "conflict", "/allowance/overlap", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 4 }], \"ends\": \"straight\"",
+         "ends", "/ends", TAUT_NO_SOLUTION},
+        {"\"seams\": [{ \"geodesic\": [[0, 0], [0.6, 1]] }], \"ends\": \"straight\"", "ends",
+         "/ends", TAUT_NO_SOLUTION},
+        {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }], \"ends\": \"round\"", "name",
+         "/ends", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }], \"ends\": \"straight\", "
+         "\"cloth\": { \"thread\": \"across\" }",
+         "conflict", "/ends", TAUT_BAD_INPUT},
         {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }], \"marks\": {}", "missing",
          "/marks/spacing", TAUT_BAD_INPUT},
         {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }], \"marks\": { "
@@ -738,6 +812,7 @@ int main(void)
     test_cone();
     test_curved();
     test_held();
+    test_straight();
     test_unavoidable();
     test_saddle();
     test_orientation();
