@@ -31,7 +31,7 @@ add_custom_command(TARGET taut_web POST_BUILD
 # Small code, but in the loops over numbers that a hand that drags waits for.
 target_compile_options(taut_web PRIVATE -Oz)
 set(loops numeric/kernel numeric/band numeric/modes geometry/grid basis/basis basis/bspline
-  measure/integrate/eight_ measure/integrate/cell construct/plateau/area construct/plateau/draft certify/dirichlet/gradient_
+  construct/plateau/area construct/plateau/draft
   construct/harmonic/lidstone)
 if(TAUT_WEB_NETS) # 3 kB by brotli, for harmonic and biharmonic surfaces in half of the time
   list(APPEND loops construct/harmonic/space construct/harmonic/rim construct/harmonic/wide_solve construct/harmonic/complete)
