@@ -72,8 +72,12 @@ printf '[[%s]]' "$(problem 1)" > list.json
 refused 3 'type /0 found null expected an object' make list.json -o all.json
 list 1 2 > list.json
 refused 5 'write' make list.json --quiet -o all.json -o nowhere/m.obj
-contains err.txt 'nowhere/m-0\.obj'
+contains err.txt 'nowhere/m\.obj'
 absent all.json m-0.obj m-1.obj
+mkdir -p taken/m-1.obj # the second picture cannot be written
+refused 5 'write' make list.json --quiet -o all.json -o taken/m.obj
+contains err.txt 'taken/m-1\.obj'
+absent all.json taken/m-0.obj
 
 # A claim that does not hold is exit 1; the list is written to be looked at, pictures of that one are not.
 cp "$SOURCE/examples/asymptotic-3.json" irregular.json
