@@ -106,6 +106,11 @@ def details():
     model = model_of("trace-principal")
     model["details"]["nodes"][1]["s"][1] *= 0.99
     judge("another length of a node's second curve", model, "trace-principal", "nodes")
+    model = model_of("trace-principal")
+    again = copy.deepcopy(model["details"]["nodes"][1])
+    again["s"][1] *= 0.9
+    model["details"]["nodes"].append(again)
+    judge("a node once more, elsewhere on its second curve", model, "trace-principal", "nodes")
     for name in ["trace-bonnet", "trace-planks"]:
         model = model_of(name)
         for k, piece in enumerate(model["details"]["pieces"]):
@@ -119,6 +124,11 @@ def outlines():
         for piece in model["details"]["pieces"]:
             piece["outline"] = [["a", "b"]] * 3
         judge("outlines of words", model, name, "pattern")
+        model = model_of(name)
+        piece = copy.deepcopy(model["details"]["pieces"][0])
+        piece["name"], piece["lath"], piece["outline"] = "Z1", "Z1", [["a", "b"]] * 3
+        model["details"]["pieces"].append(piece)
+        judge("an outline of words, of no lath", model, name, "pattern")
 
 
 def cloth():
