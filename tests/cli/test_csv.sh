@@ -51,20 +51,44 @@ for row, lath in zip(rows, laths):
         assert row[title] == value if isinstance(value, str) else float(row[title]) == value, (title, row[title], value)
 END
 done
-# pieces of cloth
+# pieces of cloth, their seams and their roll, in the columns of one table; the columns of pieces are the first ones
 "$TAUT" example pattern-sail > cloth.json
 run 0 make cloth.json --quiet -o cloth-made.json -o cloth.csv
 python3 - cloth-made.json cloth.csv <<'END' || complain "the table of cloth is not that of the details"
 import csv, json, sys
-pieces = json.load(open(sys.argv[1]))["details"]["pieces"]
-rows = list(csv.DictReader(open(sys.argv[2], newline="")))
-assert len(rows) == len(pieces) == 4
+details = json.load(open(sys.argv[1]))["details"]
+pieces, seams, roll = details["pieces"], details["seams"], details["roll"]
+table = list(csv.DictReader(open(sys.argv[2], newline=""), strict=True))
+assert all(None not in row and None not in row.values() for row in table), "lines of other lengths"
+rows, sewn, rolls = ([row for row in table if row["kind"] == kind] for kind in ("piece", "seam", "roll"))
+assert table == rows + sewn + rolls and len(rows) == len(pieces) == 4 and len(sewn) == len(seams) == 3 and len(rolls) == 1
+titles = list(table[0])
+assert titles[0] == "name" and titles[16] == "kind" and len(set(titles)) == len(titles) == 26, titles
+for row, seam in zip(sewn, seams):
+    wanted = {"length": seam["length"], "flat_length": seam["flat_length"], "least_stretch": seam["stretch"][0],
+              "largest_stretch": seam["stretch"][1], "disagreement": seam["disagreement"]}
+    assert row["name"] == seam["name"] and row["pieces"] == " ".join(seam["pieces"]), row
+    assert all(float(row[title]) == value for title, value in wanted.items()), (row, wanted)
+    assert {title for title in titles if row[title]} == {"name", "kind", "pieces", *wanted}, row
+wanted = {title: roll[title] for title in ("length", "width", "gap", "waste")}
+assert all(float(rolls[0][title]) == value for title, value in wanted.items()), (rolls[0], wanted)
+assert {title for title in titles if rolls[0][title]} == {"kind", *wanted}, rolls
 for row, piece in zip(rows, pieces):
     right, left = piece["edges"]["right"], piece["edges"]["left"]
     wanted = {"along": piece["extent"][0], "across": piece["extent"][1], "cut_area": piece["cut_area"], "least_strain": piece["strain"]["min"],
               "right_flat_length": right["flat_length"], "left_length": left["length"], "end_flat_length": piece["edges"]["end"]["flat_length"]}
     assert row["name"] == piece["name"] and row["right"] == right.get("seam", "") and row["left"] == left.get("seam", ""), row
     assert all(float(row[title]) == value for title, value in wanted.items()), (row, wanted)
+    assert not any(row[title] for title in titles[17:]), row
+END
+# seams and a roll that are none
+printf '%s' '{ "taut": 1, "curves": [{ "t": { "type": "bezier", "degree": 1 }, "points": [[0,0,0],[1,0,0]] }], "details": {' \
+    '"pieces": [{ "name": "A" }], "seams": [7, { "name": "S", "pieces": ["a", "b,c", 3] }, { "pieces": 4 }], "roll": [5] } }' > torn.json
+run 0 convert torn.json -o torn.csv
+python3 - torn.csv <<'END' || complain "odd seams are not read back"
+import csv, sys
+rows = [{k: v for k, v in row.items() if v} for row in csv.DictReader(open(sys.argv[1], newline=""), strict=True)]
+assert rows == [{"name": "A", "kind": "piece"}, {}, {"name": "S", "kind": "seam", "pieces": "a b,c "}, {"kind": "seam"}, {}], rows
 END
 printf '%s' '{ "taut": 1, "curves": [{ "t": { "type": "bezier", "degree": 1 }, "points": [[0,0,0],[1,0,0]] }], "details": { "laths": [' \
     '{ "name": "A1", "stress": 7, "nodes": [["a", 1], [], 3, [4], ["b,\"c", 1]] }, { "nodes": "none", "stress": {} }, { "nodes": [] }] } }' > strange.json

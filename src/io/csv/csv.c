@@ -1,6 +1,6 @@
 /* csv.c -- the format `csv` (RFC 4180): the table of the model's kind (io/csv/table.h).
  *
- * A line of titles, then one an object, or of a pipe one a bend (io/csv/bends.h); a cell that its object has not is empty. Lengths are in the
+ * A line of titles, then one an object of each of the kind's lists, or of a pipe one a bend (io/csv/bends.h); a cell that its object has not is empty. Lengths are in the
  * model's unit, numbers the shortest that come back as the same doubles, lines end as in other text
  * of taut's. */
 #include "core/fail.h"
@@ -52,13 +52,13 @@ static int is_kind(const taut_record *record, taut_record_kind kind)
     return record != NULL && taut_record_kind_of(record) == kind;
 }
 
-/* The text that item i of a list begins with; "" where it begins with none. */
+/* The text that item i of a list is, or begins with; "" where there is none. */
 static const char *first_text(const taut_record *list, size_t i)
 {
     const taut_record *item = taut_record_at(list, i);
     const taut_record *first = is_kind(item, TAUT_RECORD_LIST) && taut_record_count(item) > 0
                                    ? taut_record_at(item, 0)
-                                   : NULL;
+                                   : item;
     return is_kind(first, TAUT_RECORD_TEXT) ? taut_record_text(first) : "";
 }
 
@@ -96,27 +96,54 @@ static const taut_record *follow(const taut_record *row, const char *path)
     return row;
 }
 
-static void write_column(taut_sink *sink, const taut_csv_column *column, const taut_record *row)
+static void write_column(taut_sink *sink, const taut_csv_kind *kind, size_t list,
+                         const taut_csv_column *column, const taut_record *row)
 {
-    const taut_record *cell = follow(row, column->member);
-    if (column->is_list) {
+    const char *member = column->member[list];
+    const taut_record *cell = member != NULL ? follow(row, member) : NULL;
+
+    switch (column->cell) {
+    case TAUT_CSV_TEXTS:
         write_list(sink, cell);
-    } else {
+        break;
+    case TAUT_CSV_KIND:
+        write_text(sink, kind->word[list]);
+        break;
+    default:
         write_cell(sink, cell);
     }
 }
 
-static void write_row(taut_sink *sink, const taut_csv_column *columns, const taut_record *row)
+static void write_titles(taut_sink *sink, const taut_csv_column *columns)
 {
-    for (int c = 0; columns[c].member != NULL; c++) {
+    for (int c = 0; columns[c].title != NULL; c++) {
+        taut_sink_text(sink, columns[c].title);
+        taut_sink_text(sink, columns[c + 1].title != NULL ? "," : "\n");
+    }
+}
+
+static void write_row(taut_sink *sink, const taut_csv_kind *kind, size_t list,
+                      const taut_record *row)
+{
+    for (int c = 0; kind->columns[c].title != NULL; c++) {
         taut_sink_text(sink, c > 0 ? "," : "");
-        if (row == NULL) {
-            taut_sink_text(sink, columns[c].title);
-        } else if (taut_record_kind_of(row) == TAUT_RECORD_OBJECT) {
-            write_column(sink, &columns[c], row);
+        if (is_kind(row, TAUT_RECORD_OBJECT)) {
+            write_column(sink, kind, list, &kind->columns[c], row);
         }
     }
     taut_sink_text(sink, "\n");
+}
+
+/* The rows of one list, or of the one object that is there in place of it. */
+static void write_rows(taut_sink *sink, const taut_csv_kind *kind, size_t list,
+                       const taut_record *rows)
+{
+    if (is_kind(rows, TAUT_RECORD_OBJECT)) {
+        write_row(sink, kind, list, rows);
+    }
+    for (size_t i = 0; is_kind(rows, TAUT_RECORD_LIST) && i < taut_record_count(rows); i++) {
+        write_row(sink, kind, list, taut_record_at(rows, i));
+    }
 }
 
 /* The lines of a bend table; a number that is none is an empty cell. */
@@ -164,8 +191,8 @@ static taut_status write_other(const taut_model *model, FILE *out, taut_error *e
 static taut_status write_csv(const taut_model *model, const taut_write_options *options, FILE *out,
                              taut_error *error)
 {
-    const taut_record *rows = NULL;
-    const taut_csv_kind *kind = taut_csv_table(model, &rows);
+    const taut_record *details = taut_model_details(model);
+    const taut_csv_kind *kind = taut_csv_table(model);
     taut_sink sink;
 
     (void)options; /* the table is of the whole model */
@@ -173,9 +200,9 @@ static taut_status write_csv(const taut_model *model, const taut_write_options *
         return write_other(model, out, error);
     }
     sink = taut_sink_to(out);
-    write_row(&sink, kind->columns, NULL);
-    for (size_t i = 0; i < taut_record_count(rows); i++) {
-        write_row(&sink, kind->columns, taut_record_at(rows, i));
+    write_titles(&sink, kind->columns);
+    for (size_t k = 0; k < TAUT_CSV_LISTS && kind->list[k] != NULL; k++) {
+        write_rows(&sink, kind, k, taut_record_get(details, kind->list[k]));
     }
     return taut_sink_finish(&sink) == TAUT_NO_MEMORY ? taut_fail_memory(error) : TAUT_OK;
 }
