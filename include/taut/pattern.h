@@ -72,7 +72,7 @@ typedef struct taut_pattern_rule {
     int value_count; /* line: at least 1; butt: where it cuts, in shares of both long edges */
     const double *values;
     const char *curve; /* its name */
-    int strip; /* butt: of strips from 0, in the order of their names; -1: all that are longer than the cloth */
+    int strip; /* butt: of strips from 0, in the order of their names; -1, in the last rule: all that are longer than the cloth, in equal parts */
     const char *surface; /* of several: the one that it cuts; NULL: each */
 } taut_pattern_rule;
 

@@ -14,6 +14,7 @@
 #include "core/vec3.h"
 #include "numeric/quadrature.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 enum { CELLS = 256, NODES = 4, ROUNDS = 60, EDGE_CELLS = 32 };
@@ -238,6 +239,57 @@ static void meet_butts(layout *l, const taut_pattern_rule *rule, int index)
     }
 }
 
+/* In every strip that is longer than the cloth. */
+static int is_equal_butts(const taut_pattern_rule *rule)
+{
+    return rule->kind == TAUT_PATTERN_BUTT && rule->strip < 0;
+}
+
+/* The number of a piece's strip, from 1, as its name tells it: that of P2-1 is 2. */
+static long strip_of(const taut_cloth_piece *piece)
+{
+    return piece->name[0] == 'P' ? strtol(piece->name + 1, NULL, 10) : 0;
+}
+
+/* Parts that a piece's strip has. */
+static int parts_of(const taut_cloth *cloth, const taut_cloth_piece *piece)
+{
+    int count = 0;
+    for (int k = 0; k < cloth->piece_count; k++) {
+        count += strip_of(&cloth->pieces[k]) == strip_of(piece);
+    }
+    return count;
+}
+
+/* Strips in as many parts as there are: equal ones, of every second strip the first and the last half as long. */
+static void meet_equal_butts(layout *l, int index)
+{
+    for (int k = 0; k < l->cloth->piece_count; k++) {
+        const taut_cloth_piece *piece = &l->cloth->pieces[k];
+        const int count = parts_of(l->cloth, piece), is_staggered = strip_of(piece) % 2 == 0;
+        const int is_first = k == 0 || strip_of(piece - 1) != strip_of(piece);
+        for (int i = 1; is_first && i < count; i++) {
+            const double x = is_staggered ? (i - 0.5) / (count - 1) : (double)i / count;
+            double ends[2][2];
+            for (int e = 0; e < 2; e++) {
+                const int edge = e == 0 ? TAUT_CLOTH_RIGHT : TAUT_CLOTH_LEFT;
+                taut_cloth_side_at(&l->cloth->sides[piece->sides[edge]], x, ends[e]);
+            }
+            meet(l, piece->on, (const double(*)[2])ends, index);
+        }
+    }
+}
+
+/* Butts that there are. */
+static int count_equal_butts(const taut_cloth *cloth)
+{
+    int count = 0;
+    for (int k = 1; k < cloth->piece_count; k++) {
+        count += strip_of(&cloth->pieces[k]) == strip_of(&cloth->pieces[k - 1]);
+    }
+    return count;
+}
+
 /* Seams that a rule makes of a surface; -1: as many as there are. */
 static int count_of(const taut_pattern_rule *rule)
 {
@@ -299,6 +351,7 @@ static taut_status add_layout(const taut_cloth *cloth, taut_arena *arena,
             searched += is_here && count < 0 && p->rules[i].kind != TAUT_PATTERN_PARALLEL;
             is_open |= p->rules[i].kind == TAUT_PATTERN_PARALLEL;
         }
+        known += is_equal_butts(&p->rules[i]) ? count_equal_butts(cloth) : 0;
     }
     /* strips of a number that is not asked for: all others */
     const int strips = searched > 0 ? (found - known) / searched + 1 : 0;
@@ -312,7 +365,9 @@ static taut_status add_layout(const taut_cloth *cloth, taut_arena *arena,
                 meet_rule(&l, k, i, count);
             }
         }
-        if (p->rules[i].kind == TAUT_PATTERN_BUTT && i >= last) {
+        if (is_equal_butts(&p->rules[i])) {
+            meet_equal_butts(&l, i);
+        } else if (p->rules[i].kind == TAUT_PATTERN_BUTT && i >= last) {
             meet_butts(&l, &p->rules[i], i);
         }
     }

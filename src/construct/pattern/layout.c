@@ -129,6 +129,7 @@ typedef struct laying {
     const taut_pattern_ground *ground; /* the surface that is being cut */
     int index, first_piece;            /* its number, and that of its first piece */
     const taut_pattern_problem *problem;
+    const taut_pattern_counts *counts;
     taut_pattern_layout *layout;
     int side_room, strips;
     int *starts; /* of each surface, the border that its strips run from */
@@ -448,17 +449,53 @@ static taut_status cut_strip(laying *l, int strip, double x, int rule)
     return side >= 0 ? cut_across(l, k, side, shares) : taut_fail_memory(l->error);
 }
 
-static taut_status lay_butts(laying *l, const taut_pattern_rule *rule, int index)
+/* Strips are numbered as they were cut: their order is that of the list, those of the surfaces before this one before. */
+static int order_strips(const laying *l, int order[TAUT_PATTERN_PIECES_MAX])
 {
-    /* strips are numbered as they were cut: their order is that of the list, those of the surfaces before this one before */
-    int order[TAUT_PATTERN_PIECES_MAX], count = 0;
-    char where[48];
+    int count = 0;
     for (int k = 0; k < l->layout->piece_count; k++) {
         const int strip = l->layout->pieces[k].strip;
         if (count == 0 || order[count - 1] != strip) {
             order[count++] = strip;
         }
     }
+    return count;
+}
+
+/* Each strip of this surface in as many equal parts as it is to have; of every second one the first and the last are halves, so that butts
+ * of neighbours do not meet. */
+static taut_status lay_equal_butts(laying *l, int index)
+{
+    const taut_pattern_piece *pieces = l->layout->pieces;
+    int order[TAUT_PATTERN_PIECES_MAX];
+    const int count = order_strips(l, order);
+    taut_status status = TAUT_OK;
+
+    for (int k = l->first_piece + 1; k < l->layout->piece_count; k++) {
+        if (pieces[k].strip == pieces[k - 1].strip) {
+            char where[48];
+            snprintf(where, sizeof where, "/seams/%d/butt", index);
+            return taut_fail(l->error, TAUT_BAD_INPUT, "rule", where, taut_none, taut_none,
+                             "found \"auto\" where a strip is cut across already, expected strips "
+                             "that are whole");
+        }
+    }
+    for (int k = 0; k < count; k++) {
+        const int parts = l->counts->parts[order[k]], is_staggered = k % 2;
+        const int is_here = order[k] >= pieces[l->first_piece].strip;
+        for (int i = 1; is_here && parts > 1 && status == TAUT_OK && i < parts + is_staggered;
+             i++) {
+            status = cut_strip(l, order[k], (i - is_staggered * 0.5) / parts, index);
+        }
+    }
+    return status;
+}
+
+static taut_status lay_butts(laying *l, const taut_pattern_rule *rule, int index)
+{
+    int order[TAUT_PATTERN_PIECES_MAX];
+    const int count = order_strips(l, order);
+    char where[48];
     snprintf(where, sizeof where, "/seams/%d/butt", index);
     if (rule->strip >= count && l->index + 1 == l->layout->ground_count) {
         return taut_fail(l->error, TAUT_BAD_INPUT, "rule", where, rule->strip + 1, count,
@@ -653,7 +690,7 @@ static int is_for(const taut_pattern_rule *rule, const taut_pattern_ground *grou
 }
 
 /* One surface, by the rules for it; whole where there are none. */
-static taut_status cut_surface(laying *l, int count)
+static taut_status cut_surface(laying *l)
 {
     taut_pattern_layout *layout = l->layout;
     taut_status status = TAUT_OK;
@@ -666,7 +703,8 @@ static taut_status cut_surface(laying *l, int count)
             continue;
         }
         if (!is_butt) {
-            status = taut_pattern_rule_seams(l->ground, rule, r, count, &l->seams, l->error);
+            status =
+                taut_pattern_rule_seams(l->ground, rule, r, l->counts->strips, &l->seams, l->error);
         }
         if (status == TAUT_OK && layout->piece_count == l->first_piece) {
             status = begin(l);
@@ -675,7 +713,7 @@ static taut_status cut_surface(laying *l, int count)
             status = place_seam(l, &l->seams.list[k], r);
         }
         if (is_butt && status == TAUT_OK) {
-            status = lay_butts(l, rule, r);
+            status = rule->strip < 0 ? lay_equal_butts(l, r) : lay_butts(l, rule, r);
         }
     }
     if (status == TAUT_OK && layout->piece_count == l->first_piece) {
@@ -688,11 +726,12 @@ static taut_status cut_surface(laying *l, int count)
 }
 
 taut_status taut_pattern_lay_out(const taut_pattern_ground *grounds, int ground_count,
-                                 const taut_pattern_problem *problem, int count,
-                                 taut_pattern_layout *layout, taut_error *error)
+                                 const taut_pattern_problem *problem,
+                                 const taut_pattern_counts *counts, taut_pattern_layout *layout,
+                                 taut_error *error)
 {
     taut_arena *arena = grounds->arena;
-    laying l = {.problem = problem, .layout = layout, .error = error};
+    laying l = {.problem = problem, .counts = counts, .layout = layout, .error = error};
     taut_status status = TAUT_OK;
 
     *layout = (taut_pattern_layout){.carrier = grounds->carrier,
@@ -707,7 +746,7 @@ taut_status taut_pattern_lay_out(const taut_pattern_ground *grounds, int ground_
     for (int k = 0; status == TAUT_OK && k < ground_count; k++) {
         l.ground = &grounds[k];
         l.index = k;
-        status = cut_surface(&l, count);
+        status = cut_surface(&l);
     }
     if (status == TAUT_OK) {
         sew_surfaces(layout);

@@ -34,10 +34,18 @@ typedef struct taut_pattern_layout {
     int piece_count;
 } taut_pattern_layout;
 
-/* Cuts each surface by the rules in their order; `count` strips by the one that tells no number. TAUT_BAD_INPUT, reasons outside, curve, count, rule;
- * TAUT_NO_SOLUTION, reasons no-geodesic, crossing, shape, singular, crease. */
+/* How many strips the rule makes that tells no number, and in how many parts butts cut each strip where they tell nothing ([TAUT_PATTERN_PIECES_MAX],
+ * by a piece's `strip`). */
+typedef struct taut_pattern_counts {
+    int strips;
+    const int *parts;
+} taut_pattern_counts;
+
+/* Cuts each surface by the rules in their order. TAUT_BAD_INPUT, reasons outside, curve, count, rule; TAUT_NO_SOLUTION, reasons no-geodesic,
+ * crossing, shape, singular, crease. */
 taut_status taut_pattern_lay_out(const taut_pattern_ground *grounds, int ground_count,
-                                 const taut_pattern_problem *problem, int count,
-                                 taut_pattern_layout *layout, taut_error *error);
+                                 const taut_pattern_problem *problem,
+                                 const taut_pattern_counts *counts, taut_pattern_layout *layout,
+                                 taut_error *error);
 
 #endif /* TAUT_CONSTRUCT_PATTERN_LAYOUT_H */

@@ -136,6 +136,31 @@ static taut_status check_at(const taut_pattern_at *at, int index, taut_error *er
                           : TAUT_OK;
 }
 
+/* In every strip that is longer than the cloth. */
+static int is_equal_butts(const taut_pattern_rule *rule)
+{
+    return rule->kind == TAUT_PATTERN_BUTT && rule->strip == -1;
+}
+
+static taut_status check_equal_butts(const taut_pattern_problem *problem, int index,
+                                     taut_error *error)
+{
+    char where[48];
+    snprintf(where, sizeof where, "/seams/%d/butt", index);
+    if (!(problem->cloth.length > 0)) {
+        return taut_fail(
+            error, TAUT_BAD_INPUT, "missing", "/cloth/length", taut_none, taut_none,
+            "found no length of the cloth, expected one, which \"butt\": \"auto\" cuts "
+            "longer strips for");
+    }
+    return index > 0 && index + 1 == problem->rule_count
+               ? TAUT_OK
+               : taut_fail(error, TAUT_BAD_INPUT, "rule", where, index, problem->rule_count - 1,
+                           "found \"auto\" in rule %d of %d, expected it in the last one, after "
+                           "those that make strips",
+                           index + 1, problem->rule_count);
+}
+
 static taut_status check_rule(const taut_pattern_problem *problem, int index, taut_error *error)
 {
     const taut_pattern_rule *rule = &problem->rules[index];
@@ -157,6 +182,9 @@ static taut_status check_rule(const taut_pattern_problem *problem, int index, ta
     }
     case TAUT_PATTERN_LINE:
     case TAUT_PATTERN_BUTT:
+        if (is_equal_butts(rule)) {
+            return check_equal_butts(problem, index, error);
+        }
         if (rule->value_count < 1 || rule->values == NULL ||
             (rule->kind == TAUT_PATTERN_BUTT && (index == 0 || rule->strip < 0))) {
             return taut_fail(error, TAUT_BAD_INPUT, "rule", where, taut_none, taut_none,
@@ -405,21 +433,13 @@ static int refine(made_pieces *made)
     return any;
 }
 
-/* All of so many strips. */
-static taut_status make_strips(const request *r, const cut_surfaces *all, int count,
-                               taut_arena *arena, made_pieces *made, taut_error *error)
+/* All of strips that are cut across as told. */
+static taut_status make_parts(const request *r, const taut_pattern_ground *own, int ground_count,
+                              const taut_pattern_counts *counts, made_pieces *made,
+                              taut_error *error)
 {
-    taut_pattern_ground *own =
-        taut_arena_copy(arena, all->grounds, (size_t)all->count, sizeof *all->grounds);
-    made->arena = arena;
-    if (own == NULL) {
-        return taut_fail_memory(error);
-    }
-    for (int k = 0; k < all->count; k++) {
-        own[k].arena = arena;
-    }
     taut_status status =
-        taut_pattern_lay_out(own, all->count, r->problem, count, &made->layout, error);
+        taut_pattern_lay_out(own, ground_count, r->problem, counts, &made->layout, error);
     if (status == TAUT_OK) {
         status = check_marks(r, &made->layout, error);
     }
@@ -430,6 +450,58 @@ static taut_status make_strips(const request *r, const cut_surfaces *all, int co
         }
         is_rough =
             status == TAUT_OK && round < (r->cut.is_straight ? 0 : REFINEMENTS) && refine(made);
+    }
+    return status;
+}
+
+/* More parts of strips whose parts are longer than the cloth, and shorter than before; whether there are any. As parts add up to
+ * the strip, and what is left at butts comes on top, n parts that are too long by a factor f are n f at least. */
+static int cut_longer(const made_pieces *made, double most, double *lengths, int *parts)
+{
+    double longest[TAUT_PATTERN_PIECES_MAX] = {0};
+    int any = 0;
+    for (int k = 0; k < made->layout.piece_count; k++) {
+        const taut_pattern_outline *outline = &made->outlines[k];
+        double *own = &longest[made->layout.pieces[k].strip];
+        *own = fmax(*own, outline->high[0] - outline->low[0]);
+    }
+    for (int k = 0; k < TAUT_PATTERN_PIECES_MAX; k++) {
+        if (longest[k] > most && longest[k] < lengths[k]) {
+            lengths[k] = longest[k];
+            parts[k] = (int)fmin(fmax(parts[k] + 1, ceil(parts[k] * longest[k] / most)),
+                                 TAUT_PATTERN_PIECES_MAX);
+            any = 1;
+        }
+    }
+    return any;
+}
+
+/* All of so many strips. */
+static taut_status make_strips(const request *r, const cut_surfaces *all, int count,
+                               taut_arena *arena, made_pieces *made, taut_error *error)
+{
+    taut_pattern_ground *own =
+        taut_arena_copy(arena, all->grounds, (size_t)all->count, sizeof *all->grounds);
+    int parts[TAUT_PATTERN_PIECES_MAX];
+    double lengths[TAUT_PATTERN_PIECES_MAX];
+    const taut_pattern_counts counts = {count, parts};
+    const double most = ldexp(r->problem->cloth.length, -all->grounds->carrier->scale);
+    const int is_cut = is_equal_butts(&r->problem->rules[r->problem->rule_count - 1]);
+
+    made->arena = arena;
+    if (own == NULL) {
+        return taut_fail_memory(error);
+    }
+    for (int k = 0; k < all->count; k++) {
+        own[k].arena = arena;
+    }
+    for (int k = 0; k < TAUT_PATTERN_PIECES_MAX; k++) {
+        parts[k] = 1;
+        lengths[k] = INFINITY;
+    }
+    taut_status status = make_parts(r, own, all->count, &counts, made, error);
+    while (is_cut && status == TAUT_OK && cut_longer(made, most, lengths, parts)) {
+        status = make_parts(r, own, all->count, &counts, made, error);
     }
     return status;
 }

@@ -234,12 +234,16 @@ static taut_status read_lines(const taut_json *at, const rules *all, taut_patter
     return read_values(&found, all, rule, error);
 }
 
-/* "P2" and so on: the strip's number from 0. */
+/* "P2" and so on: the strip's number from 0; "auto": -1. */
 static taut_status read_strip(const taut_json *at, void *into, taut_error *error)
 {
     int *strip = into;
     const char *name = taut_json_text_at(at);
     int number = 0;
+    if (name != NULL && strcmp(name, "auto") == 0) {
+        *strip = -1;
+        return TAUT_OK;
+    }
     if (name != NULL && name[0] == 'P' && name[1] >= '1' && name[1] <= '9') {
         for (const char *c = name + 1; *c >= '0' && *c <= '9' && number < 100000; c++) {
             number = 10 * number + (*c - '0');
@@ -249,7 +253,7 @@ static taut_status read_strip(const taut_json *at, void *into, taut_error *error
             }
         }
     }
-    return taut_json_refuse(at, error, "rule", "a strip, such as \"P2\"");
+    return taut_json_refuse(at, error, "rule", "a strip, such as \"P2\", or \"auto\"");
 }
 
 static taut_status read_butt(const taut_json *at, const rules *all, taut_pattern_rule *rule,
@@ -258,6 +262,12 @@ static taut_status read_butt(const taut_json *at, const rules *all, taut_pattern
     taut_reader in = taut_reader_of(at, butt_members, error);
     const taut_json shares = taut_json_member(at, "at");
     taut_reader_member(&in, "butt", read_strip, &rule->strip);
+    if (in.status == TAUT_OK && rule->strip < 0) {
+        return taut_reader_has(&in, "at")
+                   ? taut_json_fail(&shares, error, "conflict", taut_none, taut_none,
+                                    "found \"at\" beside \"auto\", which cuts equal parts")
+                   : TAUT_OK;
+    }
     if (in.status == TAUT_OK && !taut_reader_has(&in, "at")) {
         return taut_json_expected(at, error, "\"at\": where along the strip, from 0 to 1");
     }

@@ -502,6 +502,41 @@ static void test_butts(void)
     cloth_free(&made);
 }
 
+/* Strips of a cylinder, 3.84187 long and 1.09322 wide at an angle that makes them longer: 2 parts fit into 2.9, of P2 a half, a whole and a half;
+ * 1 into 4.8. Shorter cloth takes more. */
+static void test_equal_butts(void)
+{
+    static const double whole = 3.84187454245970916;
+    static const struct {
+        double length;
+        int parts;
+    } rows[] = {{4.8, 1}, {2.9, 2}, {2.3, 3}, {1.7, 5}};
+    for (size_t r = 0; r < sizeof rows / sizeof rows[0]; r++) {
+        const int n = rows[r].parts;
+        char members[160];
+        snprintf(members, sizeof members,
+                 "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 3 }, { \"butt\": "
+                 "\"auto\" }], \"cloth\": { \"length\": %g }",
+                 rows[r].length);
+        made_cloth made = example("pattern-cylinder", members);
+        check_holds(&made, members);
+        CHECK_NEAR(figure_of(made.proof, "pieces"), n == 1 ? 3 : 3 * n + 1, 0, "at %g",
+                   rows[r].length);
+        if (n > 1) {
+            CHECK_NEAR(cloth_number(&made, "pieces", "P1-1", "edges/right/length"), whole / n,
+                       1e-12, "of %d", n);
+            CHECK_NEAR(cloth_number(&made, "pieces", "P2-1", "edges/right/length"), whole / n / 2,
+                       1e-12, "half of %d", n);
+            CHECK_NEAR(cloth_number(&made, "pieces", "P2-2", "edges/left/length"), whole / n, 1e-12,
+                       "staggered, of %d", n);
+            const double along = cloth_number(&made, "pieces", "P1-1", "extent/0");
+            CHECK(along <= rows[r].length && along + whole / (n - 1) - whole / n > rows[r].length,
+                  "%d parts are the least: %g in %g", n, along, rows[r].length);
+        }
+        cloth_free(&made);
+    }
+}
+
 /* R = 2, height 3, all around: four rectangles, the last one sewn to the first one. */
 static void test_ring(void)
 {
@@ -657,6 +692,19 @@ static void test_refusals(void)
         {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }, { \"butt\": \"P2\", "
          "\"at\": [0.5, 0.5] }]",
          "outside", "/seams/1", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }, { \"butt\": \"auto\" }]",
+         "missing", "/cloth/length", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"butt\": \"auto\" }], \"cloth\": { \"length\": 1 }", "rule",
+         "/seams/0/butt", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"line\": { \"u\": 0.5 } }, { \"butt\": \"auto\" }, { \"line\": { "
+         "\"u\": 0.6 } }], \"cloth\": { \"length\": 1 }",
+         "rule", "/seams/1/butt", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"line\": { \"u\": 0.5 } }, { \"butt\": \"P1\", \"at\": 0.5 }, { "
+         "\"butt\": \"auto\" }], \"cloth\": { \"length\": 1 }",
+         "rule", "/seams/2/butt", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"line\": { \"u\": 0.5 } }, { \"butt\": \"auto\", \"at\": 0.5 }], "
+         "\"cloth\": { \"length\": 1 }",
+         "conflict", "/seams/1/at", TAUT_BAD_INPUT},
         {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"width\": true }]", "missing",
          "/cloth/width", TAUT_BAD_INPUT},
         {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2, \"width\": 1 }]", "conflict",
@@ -824,6 +872,7 @@ int main(void)
     test_middle();
     test_parallel();
     test_butts();
+    test_equal_butts();
     test_ring();
     test_poles();
     test_refusals();
