@@ -121,6 +121,13 @@ typedef enum taut_pattern_corner {
     TAUT_PATTERN_MIRROR  /* a seam's folded over covers the border's */
 } taut_pattern_corner;
 
+/* What is left along one seam, on the pieces to its right and to its left as its curve runs, seen from the upper side (of two surfaces that
+ * meet on it, of the later one). */
+typedef struct taut_pattern_seam_allowance {
+    const char *seam; /* its name, "S3" */
+    double right, left;
+} taut_pattern_seam_allowance;
+
 /* What is left beyond the line that is sewn, in the document's unit; none negative. */
 typedef struct taut_pattern_allowance {
     double seam, border;
@@ -130,6 +137,8 @@ typedef struct taut_pattern_allowance {
     int has_butt; /* nonzero: `butt` is that of seams across strips, or it is that of seams */
     double butt;
     taut_pattern_corner corner;
+    int seam_count; /* of seams with an allowance of their own, in place of all the others */
+    const taut_pattern_seam_allowance *seams;
 } taut_pattern_allowance;
 
 /* An edge folded over, and sewn down at the width of the pocket: twice that and the allowance of seams are left. */

@@ -389,7 +389,9 @@
     X(taut_pattern_allowance, is_split, "int") \
     X(taut_pattern_allowance, has_butt, "int") \
     X(taut_pattern_allowance, butt, "double") \
-    X(taut_pattern_allowance, corner, "taut_pattern_corner")
+    X(taut_pattern_allowance, corner, "taut_pattern_corner") \
+    X(taut_pattern_allowance, seam_count, "int") \
+    X(taut_pattern_allowance, seams, "const taut_pattern_seam_allowance *")
 
 #define TAUT_ABI_MEMBERS_taut_pattern_at(X) \
     X(taut_pattern_at, uv, "double[2]") \
@@ -469,6 +471,11 @@
     X(taut_pattern_rule, curve, "const char *") \
     X(taut_pattern_rule, strip, "int") \
     X(taut_pattern_rule, surface, "const char *")
+
+#define TAUT_ABI_MEMBERS_taut_pattern_seam_allowance(X) \
+    X(taut_pattern_seam_allowance, seam, "const char *") \
+    X(taut_pattern_seam_allowance, right, "double") \
+    X(taut_pattern_seam_allowance, left, "double")
 
 #define TAUT_ABI_MEMBERS_taut_pipe_axis(X) \
     X(taut_pipe_axis, kind, "taut_pipe_axis_kind") \
@@ -779,6 +786,7 @@
     X(taut_pattern_prestress) \
     X(taut_pattern_problem) \
     X(taut_pattern_rule) \
+    X(taut_pattern_seam_allowance) \
     X(taut_pipe_axis) \
     X(taut_pipe_ellipse) \
     X(taut_pipe_end) \

@@ -146,6 +146,28 @@ static void look_at_edge(const taut_cloth *cloth, const taut_cloth_piece *piece,
     }
 }
 
+/* What is asked for along a seam of its own, on this side of it; else `asked`. The seam is the later surface's where two meet on it, and
+ * its pieces are all on one side. */
+static double of_seam(const taut_cloth *cloth, const taut_cloth_piece *piece, int e, double asked)
+{
+    const taut_pattern_allowance *a = &cloth->problem->allowance;
+    const taut_cloth_side *side = &cloth->sides[piece->sides[e]];
+    int is_right = taut_cloth_hand(e);
+    for (int k = 0; side->mate > piece->sides[e] && k < cloth->piece_count; k++) {
+        for (int other = 0; other < TAUT_CLOTH_EDGES; other++) {
+            if (cloth->pieces[k].sides[other] == side->mate) {
+                is_right = !taut_cloth_hand(other);
+            }
+        }
+    }
+    for (int k = 0; k < a->seam_count; k++) {
+        if (side->seam != NULL && strcmp(a->seams[k].seam, side->seam) == 0) {
+            return is_right ? a->seams[k].right : a->seams[k].left;
+        }
+    }
+    return asked;
+}
+
 /* Is what is told to be left along an edge what was asked for? */
 static int is_asked(const taut_cloth *cloth, int index, int e)
 {
@@ -162,6 +184,9 @@ static int is_asked(const taut_cloth *cloth, int index, int e)
     if (piece->border[e] < 0 && p->allowance.has_butt &&
         (e == TAUT_CLOTH_START || e == TAUT_CLOTH_END)) {
         asked = p->allowance.butt;
+    }
+    if (piece->border[e] < 0 && piece->sides[e] >= 0) {
+        asked = of_seam(cloth, piece, e, asked);
     }
     for (int k = 0; k < p->hem_count; k++) {
         if ((int)p->hems[k].edge == piece->border[e]) {

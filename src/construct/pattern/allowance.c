@@ -5,6 +5,7 @@
 #include "core/fail.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 enum {
@@ -34,6 +35,56 @@ int taut_pattern_border_of(const taut_pattern_layout *layout, int piece, int edg
     return taut_pattern_is_sewn(one, edge) ? -1 : one->bounds[edge].border;
 }
 
+/* Does a seam run so that an edge of a piece is to its right? Of two surfaces it runs as that side which tells it, the later one's. */
+static int lies_right(const taut_pattern_layout *layout, int piece, int edge)
+{
+    const int side = layout->pieces[piece].bounds[edge].side, twin = layout->sides[side].twin;
+    const int is_told = twin < side || layout->sides[twin].ground == layout->sides[side].ground;
+    for (int k = 0; !is_told && k < TAUT_FLAT_EDGES * layout->piece_count; k++) {
+        const int other = k % TAUT_FLAT_EDGES;
+        if (layout->pieces[k / TAUT_FLAT_EDGES].bounds[other].side == twin) {
+            return other != TAUT_FLAT_LEFT && other != TAUT_FLAT_START;
+        }
+    }
+    return edge == TAUT_FLAT_LEFT || edge == TAUT_FLAT_START;
+}
+
+/* What a seam is given for itself, or `width`. */
+static double seam_width(const taut_pattern_allowance *a, const taut_pattern_layout *layout,
+                         int piece, int edge, double width)
+{
+    const char *seam = layout->pieces[piece].bounds[edge].line->seam;
+    for (int k = 0; k < a->seam_count; k++) {
+        if (strcmp(a->seams[k].seam, seam) == 0) {
+            return lies_right(layout, piece, edge) ? a->seams[k].right : a->seams[k].left;
+        }
+    }
+    return width;
+}
+
+taut_status taut_pattern_check_seams(const taut_pattern_allowance *allowance,
+                                     const taut_pattern_layout *layout, taut_error *error)
+{
+    for (int k = 0; k < allowance->seam_count; k++) {
+        const char *name = allowance->seams[k].seam;
+        int count = 0, is_there = 0;
+        for (int i = 0; i < layout->side_count; i++) {
+            const taut_pattern_side *side = &layout->sides[i];
+            count += side->is_seam && side->twin < i;
+            is_there |= side->is_seam && strcmp(side->seam, name) == 0;
+        }
+        if (!is_there) {
+            char where[64];
+            snprintf(where, sizeof where, "/allowance/%.40s", name);
+            return taut_fail(error, TAUT_BAD_INPUT, "allowance", where, taut_none, taut_none,
+                             "found the name \"%.40s\", and of the pattern's seams, %d, none has "
+                             "it",
+                             name, count);
+        }
+    }
+    return TAUT_OK;
+}
+
 taut_pattern_margin taut_pattern_margin_of(const taut_pattern_problem *problem,
                                            const taut_pattern_layout *layout, int piece)
 {
@@ -47,6 +98,9 @@ taut_pattern_margin taut_pattern_margin_of(const taut_pattern_problem *problem,
         }
         if (border < 0 && a->has_butt && (e == TAUT_FLAT_START || e == TAUT_FLAT_END)) {
             width = a->butt;
+        }
+        if (border < 0) {
+            width = seam_width(a, layout, piece, e, width);
         }
         for (int k = 0; border >= 0 && k < problem->hem_count; k++) {
             if ((int)problem->hems[k].edge == border) {

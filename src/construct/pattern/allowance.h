@@ -22,6 +22,9 @@ typedef struct taut_pattern_margin {
 int taut_pattern_border_of(const taut_pattern_layout *layout, int piece, int edge);
 taut_pattern_margin taut_pattern_margin_of(const taut_pattern_problem *problem,
                                            const taut_pattern_layout *layout, int piece);
+/* Does everything that is left along a seam of its own belong to a seam? TAUT_BAD_INPUT, reason "allowance". */
+taut_status taut_pattern_check_seams(const taut_pattern_allowance *allowance,
+                                     const taut_pattern_layout *layout, taut_error *error);
 /* Moves outline->cut out, and its bounds. TAUT_NO_MEMORY; TAUT_BAD_INPUT and TAUT_NO_SOLUTION, reason
  * "allowance". */
 taut_status taut_pattern_leave(const taut_pattern_piece *piece, const taut_pattern_margin *margin,

@@ -261,7 +261,7 @@ static void describe_hems(const taut_pattern_told *told, taut_record *details)
 static void describe_allowance(const taut_pattern_allowance *a, taut_record *details)
 {
     static const char *const corners[] = {"mitre", "square", "mirror"};
-    if (a->seam > 0 || a->border > 0 || a->overlap > 0 || a->butt > 0) {
+    if (a->seam > 0 || a->border > 0 || a->overlap > 0 || a->butt > 0 || a->seam_count > 0) {
         taut_record *at = taut_record_add_object(details, "allowance");
         taut_record_add_number(at, "seam", a->overlap > 0 ? 0 : a->seam);
         taut_record_add_number(at, "border", a->border);
@@ -273,6 +273,10 @@ static void describe_allowance(const taut_pattern_allowance *a, taut_record *det
             taut_record_add_number(at, "butt", a->butt);
         }
         taut_record_add_text(at, "corner", corners[a->corner]);
+        for (int k = 0; k < a->seam_count; k++) {
+            const double pair[2] = {a->seams[k].right, a->seams[k].left};
+            taut_record_add_numbers(at, a->seams[k].seam, 2, pair);
+        }
     }
 }
 

@@ -281,6 +281,16 @@ static taut_status check_problem(const taut_pattern_problem *problem, taut_error
     for (int k = 0; status == TAUT_OK && k < 5; k++) {
         status = check_range(lengths[k], 0, 1e300, "allowance", left[k], error);
     }
+    for (int k = 0; status == TAUT_OK && k < 2 * a->seam_count; k++) {
+        const taut_pattern_seam_allowance *own = &a->seams[k / 2];
+        char where[64];
+        snprintf(where, sizeof where, "/allowance/%.40s", own->seam != NULL ? own->seam : "");
+        status = own->seam == NULL
+                     ? taut_fail(error, TAUT_BAD_ARGUMENT, "argument", "/allowance", taut_none,
+                                 taut_none, "an allowance of a seam needs its name")
+                     : check_range(k % 2 == 0 ? own->right : own->left, 0, 1e300, "allowance",
+                                   where, error);
+    }
     for (int k = 0; status == TAUT_OK && k < problem->hem_count; k++) {
         status = check_range(problem->hems[k].pocket, 0, 1e300, "allowance", "/hems", error);
     }
@@ -882,6 +892,9 @@ static taut_status build(void *context, taut_arena *arena, taut_model *model, ta
     }
     if (status == TAUT_OK) {
         status = cut_pieces(r, &all, &made, error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_pattern_check_seams(&r->problem->allowance, &made.layout, error);
     }
     if (status == TAUT_OK) {
         status = check_length(r, &made, all.grounds->carrier->scale, error);

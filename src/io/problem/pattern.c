@@ -521,10 +521,72 @@ static taut_status read_left(const taut_json *at, void *into, taut_error *error)
                : status;
 }
 
-static taut_status read_allowance(const taut_json *at, void *into, taut_error *error)
+/* "S3" and so on. */
+static int names_seam(const char *key)
 {
-    taut_pattern_allowance *a = into;
-    taut_reader in = taut_reader_of(at, allowance_members, error);
+    return key[0] == 'S' && key[1] >= '1' && key[1] <= '9' &&
+           strspn(key + 1, "0123456789") == strlen(key + 1);
+}
+
+/* One number for both sides of a seam, or [right, left]. */
+static taut_status read_sides(const taut_json *at, taut_pattern_seam_allowance *own,
+                              taut_error *error)
+{
+    double pair[2] = {0, 0};
+    size_t count = 0;
+    const int is_pair = taut_json_kind_at(at) == TAUT_JSON_ARRAY;
+    taut_status status = is_pair ? taut_json_array(at, 2, 2, "numbers", &count, error)
+                                 : read_left(at, &pair[0], error);
+    for (size_t k = 0; status == TAUT_OK && k < count; k++) {
+        const taut_json item = taut_json_item(at, k);
+        status = read_left(&item, &pair[k], error);
+    }
+    own->right = pair[0];
+    own->left = pair[is_pair ? 1 : 0];
+    return status;
+}
+
+/* Members that name seams, in the arena; and in `known` all that there may be. */
+static taut_status read_seams_left(const taut_json *at, taut_arena *arena,
+                                   taut_pattern_allowance *a, const char ***known,
+                                   taut_error *error)
+{
+    const size_t count = at->value->count;
+    taut_pattern_seam_allowance *own = taut_arena_take(arena, count + 1, sizeof *own);
+    taut_status status = TAUT_OK;
+    size_t n = sizeof allowance_members / sizeof *allowance_members - 1;
+    *known = taut_arena_take(arena, count + n + 1, sizeof **known);
+    if (own == NULL || *known == NULL) {
+        return taut_fail_memory(error);
+    }
+    memcpy(*known, allowance_members, n * sizeof **known);
+    for (size_t i = 0; status == TAUT_OK && i < count; i++) {
+        const char *key = at->value->as.members[i].key;
+        if (!names_seam(key)) {
+            continue;
+        }
+        const taut_json one = taut_json_member(at, key);
+        taut_pattern_seam_allowance *seam = &own[a->seam_count++];
+        (*known)[n++] = key;
+        seam->seam = taut_arena_text(arena, key);
+        status = seam->seam != NULL ? read_sides(&one, seam, error) : taut_fail_memory(error);
+    }
+    (*known)[n] = NULL;
+    a->seams = own;
+    return status;
+}
+
+static taut_status read_allowance(const taut_json *at, taut_arena *arena, taut_pattern_allowance *a,
+                                  taut_error *error)
+{
+    const char **known = NULL;
+    const taut_status status = taut_json_kind_at(at) == TAUT_JSON_OBJECT
+                                   ? read_seams_left(at, arena, a, &known, error)
+                                   : TAUT_OK;
+    if (status != TAUT_OK) {
+        return status;
+    }
+    taut_reader in = taut_reader_of(at, known != NULL ? known : allowance_members, error);
     int word = 0;
     taut_reader_optional(&in, "seam", read_left, &a->seam);
     taut_reader_optional(&in, "border", read_left, &a->border);
@@ -640,7 +702,10 @@ static void pattern_read(taut_reader *document, taut_problem *problem, void *int
     taut_reader_optional(document, "cloth", read_cloth, &data->cloth);
     taut_reader_optional(document, "compensation", read_compensation, &data->compensation);
     read_prestress(document, data);
-    taut_reader_optional(document, "allowance", read_allowance, &data->allowance);
+    if (document->status == TAUT_OK && taut_reader_has(document, "allowance")) {
+        const taut_json left = taut_json_member(document->object, "allowance");
+        document->status = read_allowance(&left, problem->arena, &data->allowance, document->error);
+    }
     word = 0;
     taut_reader_optional_word(document, "ends", ends, &word);
     data->ends = (taut_pattern_ends)word;

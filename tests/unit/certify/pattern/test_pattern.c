@@ -263,6 +263,31 @@ static void test_allowance(void)
     cloth_free(&other);
 }
 
+/* What is left on the right of a seam is not what was asked for on its left, nor what others have. */
+static void test_seams_of_their_own(void)
+{
+    static const char *const asked[] = {"\"S1\": [0.03, 0.01]", "\"S1\": [0.01, 0.03]",
+                                        "\"S2\": [0.03, 0.01]", "\"S1\": 0.03", "\"seam\": 0.02"};
+    static const change none = {"", {0, 0, 0}, 0, 0, 0};
+    made_cloth made[5];
+    for (int k = 0; k < 5; k++) {
+        char members[256];
+        snprintf(members, sizeof members, "%s, \"allowance\": { %s }", strips, asked[k]);
+        made[k] = cloth_make(SADDLE, members);
+        CHECK(made[k].status == TAUT_OK, "%s", made[k].error.message);
+    }
+    taut_problem *own = made[0].problem;
+    for (int k = 0; k < 5; k++) {
+        made[0].problem = k == 0 ? own : made[k].problem;
+        CHECK(judge(&made[0], &none, NULL, "allowance") == (k == 0 ? TAUT_TRUE : TAUT_FALSE), "%s",
+              asked[k]);
+    }
+    made[0].problem = own;
+    for (int k = 0; k < 5; k++) {
+        cloth_free(&made[k]);
+    }
+}
+
 /* Of a surface with kinks in its metric all is there too: its area by cells that end at its knots. */
 static void test_kinks(void)
 {
@@ -352,6 +377,7 @@ static void test_asked(void)
 int main(void)
 {
     test_allowance();
+    test_seams_of_their_own();
     test_moved();
     test_told();
     test_joints();

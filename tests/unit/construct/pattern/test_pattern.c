@@ -327,6 +327,9 @@ static void test_allowance(void)
         {"\"allowance\": { \"seam\": 0.02, \"border\": 0.05 }", {0.02, 0.02}, 0.05},
         {"\"allowance\": { \"seam\": 0.03 }", {0.03, 0.03}, 0},
         {"\"allowance\": { \"overlap\": 0.04 }", {0, 0}, 0},
+        {"\"allowance\": { \"overlap\": 0.04, \"S1\": [0.03, 0.01], \"S2\": 0.02 }",
+         {0.02, 0.03},
+         0},
         {"\"allowance\": { \"overlap\": 0.04, \"split\": true }", {0.02, 0.02}, 0},
         {"\"allowance\": { \"seam\": 0.02, \"border\": 0.05 }, \"hems\": [{ \"edge\": \"v0\", "
          "\"pocket\": 0.04 }, { \"edge\": \"v1\", \"pocket\": 0.04 }]",
@@ -468,6 +471,44 @@ static void test_parallel(void)
         CHECK_NEAR(x[1], 0, 1e-10, "square to it");
         CHECK_NEAR(cloth_number(&made, "seams", "S2", "length"), 2.11423187685613931, 1e-11, "S2");
     }
+    cloth_free(&made);
+}
+
+/* What is left along seams of their own, on their right and their left: by the way that their curves run over z = 0.3 (x^2 - y^2). */
+static void test_seams_of_their_own(void)
+{
+    made_cloth made =
+        cloth_make(SADDLE, "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }, { "
+                           "\"butt\": \"P2\", \"at\": 0.4 }], \"allowance\": { \"seam\": 0.02, "
+                           "\"butt\": 0.05, \"S1\": [0.03, 0.01], \"S2\": [0.04, 0] }");
+    CHECK(made.status == TAUT_OK, "%s", made.error.message);
+    check_holds(&made, "seams of their own");
+    for (int k = 0; made.status == TAUT_OK && k < taut_model_curve_count(made.model); k++) {
+        const taut_curve *curve = taut_model_curve(made.model, k);
+        double y[2][3];
+        taut_curve_eval(curve, 0.5, 1, y[0]);
+        if (strcmp(taut_curve_name(curve), "S1") == 0) { /* P1 is where x is less */
+            const int is_right = y[1][1] < 0;
+            CHECK_NEAR(cloth_number(&made, "pieces", "P1", "edges/right/allowance"),
+                       is_right ? 0.03 : 0.01, 1e-15, "P1 at S1");
+            CHECK_NEAR(cloth_number(&made, "pieces", "P2-1", "edges/left/allowance"),
+                       is_right ? 0.01 : 0.03, 1e-15, "P2-1 at S1");
+            CHECK_NEAR(cloth_number(&made, "pieces", "P2-2", "edges/left/allowance"),
+                       is_right ? 0.01 : 0.03, 1e-15, "P2-2 at S1");
+        } else if (strcmp(taut_curve_name(curve), "S2") == 0) { /* P2-1 is where y is less */
+            const int is_right = y[1][0] > 0;
+            const char *piece = is_right ? "P2-1" : "P2-2", *other = is_right ? "P2-2" : "P2-1";
+            const char *edge = is_right ? "edges/end/allowance" : "edges/start/allowance";
+            CHECK_NEAR(cloth_number(&made, "pieces", piece, edge), 0.04, 1e-15, "at S2");
+            CHECK(taut_record_get(
+                      taut_record_get(taut_record_get(cloth_told(&made, "pieces", other), "edges"),
+                                      is_right ? "start" : "end"),
+                      "allowance") == NULL,
+                  "nothing is left on the left of S2");
+        }
+    }
+    const taut_record *told = taut_record_get(taut_model_details(made.model), "allowance");
+    CHECK_NEAR(taut_record_number(taut_record_at(taut_record_get(told, "S2"), 0)), 0.04, 0, "told");
     cloth_free(&made);
 }
 
@@ -727,6 +768,26 @@ static void test_refusals(void)
          "\"border\": 1e-7 }",
          "allowance", "/allowance", TAUT_BAD_INPUT},
         {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }], \"allowance\": { "
+         "\"S2\": 0.1 }",
+         "allowance", "/allowance/S2", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }], \"allowance\": { "
+         "\"S1\": -0.1 }",
+         "allowance", "/allowance/S1", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }], \"allowance\": { "
+         "\"S1\": [0.1, -1] }",
+         "allowance", "/allowance/S1/1", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }], \"allowance\": { "
+         "\"S1\": [0.1] }",
+         "size", "/allowance/S1", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }], \"allowance\": { "
+         "\"S1\": \"x\" }",
+         "type", "/allowance/S1", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }], \"allowance\": { "
+         "\"S1x\": 0.1 }",
+         "unknown-member", "/allowance/S1x", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }], \"allowance\": 1", "type",
+         "/allowance", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }], \"allowance\": { "
          "\"seam\": 1, \"overlap\": 1 }",
          "conflict", "/allowance/overlap", TAUT_BAD_INPUT},
         {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 4 }], \"ends\": \"straight\"",
@@ -873,6 +934,7 @@ int main(void)
     test_parallel();
     test_butts();
     test_equal_butts();
+    test_seams_of_their_own();
     test_ring();
     test_poles();
     test_refusals();

@@ -142,6 +142,49 @@ static void test_told(void)
     cloth_free(&made);
 }
 
+/* What is left on the right and on the left of the seam between the halves: as its curve runs, from above. */
+static void test_left_between(void)
+{
+    static const char *const rules[3] = {
+        "{ \"across\": [\"v0\", \"v1\"], \"count\": 1 }",
+        "{ \"across\": [\"v0\", \"v1\"], \"count\": 1, \"surface\": \"west\" }, { \"across\": "
+        "[\"u0\", \"u1\"], \"count\": 1, \"surface\": \"east\" }",
+        "{ \"across\": [\"v0\", \"v1\"], \"count\": 1, \"surface\": \"west\" }, { \"across\": "
+        "[\"u1\", \"u0\"], \"count\": 1, \"surface\": \"east\" }"}; /* strips against each other */
+    char text[4096], members[512];
+    for (int k = 0; k < 3; k++) {
+        int found = 0;
+        halves(text, sizeof text, k > 0);
+        snprintf(members, sizeof members,
+                 "\"seams\": [%s], \"allowance\": { \"S1\": [0.03, 0.01] }", rules[k]);
+        made_cloth made = cloth_make(text, members);
+        CHECK(made.status == TAUT_OK, "%s", made.error.message);
+        CHECK(taut_certificate_holds(made.proof) == TAUT_TRUE, "certificate %d", k);
+        for (int i = 0; made.status == TAUT_OK && i < taut_model_curve_count(made.model); i++) {
+            const taut_curve *curve = taut_model_curve(made.model, i);
+            double y[2][3];
+            taut_curve_eval(curve, 0.5, 1, y[0]);
+            if (strcmp(taut_curve_name(curve), "S1") != 0) {
+                continue;
+            }
+            for (int p = 0; p < 8; p++) {
+                static const char *const edges[] = {"right", "end", "left", "start"};
+                const taut_record *edge = taut_record_get(
+                    taut_record_get(cloth_told(&made, "pieces", p < 4 ? "P1" : "P2"), "edges"),
+                    edges[p % 4]);
+                const int is_right = (y[1][1] > 0) == (p >= 4); /* P2 is the eastern one */
+                if (taut_record_get(edge, "seam") != NULL) {
+                    found++;
+                    CHECK_NEAR(taut_record_number(taut_record_get(edge, "allowance")),
+                               is_right ? 0.03 : 0.01, 1e-15, "%d: %s", k, edges[p % 4]);
+                }
+            }
+        }
+        CHECK(found == 2, "%d edges at S1", found);
+        cloth_free(&made);
+    }
+}
+
 static void test_refusals(void)
 {
     char text[4096];
@@ -170,6 +213,7 @@ int main(void)
     test_halves();
     test_across();
     test_told();
+    test_left_between();
     test_refusals();
     return check_failures != 0;
 }
