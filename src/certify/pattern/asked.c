@@ -14,6 +14,7 @@
 #include "core/vec3.h"
 #include "numeric/quadrature.h"
 
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -246,9 +247,9 @@ static int is_equal_butts(const taut_pattern_rule *rule)
 }
 
 /* The number of a piece's strip, from 1, as its name tells it: that of P2-1 is 2. */
-static long strip_of(const taut_cloth_piece *piece)
+static int64_t strip_of(const taut_cloth_piece *piece)
 {
-    return piece->name[0] == 'P' ? strtol(piece->name + 1, NULL, 10) : 0;
+    return piece->name[0] == 'P' ? strtoll(piece->name + 1, NULL, 10) : 0;
 }
 
 /* Parts that a piece's strip has. */
