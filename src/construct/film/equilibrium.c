@@ -63,8 +63,7 @@ static const double length_agreement = 1e-12;
 static const double stiffness_first = 2;
 static const double stiffness_closed = 20; /* of cables that close, whose force is a worse guess */
 
-/* Between the ends of edge e, where it starts. */
-static double chord_of(const taut_film_space *space, int e)
+double taut_film_chord(const taut_film_space *space, int e)
 {
     size_t first = 0, step = 0;
     int count = 0;
@@ -76,7 +75,7 @@ static double chord_of(const taut_film_space *space, int e)
 
 double taut_film_strong_length(const taut_film_space *space, int e, double strength)
 {
-    const double chord = chord_of(space, e);
+    const double chord = taut_film_chord(space, e);
     return chord + (space->cables[e].length - chord) / (strength * strength);
 }
 
@@ -88,7 +87,7 @@ static double strengthen(const taut_film_space *space, int e, double strength,
 
     *cable = space->cables[e];
     if (strength != 1 && cable->length > 0) {
-        const double chord = chord_of(space, e);
+        const double chord = taut_film_chord(space, e);
         cable->length = cable->start = taut_film_strong_length(space, e, strength);
         const double angle = cable->length > chord ? taut_film_arc_angle(chord, cable->length) : 0;
         ratio = angle > 0 ? fmin(TAUT_FILM_FORCE_MAX, chord / (2 * taut_sin(angle)))

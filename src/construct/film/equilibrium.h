@@ -43,6 +43,9 @@ typedef struct taut_film_work {
  * the chord so often smaller, squared, an elastic one so much shorter that the force of its arc is so often what it was. */
 void taut_film_start_laws(taut_film_work *w, double strength);
 
+/* Between the ends of edge e, where it starts, scaled. */
+double taut_film_chord(const taut_film_space *space, int e);
+
 /* The length of cable e of given length, so strong, scaled. */
 double taut_film_strong_length(const taut_film_space *space, int e, double strength);
 
