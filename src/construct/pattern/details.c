@@ -312,9 +312,10 @@ static void describe_roll(const taut_pattern_layout *layout, const taut_pattern_
     }
 }
 
-static void describe_cloth(const taut_pattern_problem *problem, const taut_pattern_cut *cut,
-                           taut_record *details)
+static void describe_cloth(const taut_pattern_told *told, taut_record *details)
 {
+    const taut_pattern_problem *problem = told->problem;
+    const taut_pattern_cut *cut = told->cut;
     const taut_pattern_material *m = &problem->cloth.material;
     taut_record *cloth = taut_record_add_object(details, "cloth");
     taut_record_add_number(cloth, "thread", cut->thread);
@@ -330,6 +331,9 @@ static void describe_cloth(const taut_pattern_problem *problem, const taut_patte
     taut_record *compensation = taut_record_add_object(details, "compensation");
     taut_record_add_number(compensation, "warp", cut->compensation.warp);
     taut_record_add_number(compensation, "weft", cut->compensation.weft);
+    if (isfinite(told->bias)) {
+        taut_record_add_number(details, "bias", told->bias);
+    }
 }
 
 /* Where cloth that is to be stressed is compressed by more than it is cut smaller either way. */
@@ -368,7 +372,7 @@ void taut_pattern_describe(const taut_pattern_told *told, taut_record *details)
     const taut_pattern_layout *layout = told->layout;
     const taut_pattern_problem *problem = told->problem;
     taut_record_add_text(details, "pattern", "cloth");
-    describe_cloth(problem, told->cut, details);
+    describe_cloth(told, details);
     taut_record_add_text(details, "seam_length",
                          told->cut->seam_length == TAUT_PATTERN_TRUE ? "true" : "shared");
     double strain = problem->strain;

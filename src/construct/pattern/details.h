@@ -15,6 +15,7 @@ typedef struct taut_pattern_told {
     const taut_pattern_margin *margins;   /* of each piece */
     const taut_pattern_roll *roll;
     double gap;
+    double bias; /* NaN: none */
 } taut_pattern_told;
 
 /* Members pattern, cloth, compensation, seam_length, marks, strain, pieces, seams, hems, roll, domain, warnings. */

@@ -1,6 +1,7 @@
 #include "construct/pattern/flatten.h"
 
 #include "construct/pattern/develop.h"
+#include "core/constants.h"
 #include "core/elementary/elementary.h"
 #include "core/fail.h"
 #include "geometry/keep.h"
@@ -250,6 +251,7 @@ typedef struct pass {
     taut_status *status; /* of each piece */
     taut_arena **arenas; /* of each piece: what it keeps */
     int *folded;
+    double *energies; /* of each piece, its thread turned */
 } pass;
 
 static taut_flat_strip strip_of(const taut_pattern_piece *piece)
@@ -449,16 +451,21 @@ static taut_status check_ends(const taut_pattern_layout *layout, const taut_patt
     return TAUT_OK;
 }
 
+static taut_flat_options options_for(const taut_pattern_cut *cut)
+{
+    return (taut_flat_options){.law = cut->has_law ? &cut->law : NULL,
+                               .warp = cut->compensation.warp,
+                               .weft = cut->compensation.weft,
+                               .thread = cut->thread};
+}
+
 taut_status taut_pattern_flatten(taut_pattern_layout *layout, const taut_pattern_cut *cut,
                                  const taut_crew *crew, taut_error *error)
 {
     const size_t count = (size_t)layout->piece_count;
     pass p = {.layout = layout,
               .cut = cut,
-              .options = {.law = cut->has_law ? &cut->law : NULL,
-                          .warp = cut->compensation.warp,
-                          .weft = cut->compensation.weft,
-                          .thread = cut->thread},
+              .options = options_for(cut),
               .pulse = crew->pulse,
               .status = taut_arena_take(layout->arena, count, sizeof *p.status),
               .arenas = taut_arena_take(layout->arena, count, sizeof *p.arenas),
@@ -484,4 +491,74 @@ taut_status taut_pattern_flatten(taut_pattern_layout *layout, const taut_pattern
     set_seams(layout, cut);
     status = check_ends(layout, cut, error);
     return status == TAUT_OK ? run(&p, crew, together, error) : status;
+}
+
+/* ---- the bias ---- */
+
+static void turned(void *context, int worker, int64_t task)
+{
+    const pass *p = context;
+    const taut_pattern_piece *piece = &p->layout->pieces[task];
+    const taut_flat_strip strip = strip_of(piece);
+    const taut_flat_options own = options_of(p, piece, worker);
+    taut_arena *scratch = taut_arena_new();
+    taut_flat flat = {.steps = 0};
+
+    p->energies[task] = piece->alone.energy;
+    p->status[task] = TAUT_OK;
+    if (!piece->is_developable) {
+        p->status[task] =
+            scratch != NULL ? taut_flatten(scratch, &strip, &own, NULL, &flat) : TAUT_NO_MEMORY;
+        p->energies[task] = p->status[task] == TAUT_OK ? flat.energy : (double)NAN;
+    }
+    taut_arena_free(scratch);
+}
+
+/* Is it the same in all directions? */
+static int is_isotropic(const taut_flat_law *law)
+{
+    static const double same = 1e-9;
+    return fabs(law->d11 - law->d22) <= same * law->d11 &&
+           fabs(law->d11 - law->d12 - 2 * law->d33) <= same * law->d11;
+}
+
+taut_status taut_pattern_bias(const taut_pattern_layout *layout, const taut_pattern_cut *cut,
+                              const taut_crew *crew, double *bias, taut_error *error)
+{
+    const size_t count = (size_t)layout->piece_count;
+    taut_pattern_layout own = *layout;
+    pass p = {.layout = &own,
+              .cut = cut,
+              .options = options_for(cut),
+              .pulse = crew->pulse,
+              .status = taut_arena_take(layout->arena, count, sizeof *p.status),
+              .energies = taut_arena_take(layout->arena, count, sizeof *p.energies)};
+    double sums[2] = {0, 0};
+    int is_strained = 0;
+
+    *bias = (double)NAN;
+    if (taut_arena_status(layout->arena) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    for (size_t k = 0; k < count; k++) {
+        is_strained |= !layout->pieces[k].is_developable;
+    }
+    if (!cut->has_law || is_isotropic(&cut->law) || !is_strained) {
+        return TAUT_OK;
+    }
+    /* no matter which way: a law along warp and weft is the same of their mirror images */
+    p.options.thread += p.options.thread > 0 ? -TAUT_PI / 4 : TAUT_PI / 4;
+    if (taut_crew_run(crew, taut_crew_workers(crew, layout->piece_count), layout->piece_count,
+                      work_of_piece, turned, &p)) {
+        return taut_fail_status(error, TAUT_INTERRUPTED);
+    }
+    for (size_t k = 0; k < count; k++) {
+        if (p.status[k] == TAUT_NO_MEMORY) {
+            return taut_fail_memory(error);
+        }
+        sums[0] += layout->pieces[k].alone.energy;
+        sums[1] += p.energies[k];
+    }
+    *bias = sums[0] > 0 ? sums[1] / sums[0] : (double)NAN;
+    return TAUT_OK;
 }

@@ -37,4 +37,9 @@ double taut_pattern_own_stretch(const taut_pattern_layout *layout, const taut_pa
 taut_status taut_pattern_flatten(taut_pattern_layout *layout, const taut_pattern_cut *cut,
                                  const taut_crew *crew, taut_error *error);
 
+/* Of pieces alone: how much energy the cloth would hold with its thread turned by pi/4, over what it holds. NaN where the law has no
+ * direction, no piece is strained, or one was not found. TAUT_NO_MEMORY, TAUT_INTERRUPTED. */
+taut_status taut_pattern_bias(const taut_pattern_layout *layout, const taut_pattern_cut *cut,
+                              const taut_crew *crew, double *bias, taut_error *error);
+
 #endif /* TAUT_CONSTRUCT_PATTERN_FLATTEN_H */

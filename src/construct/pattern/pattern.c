@@ -744,7 +744,12 @@ static taut_status fill(const request *r, const taut_model *of, const made_piece
                         taut_arena *arena, taut_model *model, taut_error *error)
 {
     taut_pattern_roll roll;
-    taut_status status = add_all(made, model, arena, error);
+    double bias = (double)NAN;
+    taut_status status = taut_pattern_bias(&made->layout, &r->cut, r->crew, &bias, error);
+
+    if (status == TAUT_OK) {
+        status = add_all(made, model, arena, error);
+    }
 
     if (status == TAUT_OK) {
         status = place_on_roll(r, made, arena, &roll, error);
@@ -760,7 +765,7 @@ static taut_status fill(const request *r, const taut_model *of, const made_piece
         return taut_fail_memory(error);
     }
     const taut_pattern_told told = {&made->layout, &r->cut, r->problem, made->outlines,
-                                    made->margins, &roll,   gap_of(r)};
+                                    made->margins, &roll,   gap_of(r),  bias};
     taut_pattern_describe(&told, details);
     if (r->problem->of != NULL) {
         taut_construct_describe_of(r->problem->of, of, details);

@@ -543,6 +543,38 @@ static void test_butts(void)
     cloth_free(&made);
 }
 
+/* With its thread turned by pi/4 pvc-pes holds a 6.8th of the energy on gores of the sphere ([LinhardWuechnerBletzinger2008] has the law; the
+ * ratio is another program's), and `bias` is what a pattern with that thread holds. */
+static void test_bias(void)
+{
+    static const char *const threads[] = {"\"along\"", "0.78539816339744831"};
+    double energies[2] = {0, 0}, bias = 0;
+    for (int k = 0; k < 2; k++) {
+        char members[200];
+        snprintf(members, sizeof members,
+                 "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 3 }], \"cloth\": { "
+                 "\"material\": \"pvc-pes\", \"thread\": %s }",
+                 threads[k]);
+        made_cloth made = example("pattern-sphere", members);
+        const taut_record *details = taut_model_details(made.model);
+        for (int i = 1; i <= 3; i++) {
+            char name[4];
+            snprintf(name, sizeof name, "P%d", i);
+            energies[k] += cloth_number(&made, "pieces", name, "alone/energy");
+        }
+        bias = k == 0 ? taut_record_number(taut_record_get(details, "bias")) : bias;
+        CHECK(k == 0 || taut_record_number(taut_record_get(details, "bias")) > 1, "no turn back");
+        cloth_free(&made);
+    }
+    CHECK_NEAR(1 / bias, 6.8, 0.05, "bias");
+    CHECK_NEAR(bias, energies[1] / energies[0], 1e-12, "bias and thread");
+    made_cloth made =
+        example("pattern-sphere", "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 3 }], "
+                                  "\"cloth\": { \"material\": \"etfe\" }");
+    CHECK(taut_record_get(taut_model_details(made.model), "bias") == NULL, "foil has no bias");
+    cloth_free(&made);
+}
+
 /* Strips of a cylinder, 3.84187 long and 1.09322 wide at an angle that makes them longer: 2 parts fit into 2.9, of P2 a half, a whole and a half;
  * 1 into 4.8. Shorter cloth takes more. */
 static void test_equal_butts(void)
@@ -935,6 +967,7 @@ int main(void)
     test_butts();
     test_equal_butts();
     test_seams_of_their_own();
+    test_bias();
     test_ring();
     test_poles();
     test_refusals();
