@@ -135,6 +135,63 @@ static void test_told(void)
     cloth_free(&made);
 }
 
+/* "P3.cut" as "P4.cut"; 0: it is no object of P3. */
+static int renamed(const char *name, char other[32])
+{
+    const int is_it = strncmp(name, "P3", 2) == 0 && (name[2] == '\0' || name[2] == '.');
+    snprintf(other, 32, "P4%s", is_it ? name + 2 : "");
+    return is_it;
+}
+
+/* The piece P3 is there twice, the second time as P4. */
+static void test_doubled(void)
+{
+    static const change none = {"", {0, 0, 0}, 0, 0, 0};
+    made_cloth made = cloth_make(SADDLE, strips);
+    const taut_record *details = taut_model_details(made.model);
+    taut_record *doubled = taut_record_new();
+    taut_model *model = changed(&made, &none, NULL);
+    taut_certificate *proof = NULL;
+    taut_error error = {.status = TAUT_OK};
+    char name[32];
+
+    for (int i = taut_model_surface_count(model) - 1; i >= 0; i--) {
+        const taut_surface *from = taut_model_surface(model, i);
+        taut_surface *surface = NULL;
+        if (renamed(taut_surface_name(from), name)) {
+            taut_surface_new(name, taut_surface_u(from), taut_surface_v(from),
+                             taut_surface_points(from), NULL, &surface, NULL);
+            taut_model_add_surface(model, surface);
+        }
+    }
+    for (int i = taut_model_curve_count(model) - 1; i >= 0; i--) {
+        const taut_curve *from = taut_model_curve(model, i);
+        taut_curve *curve = NULL;
+        if (renamed(taut_curve_name(from), name)) {
+            taut_curve_new(name, taut_curve_t(from), taut_curve_points(from), NULL, &curve, NULL);
+            taut_model_add_curve(model, curve);
+        }
+    }
+    for (size_t k = 0; k < taut_record_count(details); k++) {
+        taut_record *item = taut_record_copy(taut_record_at(details, k));
+        if (strcmp(taut_record_key(details, k), "pieces") == 0) {
+            taut_record *other = cloth_edited(taut_record_at(item, 2), "name", "P3", "P4");
+            taut_record_add_record(item, NULL, other);
+            taut_record_free(other);
+        }
+        taut_record_add_record(doubled, taut_record_key(details, k), item);
+        taut_record_free(item);
+    }
+    taut_model_set_details(model, doubled);
+    CHECK(taut_certify(model, made.problem, NULL, &proof, &error) == TAUT_OK, "%s", error.message);
+    CHECK(claim_of(proof, "cover")->holds == TAUT_FALSE, "a piece twice");
+    CHECK(claim_of(proof, "cover")->residual == 4, "along S2, u1, v0 and v1: %g",
+          claim_of(proof, "cover")->residual);
+    taut_certificate_free(proof);
+    taut_model_free(model);
+    cloth_free(&made);
+}
+
 /* Pieces that meet on a seam: parts that leave a gap or lie over each other tile nothing; one of two that is longer is told; and a
  * parameter line that nobody asked for. */
 static void test_joints(void)
@@ -380,6 +437,7 @@ int main(void)
     test_seams_of_their_own();
     test_moved();
     test_told();
+    test_doubled();
     test_joints();
     test_tips();
     test_straight();
