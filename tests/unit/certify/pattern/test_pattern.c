@@ -100,7 +100,7 @@ static void test_moved(void)
         {"no-fold", {"P1", {0, 0, 0}, 0, 0.1, 0}, {"P1", {0, 0, 0}, 0, 6, 0}},
         {"no-overlap", {"P1.cut", {0, 0, 0}, 0, 0, 0}, {"P1.cut", {0, 0, 0}, 0, 6, 0}},
         {"no-overlap", {"P2.cut", {0, 0, 0}, 0, 0, 0}, {"P2.cut", {0, 0, 0}, 0, 0, 1}},
-        {"roll", {"P3.cut", {0, 0, 0}, 0, 0, 0}, {"P3.cut", {0, 50, 0}, 0, 0, 0}},
+        {"roll", {"P3.cut", {0, 0, 0}, 0, 0, 0}, {"P3.cut", {0, 3, 0}, 0, 0, 0}},
         {"roll", {"P1.cut", {0, 0, 0}, 1 - 1e-9, 0, 0}, {"P1.cut", {0, 0, 0}, 1.5, 0, 0}},
         {"surface", {"S1", {0, 0, 0}, 0, 0, 0}, {"sail", {0, 0, 1e-9}, 0, 0, 0}},
         {"exhausts", {"S1", {0, 0, 0}, 0, 0, 0}, {"S1", {0, 0, 0}, 0, 0, 0}}};
@@ -427,6 +427,11 @@ static void test_asked(void)
           "S1");
     CHECK(judge_number(&held, "seams", "S1", "compensation", 1.02, "compensation") == TAUT_FALSE,
           "S1");
+    /* more seams than the document's */
+    made_cloth lines = cloth_make(SADDLE, "\"seams\": [{ \"line\": { \"u\": [0.3, 0.7] } }]");
+    CHECK(judge_by(&lines, "\"seams\": [{ \"line\": { \"u\": 0.3 } }]", "layout") == TAUT_FALSE,
+          "one line of two");
+    cloth_free(&lines);
     cloth_free(&made);
     cloth_free(&held);
 }

@@ -49,7 +49,7 @@ static taut_verdict judge(const made_cloth *made, int piece, const double by[2],
 int main(void)
 {
     static const double none[2] = {0, 0}, less[2] = {0.009, 0}, out[2] = {-0.011, 0},
-                        inside[2] = {0.3, 0};
+                        inside[2] = {0.3, 0}, across[2] = {3.5, 0};
     made_cloth made = cloth_make(
         SADDLE, "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 3 }], \"cloth\": { "
                 "\"width\": 1.8, \"gap\": 0.02 }");
@@ -74,6 +74,9 @@ int main(void)
     CHECK(judge(&made, last, into, turned, last) == TAUT_FALSE, "moved by more than the gap");
     CHECK(judge(&made, first, out, "", first) == TAUT_FALSE, "moved out of the roll");
     CHECK(judge(&made, last, inside, turned, first) == TAUT_FALSE, "on top of another one");
+    /* turned, so that neither's first corner lies in the other one: only their lines cross */
+    CHECK(judge(&made, last, across, ", \"turned\": true", first) == TAUT_FALSE,
+          "across another one");
     CHECK(judge(&made, last, none, turned[0] == '\0' ? ", \"turned\": true" : "", last) ==
               TAUT_FALSE,
           "turned the wrong way");
