@@ -307,6 +307,19 @@ static void test_cells(void)
         CHECK(taut_certificate_holds(made.proof) == TAUT_TRUE, "%d", k);
         net_free(&made);
     }
+
+    /* u - v = 0.15 and u + v = 0.85 through the place, 0.3 apart: those in two corners are met on the border alone */
+    made_net made =
+        net_make("asymptotic",
+                 "{ \"taut\": 1, \"construct\": \"bonnet\", \"lambda\": 0.29, \"sign\": \"-\", "
+                 "\"alpha\": 1.2, \"beta\": 0.9 }",
+                 "\"seeds\": [{ \"at\": [0.5, 0.35] }, { \"cells\": 6, \"at\": [0.5, 0.35] }]");
+    CHECK(net_count(&made, "laths") == 14, "lattice: %d curves", net_count(&made, "laths"));
+    CHECK_NEAR(net_end(&made, "A7", "from", 0) - net_end(&made, "A7", "from", 1), 1.05, 1e-12,
+               "A7");
+    CHECK_NEAR(net_end(&made, "B7", "from", 0) + net_end(&made, "B7", "from", 1), 2.05, 1e-12,
+               "B7");
+    net_free(&made);
 }
 
 /* z = Re (x + iy - 0.2 - 0.1i)^3: a monkey saddle. */
