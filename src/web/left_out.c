@@ -10,6 +10,7 @@
 #include "io/flat/cloth.h"
 #include "io/flat/spread.h"
 #include "io/format.h"
+#include "io/mesh/cloth.h"
 #include "io/problem/boundary_file.h"
 #include "io/problem/film_along.h"
 #include "io/problem/film_curves.h"
@@ -321,6 +322,27 @@ taut_status taut_flat_read_cloth(const taut_model *model, taut_arena *arena, tau
     (void)arena;
     (void)flat;
     return refuse_cloth(error);
+}
+
+taut_status taut_mesh_strains(const taut_model *model, const taut_mesh *mesh, taut_arena *arena,
+                              double *values)
+{
+    (void)model;
+    (void)mesh;
+    (void)arena;
+    (void)values;
+    return TAUT_NO_MEMORY;
+}
+
+taut_status taut_mesh_lines(const taut_model *model, double lift, taut_arena *arena, int *count,
+                            const taut_mesh_line **lines)
+{
+    (void)model;
+    (void)lift;
+    (void)arena;
+    (void)count;
+    (void)lines;
+    return TAUT_NO_MEMORY;
 }
 
 taut_status taut_flat_spread(const taut_model *model, taut_model **spread)

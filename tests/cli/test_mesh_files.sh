@@ -80,10 +80,63 @@ print(volume, exact)
 assert 0 < exact - volume < 0.005 * exact
 PY
 
+# A cutting pattern: pieces on their roll in the colours of their strains, red in tension, blue in compression, up to the limit; each seam
+# above and below the surface.
+"$TAUT" example pattern-sail > cloth-problem.json
+run 0 make cloth-problem.json --quiet -o cloth.json -o cloth.glb
+run 0 convert cloth.json -o cloth-h.glb --colour H
+run 0 convert cloth.json -o cloth-one.glb --surface P2
+"$PYTHON" - > said.txt 2>&1 <<'PY' || complain "a pattern: $(cat said.txt)"
+import json, math, struct
+def read(name):
+    data = open(name, "rb").read()
+    length = struct.unpack("<I", data[12:16])[0]
+    head, body = json.loads(data[20:20 + length]), data[28 + length:]
+    def numbers(accessor, form):
+        view = head["bufferViews"][accessor["bufferView"]]
+        width = {"VEC3": 3, "VEC4": 4}[accessor["type"]]
+        start = view["byteOffset"] + accessor["byteOffset"]
+        flat = struct.unpack_from(f"<{width * accessor['count']}{form}", body, start)
+        return [flat[k:k + width] for k in range(0, len(flat), width)]
+    return head, {}, numbers
+head, _, numbers = read("cloth.glb")
+details = json.load(open("cloth.json"))["details"]
+names = [mesh["name"] for mesh in head["meshes"]]
+assert names[:5] == ["sail", "P1", "P2", "P3", "P4"] and sorted(names[5:11]) == ["S1", "S1", "S2", "S2", "S3", "S3"], names
+assert names[11:] == ["P1.cut", "P2.cut", "P3.cut", "P4.cut"] and [n["name"] for n in head["nodes"]][1:] == names, names
+extras = head["materials"][0]["extras"]
+most = max(abs(piece["strain"][end]) for piece in details["pieces"] for end in ("min", "max"))
+assert extras["colour"] == "strain" and 0.9 * most < extras["limit"] < 1.2 * most, (extras, most)
+boxes = []
+for mesh in head["meshes"][:5]:
+    primitive = mesh["primitives"][0]["attributes"]
+    colours = numbers(head["accessors"][primitive["COLOR_0"]], "H")
+    boxes.append(head["accessors"][primitive["POSITION"]])
+    red, blue = (sum(c[i] > c[2 - i] + 6000 for c in colours) for i in (0, 2))
+    assert (len(set(colours)) == 1) if mesh["name"] == "sail" else (red > 20 and blue > 20), (mesh["name"], red, blue)
+for k, one in enumerate(boxes): # none lies on another one
+    for other in boxes[:k]:
+        middles = [[(box["min"][d] + box["max"][d]) / 2 for d in range(3)] for box in (one, other)]
+        assert math.dist(*middles) > 0.4, (names, middles)
+seams = {}
+for mesh in head["meshes"][5:11]:
+    seams.setdefault(mesh["name"], []).append(numbers(head["accessors"][mesh["primitives"][0]["attributes"]["POSITION"]], "f"))
+    assert mesh["primitives"][0]["mode"] == 3
+for name, (above, below) in seams.items():
+    gap = [math.dist(a, b) for a, b in zip(above, below)]
+    middle = [[(x + y) / 2 for x, y in zip(a, b)] for a, b in zip(above, below)]
+    long = sum(math.dist(a, b) for a, b in zip(middle, middle[1:]))
+    told = next(seam["length"] for seam in details["seams"] if seam["name"] == name)
+    assert max(gap) < 0.03 and min(gap) > 0.001 and abs(long - told) < 1e-3 * told, (name, max(gap), long, told)
+    assert max(abs(z - 0.3 * (x * x - y * y)) for x, y, z in middle) < 1e-5, name
+assert read("cloth-h.glb")[0]["materials"][0]["extras"]["colour"] == "H"
+assert [mesh["name"] for mesh in read("cloth-one.glb")[0]["meshes"]] == ["P2"]
+PY
+
 # The validator is where CI puts it (TAUT_GLTF), or where `npm ci` in tests/gltf does.
 modules=${TAUT_GLTF:-$SOURCE/tests/gltf}/node_modules
 if command -v node > /dev/null && [ -d "$modules/gltf-validator" ]; then
-    NODE_PATH=$modules node "$SOURCE/tests/gltf/validate.js" cube.glb cube-h.glb tube.glb tube-h.glb ball.glb ball-h.glb > said.txt 2>&1 ||
+    NODE_PATH=$modules node "$SOURCE/tests/gltf/validate.js" cube.glb cube-h.glb tube.glb tube-h.glb ball.glb ball-h.glb cloth.glb cloth-h.glb > said.txt 2>&1 ||
         complain "the validator: $(cat said.txt)"
     contains said.txt '^cube.glb: .* 20 triangles'
     grep -qa COLOR_0 cube-h.glb || complain "cube-h.glb has no colours"

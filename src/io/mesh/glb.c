@@ -5,15 +5,17 @@
  *     chunk    length, "BIN", data
  *
  * The data is all positions, all normals, all colours (where asked for), all indices, in the order
- * of the groups; positions and normals in single precision. glTF is in metres with y up: the root
+ * of the groups, and of a cutting pattern all places of its lines; positions and normals in single precision. glTF is in metres with y up: the root
  * node scales, turns (x, y, z) to (x, z, -y) and, where a model lies far from the origin and single
  * precision would show, shifts back what was taken off the positions. */
 #include "core/arena.h"
 #include "core/elementary/elementary.h"
 #include "core/fail.h"
 #include "core/memory.h"
+#include "io/flat/spread.h"
 #include "io/format.h"
 #include "io/json/out.h"
+#include "io/mesh/cloth.h"
 #include "io/mesh/fields.h"
 #include "io/mesh/out.h"
 #include "mesh/colour.h"
@@ -36,9 +38,13 @@ typedef struct glb_plan {
     glb_part *parts;
     size_t index_count;
     double origin[3]; /* taken off the positions */
+    double size;      /* of the box of all vertices */
     taut_colour colour;
-    double *values; /* [vertices]: the curvature shown; NULL: plain colours */
+    double *values; /* [vertices]: the curvature or the strain shown; NULL: plain colours */
     double limit;   /* of its colours */
+    int is_cloth;   /* a cutting pattern: its strains are shown, unless a curvature is asked for */
+    int line_count; /* of it */
+    const taut_mesh_line *lines;
 } glb_plan;
 
 /* Numbers that glTF gives to kinds of data. */
@@ -70,10 +76,19 @@ static double linear_share(unsigned char byte)
 }
 
 /* Buffer views: positions, normals, colours if there are any, indices. Accessors: as many for each
- * group, in this order. */
+ * group, in this order. Behind them one view of all lines, and an accessor each. */
 static int views_of(const glb_plan *plan)
 {
     return plan->values != NULL ? 4 : 3;
+}
+
+static size_t line_places(const glb_plan *plan)
+{
+    size_t count = 0;
+    for (int i = 0; i < plan->line_count; i++) {
+        count += plan->lines[i].count;
+    }
+    return count;
 }
 
 /* Bytes of the BIN chunk. */
@@ -81,7 +96,7 @@ static size_t data_length(const glb_plan *plan)
 {
     const size_t colour = plan->values != NULL ? COLOUR_BYTES : 0;
     return taut_mesh_vertex_count(plan->mesh) * (2 * VECTOR_BYTES + colour) +
-           plan->index_count * INDEX_BYTES;
+           plan->index_count * INDEX_BYTES + line_places(plan) * VECTOR_BYTES;
 }
 
 static void put_asset(taut_json_out *out)
@@ -100,7 +115,15 @@ static void put_asset(taut_json_out *out)
     taut_json_close(out, ']');
 }
 
-/* The root, which knows unit and axes, and a node for each surface. */
+static void put_node(taut_json_out *out, const char *name, int mesh)
+{
+    taut_json_open_inline(out, '{');
+    taut_json_pair_text(out, "name", name);
+    taut_json_pair_number(out, "mesh", mesh);
+    taut_json_close(out, '}');
+}
+
+/* The root, which knows unit and axes, and a node for each surface and each line. */
 static void put_nodes(taut_json_out *out, const glb_plan *plan, const taut_model *model)
 {
     const double metres = metres_of(taut_model_unit(model)), *origin = plan->origin;
@@ -110,7 +133,7 @@ static void put_nodes(taut_json_out *out, const glb_plan *plan, const taut_model
     taut_json_pair_text(out, "name", "model");
     taut_json_key(out, "children");
     taut_json_open_inline(out, '[');
-    for (int g = 0; g < plan->count; g++) {
+    for (int g = 0; g < plan->count + plan->line_count; g++) {
         taut_json_put_number(out, g + 1);
     }
     taut_json_close(out, ']');
@@ -122,13 +145,31 @@ static void put_nodes(taut_json_out *out, const glb_plan *plan, const taut_model
     taut_json_close(out, '}');
     for (int g = 0; g < plan->count; g++) {
         char room[TAUT_NAME_MAX + 1];
-        taut_json_open_inline(out, '{');
-        taut_json_pair_text(out, "name",
-                            taut_mesh_out_name(taut_mesh_group_at(plan->mesh, g), room));
-        taut_json_pair_number(out, "mesh", g);
-        taut_json_close(out, '}');
+        put_node(out, taut_mesh_out_name(taut_mesh_group_at(plan->mesh, g), room), g);
+    }
+    for (int i = 0; i < plan->line_count; i++) {
+        put_node(out, plan->lines[i].name, plan->count + i);
     }
     taut_json_close(out, ']');
+}
+
+static void put_line(taut_json_out *out, const glb_plan *plan, int i)
+{
+    enum { LINE_STRIP = 3 };
+    taut_json_open_inline(out, '{');
+    taut_json_pair_text(out, "name", plan->lines[i].name);
+    taut_json_key(out, "primitives");
+    taut_json_open_inline(out, '[');
+    taut_json_open_inline(out, '{');
+    taut_json_key(out, "attributes");
+    taut_json_open_inline(out, '{');
+    taut_json_pair_number(out, "POSITION", views_of(plan) * plan->count + i);
+    taut_json_close(out, '}');
+    taut_json_pair_number(out, "mode", LINE_STRIP);
+    taut_json_pair_number(out, "material", plan->values != NULL ? 1 : plan->count);
+    taut_json_close(out, '}');
+    taut_json_close(out, ']');
+    taut_json_close(out, '}');
 }
 
 static void put_meshes(taut_json_out *out, const glb_plan *plan)
@@ -155,15 +196,33 @@ static void put_meshes(taut_json_out *out, const glb_plan *plan)
         taut_json_close(out, ']');
         taut_json_close(out, '}');
     }
+    for (int i = 0; i < plan->line_count; i++) {
+        put_line(out, plan, i);
+    }
     taut_json_close(out, ']');
 }
 
+static void put_paint(taut_json_out *out, taut_ink ink)
+{
+    taut_json_open_pair(out, "pbrMetallicRoughness", '{');
+    taut_json_pair_numbers(
+        out, "baseColorFactor", 4,
+        (const double[]){linear_share(ink.r), linear_share(ink.g), linear_share(ink.b), 1});
+    taut_json_pair_number(out, "metallicFactor", 0);
+    taut_json_pair_number(out, "roughnessFactor", 0.6);
+    taut_json_close(out, '}');
+}
+
 /* One white one where the vertices carry the colour, with what the colours mean; else one a surface, under
- * its name, in its colour of figures. */
+ * its name, in its colour of figures. Behind it that of lines. */
 static void put_materials(taut_json_out *out, const glb_plan *plan, const taut_model *model)
 {
     const int surfaces = taut_mesh_out_surfaces(plan->mesh);
     const int count = plan->values != NULL ? 1 : plan->count;
+    static const char *const shown[] = {[TAUT_COLOUR_PLAIN] = "strain",
+                                        [TAUT_COLOUR_MEAN] = "H",
+                                        [TAUT_COLOUR_GAUSSIAN] = "K",
+                                        [TAUT_COLOUR_ISOTHERMALITY] = "I"};
     taut_json_open_pair(out, "materials", '[');
     for (int i = 0; i < count; i++) {
         const taut_ink white = {255, 255, 255};
@@ -177,20 +236,21 @@ static void put_materials(taut_json_out *out, const glb_plan *plan, const taut_m
             taut_json_pair_text(out, "name",
                                 taut_mesh_out_name(taut_mesh_group_at(plan->mesh, i), room));
         }
-        taut_json_open_pair(out, "pbrMetallicRoughness", '{');
-        taut_json_pair_numbers(
-            out, "baseColorFactor", 4,
-            (const double[]){linear_share(ink.r), linear_share(ink.g), linear_share(ink.b), 1});
-        taut_json_pair_number(out, "metallicFactor", 0);
-        taut_json_pair_number(out, "roughnessFactor", 0.6);
-        taut_json_close(out, '}');
+        put_paint(out, ink);
         taut_json_pair_verdict(out, "doubleSided", TAUT_TRUE);
         if (plan->values != NULL) {
             taut_json_open_pair(out, "extras", '{');
-            taut_json_pair_text(out, "colour", plan->colour == TAUT_COLOUR_MEAN ? "H" : "K");
+            taut_json_pair_text(out, "colour", shown[plan->colour]);
             taut_json_pair_number(out, "limit", plan->limit);
             taut_json_close(out, '}');
         }
+        taut_json_close(out, '}');
+    }
+    if (plan->line_count > 0) {
+        const taut_ink dark = {40, 40, 40};
+        taut_json_open_inline(out, '{');
+        taut_json_pair_text(out, "name", "lines");
+        put_paint(out, dark);
         taut_json_close(out, '}');
     }
     taut_json_close(out, ']');
@@ -216,6 +276,20 @@ static void put_accessor(taut_json_out *out, int view, size_t offset, int compon
     taut_json_close(out, '}');
 }
 
+/* The box of places as they are written: single precision, off the origin. */
+static void box_of(const glb_plan *plan, size_t count, const double *positions, glb_part *box)
+{
+    for (int c = 0; c < 3; c++) {
+        box->lo[c] = INFINITY;
+        box->hi[c] = -INFINITY;
+    }
+    for (size_t i = 0; i < 3 * count; i++) {
+        const double x = (float)(positions[i] - plan->origin[i % 3]);
+        box->lo[i % 3] = fmin(box->lo[i % 3], x);
+        box->hi[i % 3] = fmax(box->hi[i % 3], x);
+    }
+}
+
 static void put_accessors(taut_json_out *out, const glb_plan *plan)
 {
     taut_json_open_pair(out, "accessors", '[');
@@ -231,6 +305,14 @@ static void put_accessors(taut_json_out *out, const glb_plan *plan)
         }
         put_accessor(out, views_of(plan) - 1, INDEX_BYTES * part->first_index, UNSIGNED_INT,
                      part->index_count, "SCALAR", NULL);
+    }
+    size_t first = 0;
+    for (int i = 0; i < plan->line_count; i++) {
+        const taut_mesh_line *line = &plan->lines[i];
+        glb_part box;
+        box_of(plan, line->count, line->points[0], &box);
+        put_accessor(out, views_of(plan), VECTOR_BYTES * first, FLOAT, line->count, "VEC3", &box);
+        first += line->count;
     }
     taut_json_close(out, ']');
 }
@@ -261,6 +343,9 @@ static void put_buffers(taut_json_out *out, const glb_plan *plan)
         end = put_view(out, end, COLOUR_BYTES * vertices, COLOUR_BYTES);
     }
     end = put_view(out, end, INDEX_BYTES * plan->index_count, 0);
+    if (plan->line_count > 0) {
+        end = put_view(out, end, VECTOR_BYTES * line_places(plan), VECTOR_BYTES);
+    }
     taut_json_close(out, ']');
     taut_json_open_pair(out, "buffers", '[');
     taut_json_open_inline(out, '{');
@@ -290,7 +375,9 @@ static taut_status write_document(const glb_plan *plan, const taut_model *model,
     return TAUT_OK;
 }
 
-static const double far_off = 16; /* sizes from the origin: four bits of 24 */
+static const double lift_share = 1e-3; /* of seams off the surface: what chords may be off it */
+static const double no_strain = 1e-9;  /* rounding of pieces without any */
+static const double far_off = 16;      /* sizes from the origin: four bits of 24 */
 
 /* The box of all vertices, and the origin of the positions in the file. */
 static void choose_origin(glb_plan *plan)
@@ -306,28 +393,15 @@ static void choose_origin(glb_plan *plan)
     for (int c = 0; c < 3; c++) {
         size = fmax(size, hi[c] - lo[c]);
     }
+    plan->size = size;
     for (int c = 0; c < 3; c++) {
         plan->origin[c] = reach > far_off * size ? lo[c] / 2 + hi[c] / 2 : 0;
     }
 }
 
-/* The box of one group as its positions are written: single precision, off the origin. */
-static void choose_box(glb_plan *plan, const taut_mesh_group *group, glb_part *part)
-{
-    const double *positions = taut_mesh_positions(plan->mesh) + 3 * group->first_vertex;
-    for (int c = 0; c < 3; c++) {
-        part->lo[c] = INFINITY;
-        part->hi[c] = -INFINITY;
-    }
-    for (size_t i = 0; i < 3 * (size_t)group->nu * (size_t)group->nv; i++) {
-        const double x = (float)(positions[i] - plan->origin[i % 3]);
-        part->lo[i % 3] = fmin(part->lo[i % 3], x);
-        part->hi[i % 3] = fmax(part->hi[i % 3], x);
-    }
-}
-
-/* The value of the colour at every vertex, and the range that the colours show. */
-static taut_status choose_colours(glb_plan *plan, const taut_model *model, int threads)
+/* The curvature asked for at every vertex. */
+static taut_status choose_curvature(const glb_plan *plan, const taut_model *model, int threads,
+                                    double *values)
 {
     const size_t vertices = taut_mesh_vertex_count(plan->mesh);
     static const int fields_of[] = {[TAUT_COLOUR_MEAN] = TAUT_FIELD_H,
@@ -335,10 +409,7 @@ static taut_status choose_colours(glb_plan *plan, const taut_model *model, int t
                                     [TAUT_COLOUR_ISOTHERMALITY] = TAUT_FIELD_I};
     const int field = fields_of[plan->colour];
     double *fields = taut_arena_take(plan->arena, vertices, TAUT_FIELDS * sizeof(double));
-    double *sorted = taut_arena_take(plan->arena, vertices, sizeof(double));
-    double *values = taut_arena_take(plan->arena, vertices, sizeof(double));
     taut_status status = taut_arena_status(plan->arena);
-    int cut = 0;
 
     for (int g = 0; status == TAUT_OK && g < plan->count; g++) {
         const taut_mesh_group *group = taut_mesh_group_at(plan->mesh, g);
@@ -349,11 +420,33 @@ static taut_status choose_colours(glb_plan *plan, const taut_model *model, int t
         return status;
     }
     for (size_t i = 0; i < vertices; i++) {
-        const double value = fields[TAUT_FIELDS * i + (size_t)field];
-        values[i] = sorted[i] = isfinite(value) ? value : nan("");
+        values[i] = fields[TAUT_FIELDS * i + (size_t)field];
+    }
+    return TAUT_OK;
+}
+
+/* The value of the colour at every vertex, and the range that the colours show. */
+static taut_status choose_colours(glb_plan *plan, const taut_model *model, int threads)
+{
+    const size_t vertices = taut_mesh_vertex_count(plan->mesh);
+    const int is_strain = plan->colour == TAUT_COLOUR_PLAIN;
+    double *sorted = taut_arena_take(plan->arena, vertices, sizeof(double));
+    double *values = taut_arena_take(plan->arena, vertices, sizeof(double));
+    taut_status status = taut_arena_status(plan->arena);
+    int cut = 0;
+
+    if (status == TAUT_OK) {
+        status = is_strain ? taut_mesh_strains(model, plan->mesh, plan->arena, values)
+                           : choose_curvature(plan, model, threads, values);
+    }
+    if (status != TAUT_OK) {
+        return status;
+    }
+    for (size_t i = 0; i < vertices; i++) {
+        values[i] = sorted[i] = isfinite(values[i]) ? values[i] : nan("");
     }
     plan->values = values;
-    plan->limit = taut_colour_limit(vertices, sorted, 0x1p-1000, &cut);
+    plan->limit = taut_colour_limit(vertices, sorted, is_strain ? no_strain : 0x1p-1000, &cut);
     return TAUT_OK;
 }
 
@@ -370,7 +463,8 @@ static taut_status plan_file(glb_plan *plan, const taut_model *model,
     for (int g = 0; g < plan->count; g++) {
         const taut_mesh_group *group = taut_mesh_group_at(plan->mesh, g);
         glb_part *part = &plan->parts[g];
-        choose_box(plan, group, part);
+        box_of(plan, (size_t)group->nu * (size_t)group->nv,
+               taut_mesh_positions(plan->mesh) + 3 * group->first_vertex, part);
         part->first_index = plan->index_count;
         part->index_count = 3 * taut_mesh_out_count(plan->mesh, group);
         part->keeps_all = part->index_count == 0; /* glTF has no primitive without an index */
@@ -380,14 +474,29 @@ static taut_status plan_file(glb_plan *plan, const taut_model *model,
         }
         plan->index_count += part->index_count;
     }
-    return plan->colour != TAUT_COLOUR_PLAIN ? choose_colours(plan, model, options->threads)
-                                             : TAUT_OK;
+    if (plan->is_cloth && options->surface == NULL &&
+        taut_mesh_lines(model, lift_share * plan->size, plan->arena, &plan->line_count,
+                        &plan->lines) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    return plan->is_cloth || plan->colour != TAUT_COLOUR_PLAIN
+               ? choose_colours(plan, model, options->threads)
+               : TAUT_OK;
+}
+
+static void write_colour(taut_sink *sink, taut_ink ink)
+{
+    taut_mesh_out_u16(sink, (unsigned)lround(65535 * linear_share(ink.r)));
+    taut_mesh_out_u16(sink, (unsigned)lround(65535 * linear_share(ink.g)));
+    taut_mesh_out_u16(sink, (unsigned)lround(65535 * linear_share(ink.b)));
+    taut_mesh_out_u16(sink, 65535);
 }
 
 static void write_vertices(taut_sink *sink, const glb_plan *plan, const double *normals)
 {
     const size_t vertices = taut_mesh_vertex_count(plan->mesh);
     const double *positions = taut_mesh_positions(plan->mesh);
+    const taut_ink plain = taut_colour_plain(0);
     for (size_t i = 0; i < 3 * vertices; i++) {
         taut_mesh_out_f32(sink, positions[i] - plan->origin[i % 3]);
     }
@@ -395,11 +504,10 @@ static void write_vertices(taut_sink *sink, const glb_plan *plan, const double *
         taut_mesh_out_f32(sink, normals[i]);
     }
     for (size_t i = 0; plan->values != NULL && i < vertices; i++) {
-        const taut_ink ink = taut_colour_diverging(plan->values[i] / plan->limit);
-        taut_mesh_out_u16(sink, (unsigned)lround(65535 * linear_share(ink.r)));
-        taut_mesh_out_u16(sink, (unsigned)lround(65535 * linear_share(ink.g)));
-        taut_mesh_out_u16(sink, (unsigned)lround(65535 * linear_share(ink.b)));
-        taut_mesh_out_u16(sink, 65535);
+        const double value = plan->values[i];
+        write_colour(sink, plan->colour == TAUT_COLOUR_PLAIN && isnan(value)
+                               ? plain /* the surface that is cut */
+                               : taut_colour_diverging(value / plan->limit));
     }
 }
 
@@ -415,6 +523,16 @@ static void write_indices(taut_sink *sink, const glb_plan *plan)
                 taut_mesh_out_u32(sink, triangle[taut_mesh_out_corner(group, 3, i % 3)] -
                                             (uint32_t)group->first_vertex);
             }
+        }
+    }
+}
+
+static void write_lines(taut_sink *sink, const glb_plan *plan)
+{
+    for (int i = 0; i < plan->line_count; i++) {
+        const double *points = plan->lines[i].points[0];
+        for (size_t k = 0; k < 3 * plan->lines[i].count; k++) {
+            taut_mesh_out_f32(sink, points[k] - plan->origin[k % 3]);
         }
     }
 }
@@ -445,6 +563,7 @@ static taut_status write_file(const glb_plan *plan, const taut_model *model, FIL
     taut_sink_bytes(&sink, "BIN", 4);
     write_vertices(&sink, plan, normals);
     write_indices(&sink, plan);
+    write_lines(&sink, plan);
     taut_free(text);
     taut_free(normals);
     return taut_mesh_out_finish(&sink, error);
@@ -482,15 +601,21 @@ static taut_status write_glb(const taut_model *model, const taut_write_options *
                              taut_error *error)
 {
     glb_plan plan = {.arena = NULL, .colour = options->colour};
-    taut_status status = TAUT_OK;
+    taut_model *spread = NULL;
 
     if (plan.colour >= TAUT_COLOUR_GAP) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "glb files show H, K or I; gap, warp and weft are for figures");
     }
+    if (taut_flat_spread(model, &spread) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    plan.is_cloth = spread != NULL;
     plan.arena = taut_arena_new();
-    status = write_planned(&plan, model, options, out, error);
+    const taut_status status =
+        write_planned(&plan, spread != NULL ? spread : model, options, out, error);
     taut_arena_free(plan.arena);
+    taut_model_free(spread);
     return status;
 }
 
