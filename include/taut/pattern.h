@@ -247,6 +247,56 @@ TAUT_API taut_status taut_pattern_make(const taut_pattern_problem *problem,
                                        const taut_make_options *options, taut_model **model,
                                        taut_error *error);
 
+/* ---- what a finished pattern says, as structs: of its details, which belong to the model, as do its surfaces and curves ---- */
+
+/* An edge of a piece. What there is not is NaN or NULL; lengths in the model's unit, areas in its square. */
+typedef struct taut_pattern_sewn_edge {
+    const char *seam;       /* that it is sewn along; NULL: none */
+    double part[2];         /* of the seam, from .. to, shares of its length */
+    double length;          /* on the surface */
+    double flat_length;     /* of the line to sew along */
+    double allowance;       /* left beyond it */
+    const taut_curve *line; /* to sew along, as s or t grows: P1.right */
+} taut_pattern_sewn_edge;
+
+/* A flat piece: `edges` right, end, left, start. */
+typedef struct taut_pattern_flat_piece {
+    const char *name;         /* "P1" */
+    const taut_surface *flat; /* z = 0, over (s, t) in [0, 1]^2 */
+    const taut_curve *cut; /* the outline, counter-clockwise from the corner of right and start */
+    taut_pattern_sewn_edge edges[4];
+    double area, flat_area, cut_area; /* on the surface, flat, with allowances */
+    double curvature;                 /* the integral of K */
+    double extent[2];                 /* along and across the warp, with allowances */
+    double strain[2]; /* principal ones beyond the compensation, least and largest */
+    double energy;
+    double on_roll[2]; /* where its origin is */
+    int is_turned;     /* by half a turn about it */
+} taut_pattern_flat_piece;
+
+/* A seam. */
+typedef struct taut_pattern_sewn_seam {
+    const char *name, *kind; /* "S1", "geodesic", "line" or "curve" */
+    const taut_curve *curve; /* on the surface */
+    double length, flat_length;
+    double stretch[2];   /* flat over mounted length, least and largest */
+    double disagreement; /* largest difference of the stretches that both sides have alone */
+    int piece_count, mark_count;
+} taut_pattern_sewn_seam;
+
+/* How many there are; 0 of a model that is no pattern. */
+TAUT_API int taut_pattern_piece_count(const taut_model *cloth);
+TAUT_API int taut_pattern_seam_count(const taut_model *cloth);
+
+/* One of them, i from 0. TAUT_BAD_ARGUMENT: there is none. */
+TAUT_API taut_status taut_pattern_piece_at(const taut_model *cloth, int i,
+                                           taut_pattern_flat_piece *piece, taut_error *error);
+/* A seam; the names of the pieces along it, const char *pieces[piece_count], and its marks, double marks[mark_count], lengths of the
+ * surface from its beginning; each NULL: not asked for. rooms: for so many pieces and marks; TAUT_BAD_ARGUMENT where one is too small. */
+TAUT_API taut_status taut_pattern_seam_at(const taut_model *cloth, int i, const int rooms[2],
+                                          const char **pieces, double *marks,
+                                          taut_pattern_sewn_seam *seam, taut_error *error);
+
 /* The certificate: claims surface, cover, on-surface, geodesic, seams, lengths, no-fold, no-overlap, stationary, stable, isometric,
  * strain, exhausts, roll; docs/pattern.md says what each is held against. */
 TAUT_API taut_status taut_pattern_certify(const taut_model *model,

@@ -416,6 +416,21 @@
     X(taut_pattern_compensation, has_seam, "int") \
     X(taut_pattern_compensation, seam, "double")
 
+#define TAUT_ABI_MEMBERS_taut_pattern_flat_piece(X) \
+    X(taut_pattern_flat_piece, name, "const char *") \
+    X(taut_pattern_flat_piece, flat, "const taut_surface *") \
+    X(taut_pattern_flat_piece, cut, "const taut_curve *") \
+    X(taut_pattern_flat_piece, edges, "taut_pattern_sewn_edge[4]") \
+    X(taut_pattern_flat_piece, area, "double") \
+    X(taut_pattern_flat_piece, flat_area, "double") \
+    X(taut_pattern_flat_piece, cut_area, "double") \
+    X(taut_pattern_flat_piece, curvature, "double") \
+    X(taut_pattern_flat_piece, extent, "double[2]") \
+    X(taut_pattern_flat_piece, strain, "double[2]") \
+    X(taut_pattern_flat_piece, energy, "double") \
+    X(taut_pattern_flat_piece, on_roll, "double[2]") \
+    X(taut_pattern_flat_piece, is_turned, "int")
+
 #define TAUT_ABI_MEMBERS_taut_pattern_held(X) \
     X(taut_pattern_held, borders, "int[4]") \
     X(taut_pattern_held, edges, "int[4]")
@@ -476,6 +491,25 @@
     X(taut_pattern_seam_allowance, seam, "const char *") \
     X(taut_pattern_seam_allowance, right, "double") \
     X(taut_pattern_seam_allowance, left, "double")
+
+#define TAUT_ABI_MEMBERS_taut_pattern_sewn_edge(X) \
+    X(taut_pattern_sewn_edge, seam, "const char *") \
+    X(taut_pattern_sewn_edge, part, "double[2]") \
+    X(taut_pattern_sewn_edge, length, "double") \
+    X(taut_pattern_sewn_edge, flat_length, "double") \
+    X(taut_pattern_sewn_edge, allowance, "double") \
+    X(taut_pattern_sewn_edge, line, "const taut_curve *")
+
+#define TAUT_ABI_MEMBERS_taut_pattern_sewn_seam(X) \
+    X(taut_pattern_sewn_seam, name, "const char *") \
+    X(taut_pattern_sewn_seam, kind, "const char *") \
+    X(taut_pattern_sewn_seam, curve, "const taut_curve *") \
+    X(taut_pattern_sewn_seam, length, "double") \
+    X(taut_pattern_sewn_seam, flat_length, "double") \
+    X(taut_pattern_sewn_seam, stretch, "double[2]") \
+    X(taut_pattern_sewn_seam, disagreement, "double") \
+    X(taut_pattern_sewn_seam, piece_count, "int") \
+    X(taut_pattern_sewn_seam, mark_count, "int")
 
 #define TAUT_ABI_MEMBERS_taut_pipe_axis(X) \
     X(taut_pipe_axis, kind, "taut_pipe_axis_kind") \
@@ -779,6 +813,7 @@
     X(taut_pattern_at) \
     X(taut_pattern_cloth) \
     X(taut_pattern_compensation) \
+    X(taut_pattern_flat_piece) \
     X(taut_pattern_held) \
     X(taut_pattern_hem) \
     X(taut_pattern_marks) \
@@ -787,6 +822,8 @@
     X(taut_pattern_problem) \
     X(taut_pattern_rule) \
     X(taut_pattern_seam_allowance) \
+    X(taut_pattern_sewn_edge) \
+    X(taut_pattern_sewn_seam) \
     X(taut_pipe_axis) \
     X(taut_pipe_ellipse) \
     X(taut_pipe_end) \

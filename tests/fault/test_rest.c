@@ -11,6 +11,7 @@
 #include "taut/measure.h"
 #include "taut/operations.h"
 #include "taut/panels.h"
+#include "taut/pattern.h"
 #include "taut/read.h"
 #include "taut/recognise.h"
 #include "taut/write.h"
@@ -223,6 +224,21 @@ static const char problem_text[] =
     " \"v\": {\"type\": \"bezier\", \"degree\": 1},\n"
     " \"points\": [[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], null]]}\n";
 
+/* A piece and a seam of a pattern, of which little is told; the model's own. */
+static taut_model *little_cloth(void)
+{
+    taut_model *cloth = NULL;
+    taut_record *details = taut_record_new();
+    CHECK(taut_model_new(&cloth) == TAUT_OK, "a model");
+    taut_record_add_text(details, "pattern", "cloth");
+    taut_record_add_text(taut_record_add_object(taut_record_add_list(details, "pieces"), NULL),
+                         "name", "P1");
+    taut_record_add_text(taut_record_add_object(taut_record_add_list(details, "seams"), NULL),
+                         "name", "S1");
+    taut_model_set_details(cloth, details);
+    return cloth;
+}
+
 /* What tests/fault/no_memory.txt says takes none. */
 static void test_no_memory(const taut_surface *surface, const taut_curve *curve, taut_model *model)
 {
@@ -232,7 +248,12 @@ static void test_no_memory(const taut_surface *surface, const taut_curve *curve,
     taut_forms forms;
     const double half = 0.5;
     int word = 0;
+    taut_pattern_flat_piece piece;
+    taut_pattern_sewn_seam seam;
+    taut_model *cloth = little_cloth();
     fault_arm(1000, 0);
+    CHECK(taut_pattern_piece_at(cloth, 0, &piece, NULL) == TAUT_OK, "piece");
+    CHECK(taut_pattern_seam_at(cloth, 0, NULL, NULL, NULL, &seam, NULL) == TAUT_OK, "seam");
     CHECK(taut_basis_eval(taut_curve_t(curve), 0, 0.5, 2, values) == TAUT_OK, "basis");
     CHECK(taut_curve_eval(curve, 0.5, 2, values) == TAUT_OK, "curve");
     CHECK(taut_surface_eval(surface, 0.5, 0.5, 2, values) == TAUT_OK, "surface");
@@ -245,6 +266,7 @@ static void test_no_memory(const taut_surface *surface, const taut_curve *curve,
     (void)taut_surface_recognise(surface, &member, NULL); /* whatever it finds */
     CHECK(fault_counted() == 0, "%ld allocations", fault_counted());
     fault_disarm();
+    taut_model_free(cloth);
 }
 
 int main(void)
