@@ -16,6 +16,7 @@
 #include "core/elementary/elementary.h"
 #include "core/fail.h"
 #include "numeric/quadrature.h"
+#include "numeric/wide.h"
 
 #include <float.h>
 #include <math.h>
@@ -56,9 +57,7 @@ static void combine_nets(const neighbour *b, const taut_twice *factors, taut_twi
     const size_t numbers = numbers_of(b);
     memset(to, 0, numbers * sizeof *to);
     for (int f = 0; f < b->space.count; f++) {
-        for (size_t k = 0; k < numbers; k++) {
-            to[k] = taut_twice_gain(to[k], factors[f], b->space.nets[(size_t)f * numbers + k]);
-        }
+        taut_wide_gain((int)numbers, factors[f], b->space.nets + (size_t)f * numbers, to);
     }
 }
 
@@ -174,10 +173,8 @@ static void fill_polygons(const neighbour *b, const taut_twice *net, const taut_
     memset(polygons, 0, 3 * (size_t)size * sizeof *polygons);
     for (int order = 0; order < 3; order++) {
         for (int i = 0; i < size; i++) {
-            for (int j = 0; j < size; j++) {
-                taut_twice *const at = polygons + (2 - order) * size + j;
-                *at = taut_twice_gain(*at, bu[order * size + i], net[i * size + j]);
-            }
+            taut_wide_gain(size, bu[order * size + i], net + i * size,
+                           polygons + (2 - order) * size);
         }
     }
 }
@@ -210,8 +207,9 @@ static taut_status minimise_bending(const neighbour *b, taut_twice *y, taut_erro
     taut_twice *r = taut_arena_take(arena, (size_t)b->free * (size_t)width, sizeof *r);
     taut_twice *block = taut_arena_take(arena, 3 * (size_t)nodes * (size_t)width, sizeof *block);
     taut_twice *table = taut_arena_take(arena, 3 * (size_t)nodes * (size_t)size, sizeof *table);
+    taut_twice *scratch = taut_arena_take(arena, (size_t)width, sizeof *scratch);
 
-    if (r == NULL || block == NULL || table == NULL) {
+    if (r == NULL || block == NULL || table == NULL || scratch == NULL) {
         return taut_fail_memory(error);
     }
     taut_gauss_rule(nodes, t, w);
@@ -230,13 +228,13 @@ static taut_status minimise_bending(const neighbour *b, taut_twice *y, taut_erro
                               block + 3 * q * width + k);
             }
         }
-        taut_wide_append(b->free, width, r, 3 * nodes, block);
+        taut_wide_append(b->free, width, r, 3 * nodes, block, scratch);
     }
+    taut_wide_back(b->free, width, r);
     for (int side = 0; side < b->sides; side++) {
         for (int k = 0; k < b->free; k++) {
             y[side * b->free + k] = taut_twice_negative(r[k * width + b->free + side]);
         }
-        taut_wide_back(b->free, width, r, 1, y + side * b->free);
     }
     return TAUT_OK;
 }

@@ -4,6 +4,7 @@
 
 #include "construct/harmonic/growth.h"
 #include "construct/harmonic/lidstone.h"
+#include "numeric/wide.h"
 #include "taut/limits.h"
 
 #include <math.h>
@@ -47,10 +48,7 @@ static void add_product(int n, int m, const taut_twice *factor, const taut_twice
                         taut_twice *net)
 {
     for (int i = 0; i <= n; i++) {
-        for (int c = 0; c < 3 * (m + 1); c++) {
-            taut_twice *const at = net + i * 3 * (m + 1) + c;
-            *at = taut_twice_gain(*at, factor[i], points[c]);
-        }
+        taut_wide_gain(3 * (m + 1), factor[i], points, net + i * 3 * (m + 1));
     }
 }
 

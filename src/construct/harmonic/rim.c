@@ -3,6 +3,7 @@
 #include "construct/harmonic/growth.h"
 #include "construct/harmonic/wide_solve.h"
 #include "numeric/quadrature.h"
+#include "numeric/wide.h"
 
 #include <math.h>
 #include <string.h>
@@ -67,10 +68,11 @@ int taut_rim_solve(const taut_space *space, taut_arena *arena, taut_rim *boundar
     double t[TAUT_GAUSS_MAX], w[TAUT_GAUSS_MAX];
     taut_twice *r = taut_arena_take(arena, (size_t)unknowns * (size_t)width, sizeof *r);
     taut_twice *block = taut_arena_take(arena, (size_t)nodes * (size_t)width, sizeof *block);
+    taut_twice *scratch = taut_arena_take(arena, (size_t)width, sizeof *scratch);
     taut_twice *response =
         taut_arena_take(arena, (size_t)unknowns * (size_t)points, sizeof *response);
 
-    if (r == NULL || block == NULL || response == NULL) {
+    if (r == NULL || block == NULL || scratch == NULL || response == NULL) {
         return 0;
     }
     taut_gauss_rule(nodes, t, w);
@@ -88,13 +90,11 @@ int taut_rim_solve(const taut_space *space, taut_arena *arena, taut_rim *boundar
                 row[unknowns + k] = taut_twice_times(weight, point_on_side(space, side, k, along));
             }
         }
-        taut_wide_append(unknowns, width, r, nodes, block);
+        taut_wide_append(unknowns, width, r, nodes, block, scratch);
     }
-    for (int k = 0; k < points; k++) {
-        taut_wide_back(unknowns, width, r, width, r + unknowns + k);
-        for (int i = 0; i < unknowns; i++) {
-            response[i * points + k] = r[i * width + unknowns + k];
-        }
+    taut_wide_back(unknowns, width, r);
+    for (int i = 0; i < unknowns; i++) {
+        memcpy(response + i * points, r + i * width + unknowns, (size_t)points * sizeof *r);
     }
     *boundary = (taut_rim){space, points, response};
     return 1;
@@ -117,21 +117,15 @@ static void improve_net(const taut_rim *boundary, const double *given, taut_twic
     }
     for (int f = 0; f < space->count; f++) {
         const taut_twice *response = boundary->response + f * boundary->count;
-        for (int c = 0; c < 3; c++) {
-            taut_twice sum = {0, 0};
-            for (int k = 0; k < boundary->count; k++) {
-                sum = taut_twice_gain(sum, response[k], rest[3 * k + c]);
-            }
-            coefficients[3 * f + c] = sum;
+        memset(coefficients + 3 * f, 0, 3 * sizeof *coefficients);
+        for (int k = 0; k < boundary->count; k++) {
+            taut_wide_gain(3, response[k], rest + 3 * k, coefficients + 3 * f);
         }
     }
     for (int f = 0; f < space->count; f++) {
         const taut_twice *function = space->nets + (size_t)f * (size_t)numbers;
         for (int k = 0; k < numbers; k++) {
-            for (int c = 0; c < 3; c++) {
-                taut_twice *const at = net + 3 * k + c;
-                *at = taut_twice_gain(*at, coefficients[3 * f + c], function[k]);
-            }
+            taut_wide_gain(3, function[k], coefficients + 3 * f, net + 3 * k);
         }
     }
 }
@@ -159,13 +153,14 @@ double taut_rim_amplification(const taut_rim *boundary)
 
     for (int at = 0; at < numbers; at++) {
         double sum = 0;
+        taut_twice entries[4 * TAUT_SPACE_DEGREE_MAX];
+        memset(entries, 0, (size_t)boundary->count * sizeof *entries);
+        for (int f = 0; f < space->count; f++) {
+            taut_wide_gain(boundary->count, space->nets[(size_t)f * (size_t)numbers + (size_t)at],
+                           boundary->response + f * boundary->count, entries);
+        }
         for (int k = 0; k < boundary->count; k++) {
-            taut_twice entry = {0, 0};
-            for (int f = 0; f < space->count; f++) {
-                entry = taut_twice_gain(entry, boundary->response[f * boundary->count + k],
-                                        space->nets[(size_t)f * (size_t)numbers + (size_t)at]);
-            }
-            sum += fabs(taut_twice_round(entry));
+            sum += fabs(taut_twice_round(entries[k]));
         }
         most = taut_larger_growth(most, sum);
     }

@@ -1,10 +1,14 @@
 #include "construct/harmonic/wide_solve.h"
 
+#include "numeric/wide.h"
+
 #include <string.h>
 
 /* The reflection of column k that takes block[.][k] to zero against r[k][k]. */
-static void reflect_column(int k, int n, taut_twice *r, int rows, taut_twice *block)
+static void reflect_column(int k, int n, taut_twice *r, int rows, taut_twice *block,
+                           taut_twice *dots)
 {
+    const int rest = n - k - 1;
     taut_twice sum = {0, 0};
     for (int i = 0; i < rows; i++) {
         sum = taut_twice_gain(sum, block[i * n + k], block[i * n + k]);
@@ -18,34 +22,43 @@ static void reflect_column(int k, int n, taut_twice *r, int rows, taut_twice *bl
     const taut_twice first = taut_twice_less(head, norm);
     const taut_twice scale = taut_twice_over(taut_twice_of(-2), taut_twice_gain(sum, first, first));
     for (int j = k + 1; j < n; j++) {
-        taut_twice dot = taut_twice_times(first, r[k * n + j]);
-        for (int i = 0; i < rows; i++) {
-            dot = taut_twice_gain(dot, block[i * n + k], block[i * n + j]);
-        }
-        dot = taut_twice_times(scale, dot);
-        r[k * n + j] = taut_twice_gain(r[k * n + j], dot, first);
-        for (int i = 0; i < rows; i++) {
-            block[i * n + j] = taut_twice_gain(block[i * n + j], dot, block[i * n + k]);
-        }
+        dots[j] = taut_twice_times(first, r[k * n + j]);
+    }
+    for (int i = 0; i < rows; i++) {
+        taut_wide_gain(rest, block[i * n + k], block + i * n + k + 1, dots + k + 1);
+    }
+    for (int j = k + 1; j < n; j++) {
+        dots[j] = taut_twice_times(scale, dots[j]);
+    }
+    taut_wide_gain(rest, first, dots + k + 1, r + k * n + k + 1);
+    for (int i = 0; i < rows; i++) {
+        taut_wide_gain(rest, block[i * n + k], dots + k + 1, block + i * n + k + 1);
     }
     r[k * n + k] = norm;
 }
 
-void taut_wide_append(int columns, int n, taut_twice *r, int rows, taut_twice *block)
+void taut_wide_append(int columns, int n, taut_twice *r, int rows, taut_twice *block,
+                      taut_twice *scratch)
 {
     for (int k = 0; k < columns; k++) {
-        reflect_column(k, n, r, rows, block);
+        reflect_column(k, n, r, rows, block, scratch);
     }
 }
 
-void taut_wide_back(int columns, int n, const taut_twice *r, ptrdiff_t stride, taut_twice *x)
+void taut_wide_back(int columns, int n, taut_twice *r)
 {
+    const int sides = n - columns;
     for (int k = columns - 1; k >= 0; k--) {
-        taut_twice sum = taut_twice_negative(x[k * stride]);
-        for (int j = k + 1; j < columns; j++) {
-            sum = taut_twice_gain(sum, r[k * n + j], x[j * stride]);
+        taut_twice *x = r + k * n + columns;
+        for (int s = 0; s < sides; s++) {
+            x[s] = taut_twice_negative(x[s]);
         }
-        x[k * stride] = taut_twice_over(taut_twice_negative(sum), r[k * n + k]);
+        for (int j = k + 1; j < columns; j++) {
+            taut_wide_gain(sides, r[k * n + j], r + j * n + columns, x);
+        }
+        for (int s = 0; s < sides; s++) {
+            x[s] = taut_twice_over(taut_twice_negative(x[s]), r[k * n + k]);
+        }
     }
 }
 
@@ -63,12 +76,8 @@ static void project_row(int n, const taut_twice *unit, taut_twice *row, int side
                         const taut_twice *unit_side, taut_twice *side)
 {
     const taut_twice share = taut_twice_negative(dot_rows(n, unit, row));
-    for (int i = 0; i < n; i++) {
-        row[i] = taut_twice_gain(row[i], share, unit[i]);
-    }
-    for (int s = 0; s < sides; s++) {
-        side[s] = taut_twice_gain(side[s], share, unit_side[s]);
-    }
+    taut_wide_gain(n, share, unit, row);
+    taut_wide_gain(sides, share, unit_side, side);
 }
 
 static int find_longest(int rows, int n, const taut_twice *c)
@@ -141,9 +150,7 @@ void taut_wide_constrain(int rows, int n, int rank, int sides, taut_twice *c, ta
         }
         for (int s = 0; s < sides; s++) {
             side[s] = taut_twice_over(side[s], size);
-            for (int i = 0; i < n; i++) {
-                x[s * n + i] = taut_twice_gain(x[s * n + i], side[s], row[i]);
-            }
+            taut_wide_gain(n, side[s], row, x + s * n);
         }
         for (int i = k + 1; i < rows; i++) {
             project_row(n, row, c + i * n, sides, side, d + i * sides);

@@ -4,16 +4,15 @@
 
 #include "core/twice.h"
 
-#include <stddef.h>
-
 /* Adds rows to a triangle: r'r becomes r'r + block'block ([GolubVanLoan2013] 5.2, Householder).
  *     r      [n][n], the upper triangle used, zero before the first call
- *     block  [rows][n], destroyed
+ *     block  [rows][n], destroyed; scratch [n]
  * Right-hand sides are further columns: only the first `columns` are eliminated. */
-void taut_wide_append(int columns, int n, taut_twice *r, int rows, taut_twice *block);
+void taut_wide_append(int columns, int n, taut_twice *r, int rows, taut_twice *block,
+                      taut_twice *scratch);
 
-/* x <- r^-1 x for the leading columns x columns triangle of r [n][n]; x[i * stride]. */
-void taut_wide_back(int columns, int n, const taut_twice *r, ptrdiff_t stride, taut_twice *x);
+/* The right-hand sides x, the columns of r [columns][n] beyond the triangle, become r^-1 x. */
+void taut_wide_back(int columns, int n, taut_twice *r);
 
 /* The affine solution set of c x = d for a consistent system of known rank, by Gram-Schmidt with
  * the longest row next, each orthogonalised twice.
