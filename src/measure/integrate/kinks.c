@@ -27,16 +27,16 @@ static double area_of(const taut_job *job, const taut_rectangle *r)
            ldexp(r->hi[1] - r->lo[1], -job->scaled.shift[1]);
 }
 
-/* n[0] becomes the component of the vectors n along the largest one; returns that one's size. The
- * smallest size goes to *least, the largest part across that line to *across. */
-static double project_on_line(double *const n[3], int count, double *least, double *across)
+/* The size of the largest of the vectors n, along `unit`; the smallest size goes to *least. */
+static double find_largest(double *const n[3], int count, double unit[3], double *least)
 {
-    double largest = 0, unit[3] = {0, 0, 1};
+    double largest = 0;
     *least = INFINITY;
-    *across = 0;
+    unit[0] = unit[1] = 0;
+    unit[2] = 1;
     for (int k = 0; k < count; k++) {
         const double w = sqrt(n[0][k] * n[0][k] + n[1][k] * n[1][k] + n[2][k] * n[2][k]);
-        *least = fmin(*least, w);
+        *least = w < *least ? w : *least; /* a call of fmin takes longer than the rest */
         if (w > largest) {
             largest = w;
             for (int c = 0; c < 3; c++) {
@@ -44,22 +44,30 @@ static double project_on_line(double *const n[3], int count, double *least, doub
             }
         }
     }
+    return largest;
+}
+
+/* n[0] becomes the component of the vectors n along `unit`; returns the largest part across it. */
+static double project_on_line(double *const n[3], int count, const double unit[3])
+{
+    double most = 0;
     for (int k = 0; k < count; k++) {
         const double along = unit[0] * n[0][k] + unit[1] * n[1][k] + unit[2] * n[2][k];
         for (int c = 0; c < 3; c++) {
-            *across = fmax(*across, fabs(n[c][k] - along * unit[c]));
+            const double across = fabs(n[c][k] - along * unit[c]);
+            most = across > most ? across : most;
         }
         n[0][k] = along;
     }
-    return largest;
+    return most;
 }
 
 static int comes_near_zero(const double *f, int count)
 {
     double lo = INFINITY, hi = -INFINITY;
     for (int k = 0; k < count; k++) {
-        lo = fmin(lo, f[k]);
-        hi = fmax(hi, f[k]);
+        lo = f[k] < lo ? f[k] : lo;
+        hi = f[k] > hi ? f[k] : hi;
     }
     return !(lo > suspicion * hi) && !(hi < suspicion * lo);
 }
@@ -83,7 +91,7 @@ void taut_arguments_take(const taut_job *job, const taut_worker *worker, int lad
     const int count = job->rules.at[ladder][0][level].count * job->rules.at[ladder][1][level].count;
     const int field[2] = {0, 2 * in->count - 2};
     double *const *kept = worker->cell.kept;
-    double least = 0, across = 0, largest = 0;
+    double least = 0, largest = 0, unit[3];
 
     for (int k = 0; k < 2; k++) {
         a->had[k] = a->near[k];
@@ -99,9 +107,9 @@ void taut_arguments_take(const taut_job *job, const taut_worker *worker, int lad
         value[field[1]] > in->goals[in->count - 1].floor * value[field[1] + 1]) {
         take_fit(job, ladder, level, kept[3], 1, a);
     }
-    largest = project_on_line(kept, count, &least, &across);
+    largest = find_largest(kept, count, unit, &least);
     if (largest > 0 && !(least > suspicion * largest)) {
-        if (across <= 64 * DBL_EPSILON * largest) {
+        if (project_on_line(kept, count, unit) <= 64 * DBL_EPSILON * largest) {
             take_fit(job, ladder, level, kept[0], 0, a);
         }
         a->doubt = !a->near[0];
@@ -181,13 +189,14 @@ static double mean_shortfall(const double *f, const int count[2], double noise)
 void taut_cell_turns(const taut_job *job, taut_worker *worker, int ladder, const taut_rectangle *r,
                      double *error)
 {
-    double largest = 0, least = 0, across = 0;
+    double largest = 0, least = 0, unit[3];
     int count[2];
 
     sample_normals(job, worker, ladder, r);
     count[0] = worker->nodes[0].count;
     count[1] = worker->nodes[1].count;
-    largest = project_on_line(worker->samples, count[0] * count[1], &least, &across);
+    largest = find_largest(worker->samples, count[0] * count[1], unit, &least);
+    (void)project_on_line(worker->samples, count[0] * count[1], unit);
     error[0] =
         fmax(error[0], 2 * area_of(job, r) *
                            mean_shortfall(worker->samples[0], count, 64 * DBL_EPSILON * largest));
