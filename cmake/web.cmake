@@ -2,7 +2,7 @@
 find_program(WASM_OPT wasm-opt REQUIRED)
 # Without what nothing in a page asks for: among others flat pieces of cloth (pattern/flat), which only programs cut.
 file(GLOB_RECURSE web_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/*.c)
-list(FILTER web_sources EXCLUDE REGEX "/src/(cli|modules|page|construct/gradient)/|/io/cad/(absent|answer|cad|helper|looks|scan|sheets|wire)|/io/(csv|dxf)/|/io/geomdl/geomdl|/io/problem/(boundary_file|film_along|film_curves|film_patches)|/film/complex/|/construct/film/order|/problem/film_(complex|cells|places|ropes)|/numeric/(sparse|modes_lent)|/geometry/boundary/|/io/mesh/threemf|/io/mesh/cloth|/mesh/thicken|/shell/thick/|/io/step/assembly|/io/step/bodies|/numeric/strip|/pattern/flat/|/measure/cloth/|/(construct|certify)/pattern/|/io/flat/(cloth|spread)|avx2|avx512|/platform/(posix|windows)")
+list(FILTER web_sources EXCLUDE REGEX "/src/(cli|modules|page|construct/gradient)/|/io/cad/(absent|answer|cad|helper|looks|scan|sheets|wire)|/io/(csv|dxf)/|/io/geomdl/geomdl|/io/problem/(boundary_file|film_along|film_curves|film_patches)|/film/complex/|/problem/film_(complex|cells|places|ropes)|/numeric/(sparse|modes_lent)|/geometry/boundary/|/io/mesh/threemf|/io/mesh/cloth|/mesh/thicken|/shell/thick/|/io/step/assembly|/io/step/bodies|/numeric/strip|/pattern/flat/|/measure/cloth/|/(construct|certify)/pattern/|/io/flat/(cloth|spread)|avx2|avx512|/platform/(posix|windows)")
 # Nets of curves, and where a film is how far from least, are in the studio's module, which has room for them, and not in the one that any page may load.
 option(TAUT_WEB_NETS "The module for browsers traces nets of curves" OFF)
 if(TAUT_WEB_NETS)
@@ -30,21 +30,21 @@ add_custom_command(TARGET taut_web POST_BUILD
           $<TARGET_FILE:taut_web> -o $<TARGET_FILE:taut_web> VERBATIM)
 # Small code, but in the loops over numbers that a hand that drags waits for.
 target_compile_options(taut_web PRIVATE -Oz)
-set(loops numeric/kernel numeric/band numeric/modes geometry/grid basis/basis basis/bspline
-  construct/plateau/area construct/plateau/draft
-  construct/harmonic/lidstone)
-if(TAUT_WEB_NETS) # 3 kB by brotli, for harmonic and biharmonic surfaces in half of the time
-  list(APPEND loops construct/harmonic/space construct/harmonic/rim construct/harmonic/wide_solve construct/harmonic/complete)
-endif()
+set(loops numeric/kernel numeric/band numeric/modes numeric/wide geometry/grid basis/basis basis/bspline
+  measure/integrate/eight_ measure/integrate/cell certify/dirichlet/gradient_ construct/plateau/area construct/plateau/draft web/web)
 list(JOIN loops "|" loops)
 set(loop_sources ${web_sources})
 list(FILTER loop_sources INCLUDE REGEX "/src/(${loops})")
 set_source_files_properties(${loop_sources} PROPERTIES COMPILE_OPTIONS "-O2")
 # Kernels whose lanes lie side by side gain nothing by unrolling.
-list(FILTER loop_sources EXCLUDE REGEX "/src/(measure|certify)/")
+list(FILTER loop_sources EXCLUDE REGEX "/src/measure/integrate/cell")
 set_property(SOURCE ${loop_sources} APPEND PROPERTY COMPILE_OPTIONS -fno-unroll-loops)
 # Vectors where loops over numbers are. Not elsewhere, and not out of straight code: of that clang 14 makes wrong code with
 # them (a choice between two structs of two doubles, in certify/bonnet/proof.c, took the second where it was to take the first).
 set(vector_sources ${web_sources})
-list(FILTER vector_sources INCLUDE REGEX "/src/(numeric|geometry/grid)/|/plateau/(area_baseline|draft)\\.c")
+list(FILTER vector_sources INCLUDE REGEX "/src/(numeric|geometry/grid)/|/plateau/(area_baseline|draft)\\.c|/(eight_baseline|gradient_baseline|integrate/cell)\\.c")
 set_property(SOURCE ${vector_sources} APPEND PROPERTY COMPILE_OPTIONS -msimd128 -fno-slp-vectorize)
+# Sums and products of two doubles (core/twice.h) take less time where they are, and less room, than called.
+set(twice_sources ${web_sources})
+list(FILTER twice_sources INCLUDE REGEX "/src/construct/(bi)?harmonic/")
+set_property(SOURCE ${twice_sources} APPEND PROPERTY COMPILE_OPTIONS -mllvm -inline-threshold=60)

@@ -4,7 +4,6 @@
 #include "certify/film/complex/complex.h"
 #include "construct/construct_ops.h"
 #include "construct/film/complex/complex.h"
-#include "construct/film/order.h"
 #include "core/fail.h"
 #include "io/cad/cad.h"
 #include "io/flat/cloth.h"
@@ -241,15 +240,6 @@ void taut_film_document_cells(taut_reader *document, taut_problem *problem, taut
         document->status = taut_json_fail(&at, document->error, "not-installed", taut_none,
                                           taut_none, "%s", no_patches);
     }
-}
-
-/* A page shows a bow tie. */
-int taut_film_order_note(const taut_film_problem *problem, char *text, size_t size)
-{
-    (void)problem;
-    (void)text;
-    (void)size;
-    return 0;
 }
 
 taut_status taut_film_complex_make(const taut_film_problem *problem,
