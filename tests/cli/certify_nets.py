@@ -11,21 +11,28 @@ from program import complain, example, finish, load, run, save
 made = {}
 
 
+def problem_of(name):
+    return f"{name if isinstance(name, str) else name[0] + str(id(name))}.problem.json"
+
+
 def model_of(name):
-    """The model of an example, made once, which holds."""
+    """The model of an example, or of one and a change of it, made once, which holds."""
     if name not in made:
-        save(name + ".problem.json", example(name))
-        code, _, said = run("make", name + ".problem.json", "-o", name + ".json", "--quiet")
+        document = example(name if isinstance(name, str) else name[0])
+        if not isinstance(name, str):
+            name[1](document)
+        save(problem_of(name), document)
+        code, _, said = run("make", problem_of(name), "-o", "made.json", "--quiet")
         if code != 0:
             complain(f"{name}: exit {code}: {said}")
-        made[name] = load(name + ".json")
+        made[name] = load("made.json")
     return copy.deepcopy(made[name])
 
 
 def judge(what, model, name, false, problem=None):
     """With the problem the claim `false` does not hold, and where problem is None, nor without."""
     save("changed.json", model)
-    given = problem or name + ".problem.json"
+    given = problem or problem_of(name)
     for words in [[given]] if problem else [[given], []]:
         code, out, said = run("certify", "changed.json", *words, "--json")
         claims = json.loads(out)["claims"] if out else []
@@ -47,6 +54,8 @@ def drop(model, name):
     for key in ["laths", "domain"]:
         details[key] = [x for x in details[key] if x["name"] != name]
     details["nodes"] = [x for x in details["nodes"] if name not in re.findall("[A-Z][0-9]+", x["node"])]
+    for lath in details["laths"]:
+        lath["nodes"] = [x for x in lath["nodes"] if name not in re.findall("[A-Z][0-9]+", x[0])]
     details["pieces"] = [x for x in details.get("pieces", []) if x["lath"] != name]
     if not details["pieces"]:
         del details["pieces"]
@@ -131,6 +140,94 @@ def outlines():
         judge("an outline of words, of no lath", model, name, "pattern")
 
 
+CURVED = ("trace-principal", lambda d: d.update(seeds=[{"cells": 8}], laths={"strip": "plank", "width": 0.05},
+                                                sheet={"size": [1, 1.5]}))
+ASIDE = ("trace-principal", lambda d: d.update(seeds=[{"cells": 6, "at": [0.5, 0.3]}]))
+ENNEPER = ("trace-enneper", lambda d: d.update(seeds=[{"cells": 8}]))
+
+
+def turned_over(piece):
+    """The outline bends the other way, in the same box."""
+    low = min(y for x, y in piece["outline"])
+    high = max(y for x, y in piece["outline"])
+    piece["outline"] = [[x, min(max(low + (high - y), low), high)] for x, y in piece["outline"][::-1]]
+
+
+def bends(piece):
+    """Is it higher than it is wide?"""
+    return max(y for x, y in piece["outline"]) - min(y for x, y in piece["outline"]) > 0.051
+
+
+def askew(piece):
+    """One point is aside."""
+    piece["outline"][len(piece["outline"]) // 4][0] += 1e-3
+
+
+def exchanged(piece):
+    """The first two names of laths that cross."""
+    a, b = piece["texts"][:2]
+    a["text"], b["text"] = b["text"], a["text"]
+
+
+def other_name(piece):
+    piece["texts"][-2]["text"] = "A99"
+
+
+def upside_down(piece):
+    piece["texts"][0]["angle"] += 3.141592653589793
+
+
+def below(piece):
+    """n on the other side."""
+    middle = sum(y for x, y in piece["outline"]) / len(piece["outline"])
+    piece["texts"][-1]["at"][1] = 2 * middle - piece["texts"][-1]["at"][1]
+
+
+def drilled_elsewhere(piece):
+    for line in piece["lines"][:2]:
+        for point in line:
+            point[0] += 0.01
+
+
+def backwards(piece):
+    """The arrow."""
+    piece["lines"][-3:] = [line[::-1] for line in piece["lines"][-3:]]
+
+
+def renamed(piece):
+    piece["name"] += "x"
+
+
+def left_out(piece):
+    del piece["texts"][0]
+
+
+def flat_pieces():
+    """What is cut and drawn on it, of all pieces one after the other."""
+    everywhere = [askew, exchanged, other_name, upside_down, backwards, renamed, left_out]
+    for name, changes in [(CURVED, [turned_over, drilled_elsewhere]), ("trace-planks", [drilled_elsewhere]),
+                          ("trace-bonnet", [below])]:
+        model = model_of(name)
+        for change in everywhere + changes:
+            for k in range(0, len(model["details"]["pieces"]), 10):
+                model = model_of(name)
+                piece = model["details"]["pieces"][k]
+                if bends(piece) if change is turned_over else len(piece["texts"]) > 4:
+                    change(piece)
+                    judge(f"{change.__name__}, piece {k}", model, name, "figures")
+
+
+def corners():
+    """Each curve of a lattice left out, all those that reach corners among them; the last but for 0.2 hundredths of a part."""
+    model = model_of(ASIDE)
+    for curve in model["curves"]:
+        if curve["name"] != "A5":
+            model = model_of(ASIDE)
+            drop(model, curve["name"])
+            judge(f"{curve['name']} left out", model, ASIDE, "spacing", problem_of(ASIDE))
+    model_of(ENNEPER)  # holds
+
+
 def cloth():
     for at in (["x", "y"], [None, None]):
         model = model_of("pattern-sail")
@@ -146,5 +243,7 @@ def cloth():
 curves()
 details()
 outlines()
+flat_pieces()
+corners()
 cloth()
 finish()

@@ -25,7 +25,8 @@ typedef struct taut_net_audit {
     const taut_net_rule *rule;
     const taut_trace_problem *problem; /* or NULL: then laths are what details say they are */
     int unit;
-    double size; /* times 2^-unit */
+    double size;      /* times 2^-unit */
+    double tolerance; /* of what is drawn, over the size */
 } taut_net_audit;
 
 /* A member of a record of details; NaN, or "", where it is not there. */

@@ -16,7 +16,7 @@ enum { HEIGHTS = 16 };
 /* Of slots, unless the document says otherwise, in mm. */
 static const double play_default = 0.2;
 
-static const taut_record *nodes_of(const taut_net_audit *audit)
+const taut_record *taut_net_nodes_of(const taut_net_audit *audit)
 {
     return taut_record_get(taut_model_details(audit->lines->model), "nodes");
 }
@@ -163,7 +163,7 @@ static double own_angle_off(const taut_net_audit *audit, const taut_record *node
 
 void taut_net_crossings_look(const taut_net_audit *audit, taut_net_off *off)
 {
-    const taut_record *nodes = nodes_of(audit);
+    const taut_record *nodes = taut_net_nodes_of(audit);
     const double width = width_of(audit);
 
     for (size_t k = 0; k < taut_record_count(nodes); k++) {
@@ -211,7 +211,7 @@ static double length_at(const taut_record *node, int side)
 void taut_net_passed_look(const taut_net_audit *audit, const taut_net_line *line,
                           const taut_record *lath, taut_net_off *off)
 {
-    const taut_record *nodes = nodes_of(audit), *passed = taut_record_get(lath, "nodes");
+    const taut_record *nodes = taut_net_nodes_of(audit), *passed = taut_record_get(lath, "nodes");
     const size_t count = taut_record_count(passed);
     size_t found = 0;
 
@@ -231,8 +231,7 @@ void taut_net_passed_look(const taut_net_audit *audit, const taut_net_line *line
     taut_net_off_take(off, found == count ? 0 : INFINITY, taut_curve_name(line->space), "nodes");
 }
 
-/* The slot of a node in the list of a lath. */
-static const taut_record *slot_of(const taut_record *slots, const char *node)
+const taut_record *taut_net_slot_of(const taut_record *slots, const char *node)
 {
     for (size_t k = 0; k < taut_record_count(slots); k++) {
         if (strcmp(taut_net_text(taut_record_at(slots, k), "node"), node) == 0) {
@@ -281,7 +280,7 @@ void taut_net_slots_look(const taut_net_audit *audit, const taut_net_line *line,
                          const taut_record *lath, const taut_net_course *course, taut_net_off *off)
 {
     const taut_net_cut *cut = &course->cut;
-    const taut_record *nodes = nodes_of(audit), *slots = taut_record_get(lath, "slots");
+    const taut_record *nodes = taut_net_nodes_of(audit), *slots = taut_record_get(lath, "slots");
     const char *name = taut_curve_name(line->space);
     const int stands = cut->strip == TAUT_TRACE_STANDING || cut->strip == TAUT_TRACE_DEVELOPABLE;
     size_t count = 0;
@@ -291,136 +290,10 @@ void taut_net_slots_look(const taut_net_audit *audit, const taut_net_line *line,
         const taut_record *node = taut_record_at(nodes, k);
         const int side = side_of(audit, node, line);
         if (side >= 0) {
-            look_at_slot(audit, node, side, slot_of(slots, taut_net_text(node, "node")), course,
-                         name, off);
+            look_at_slot(audit, node, side, taut_net_slot_of(slots, taut_net_text(node, "node")),
+                         course, name, off);
             count++;
         }
     }
     taut_net_off_take(off, taut_record_count(slots) == count ? 0 : INFINITY, name, "slots");
-}
-
-/* ---- flat pieces ---- */
-
-/* Where a piece lies: the axis point at `cut`, x along (c, s). */
-typedef struct pose {
-    double at[2], c, s; /* the pattern's origin, and its x on the sheet */
-} pose;
-
-static double corner_of(const taut_record *outline, size_t k, size_t d)
-{
-    return taut_record_number(taut_record_at(taut_record_at(outline, k), d));
-}
-
-/* Both ends of the axis of an outline: the middles of its first and last point, and of the two that are halfway. */
-static void axis_ends(const taut_record *piece, double ends[2][2])
-{
-    const taut_record *outline = taut_record_get(piece, "outline");
-    const size_t count = taut_record_count(outline), half = count / 2;
-    for (size_t d = 0; d < 2; d++) {
-        ends[0][d] = (corner_of(outline, 0, d) + corner_of(outline, count - 1, d)) / 2;
-        ends[1][d] = (corner_of(outline, half - 1, d) + corner_of(outline, half, d)) / 2;
-    }
-}
-
-/* The pattern that goes from `from` to `to` laid on an axis. */
-static pose pose_of(const double from[2], const double to[2], double ends[2][2])
-{
-    const double x = to[0] - from[0], y = to[1] - from[1], square = x * x + y * y;
-    const double u = ends[1][0] - ends[0][0], v = ends[1][1] - ends[0][1];
-    pose p = {.c = (x * u + y * v) / square, .s = (x * v - y * u) / square};
-    p.at[0] = ends[0][0] - (p.c * from[0] - p.s * from[1]);
-    p.at[1] = ends[0][1] - (p.s * from[0] + p.c * from[1]);
-    return p;
-}
-
-/* How far the corners of a slot are from where they are to be, over the length. */
-static double hole_off(const taut_record *hole, const taut_record *slot,
-                       const taut_net_course_at *at, const pose *p, double half, double scale)
-{
-    const taut_record *outline = taut_record_get(hole, "outline");
-    const double side = strcmp(taut_net_text(slot, "from"), "n") == 0 ? 1 : -1;
-    const double wide = taut_net_number(slot, "width") / 2, depth = taut_net_number(slot, "depth");
-    const double along[4] = {-wide, -wide, wide, wide};
-    const double up[4] = {half, half - depth, half - depth, half};
-    double off = taut_record_count(outline) == 4 ? 0 : INFINITY;
-
-    for (size_t k = 0; off < INFINITY && k < 4; k++) {
-        const double c = taut_cos(at->theta), s = taut_sin(at->theta);
-        const double x = at->x / scale + along[k] * c - side * up[k] * s;
-        const double y = at->y / scale + along[k] * s + side * up[k] * c;
-        const double away = taut_hypot(corner_of(outline, k, 0) - (p->at[0] + p->c * x - p->s * y),
-                                       corner_of(outline, k, 1) - (p->at[1] + p->s * x + p->c * y));
-        off = taut_certify_max(off, isnan(away) ? INFINITY : away);
-    }
-    return off;
-}
-
-/* A piece whose pattern begins at `from`; how many slots it has. */
-static size_t look_at_piece(const taut_net_audit *audit, const taut_net_line *line,
-                            const taut_record *lath, const taut_record *piece, const pose *p,
-                            const taut_net_course *course, taut_net_off *off)
-{
-    const taut_record *holes = taut_record_get(piece, "slots");
-    const taut_record *slots = taut_record_get(lath, "slots"), *nodes = nodes_of(audit);
-    const double scale = ldexp(1, -audit->unit);
-    const char *name = taut_curve_name(line->space);
-
-    for (size_t k = 0; k < taut_record_count(holes); k++) {
-        const taut_record *hole = taut_record_at(holes, k);
-        const taut_record *slot = slot_of(slots, taut_net_text(hole, "node")), *node = NULL;
-        for (size_t j = 0; j < taut_record_count(nodes); j++) {
-            const taut_record *one = taut_record_at(nodes, j);
-            node =
-                strcmp(taut_net_text(one, "node"), taut_net_text(hole, "node")) == 0 ? one : node;
-        }
-        const int side = node != NULL ? side_of(audit, node, line) : -1;
-        if (slot == NULL || side < 0) {
-            taut_net_off_take(off, INFINITY, name, "pieces slots");
-            continue;
-        }
-        const taut_net_course_at at = taut_net_course_see(course, length_at(node, side));
-        const double away = hole_off(hole, slot, &at, p, course->cut.width / scale / 2, scale);
-        taut_net_off_take(off, away * scale / course->spans[course->count].cut, name,
-                          "pieces slots");
-    }
-    return taut_record_count(holes);
-}
-
-void taut_net_holes_look(const taut_net_audit *audit, const taut_net_line *line,
-                         const taut_record *lath, const taut_net_course *course, taut_net_off *off)
-{
-    const taut_record *pieces = taut_record_get(taut_model_details(audit->lines->model), "pieces");
-    const taut_net_bent *last = &course->spans[course->count];
-    const char *name = taut_curve_name(line->space);
-    const double scale = ldexp(1, -audit->unit);
-    size_t found = 0, parts = 0;
-    double from = 0;
-
-    for (size_t k = 0; k < taut_record_count(pieces); k++) {
-        parts += strcmp(taut_net_text(taut_record_at(pieces, k), "lath"), name) == 0;
-    }
-    for (size_t k = 0; k < taut_record_count(pieces); k++) {
-        const taut_record *piece = taut_record_at(pieces, k);
-        if (strcmp(taut_net_text(piece, "lath"), name) != 0 ||
-            taut_record_count(taut_record_get(piece, "outline")) < 4) {
-            continue;
-        }
-        double ends[2][2];
-        axis_ends(piece, ends);
-        const double length = taut_hypot(ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]);
-        if (parts == 1) {
-            const double origin[2] = {0, 0}, end[2] = {last->x / scale, last->y / scale};
-            const pose p = pose_of(origin, end, ends);
-            found += look_at_piece(audit, line, lath, piece, &p, course, off);
-        } else if (course->cut.flat < 0) {
-            const double begin[2] = {from, 0}, end[2] = {from + length, 0};
-            const pose p = pose_of(begin, end, ends);
-            found += look_at_piece(audit, line, lath, piece, &p, course, off);
-            from += length;
-        } else {
-            found += taut_record_count(taut_record_get(piece, "slots"));
-        }
-    }
-    const size_t count = taut_record_count(taut_record_get(lath, "slots"));
-    taut_net_off_take(off, parts == 0 || found == count ? 0 : INFINITY, name, "pieces slots");
 }

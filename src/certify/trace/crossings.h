@@ -20,9 +20,8 @@ void taut_net_passed_look(const taut_net_audit *audit, const taut_net_line *line
 void taut_net_slots_look(const taut_net_audit *audit, const taut_net_line *line,
                          const taut_record *lath, const taut_net_course *course, taut_net_off *off);
 
-/* Are the slots of its flat pieces where `slots` says, and as large? Of one piece by its pattern, laid so that its axis begins
- * and ends as the outline does; of several by their lengths, where the pattern is straight. */
-void taut_net_holes_look(const taut_net_audit *audit, const taut_net_line *line,
-                         const taut_record *lath, const taut_net_course *course, taut_net_off *off);
+/* The nodes of details, and the slot of a node in the list of a lath, or NULL. */
+const taut_record *taut_net_nodes_of(const taut_net_audit *audit);
+const taut_record *taut_net_slot_of(const taut_record *slots, const char *node);
 
 #endif /* TAUT_CERTIFY_TRACE_CROSSINGS_H */

@@ -10,6 +10,7 @@
 
 #include "certify/common/verdict.h"
 #include "certify/trace/crossings.h"
+#include "certify/trace/flat.h"
 #include "certify/trace/laths.h"
 #include "core/elementary/elementary.h"
 #include "core/vec3.h"
@@ -375,6 +376,8 @@ static void look_at_stress(const taut_net_audit *audit, const taut_net_line *lin
     const double combined = taut_net_number(told, "combined");
     const int is_soft = !isinf(clear[0]) || !isinf(clear[1]);
     const int is_clear = !(at < clear[0]) && !(at > clear[1]);
+    /* of a lath that hardly bends, to what a circle as large as the surface would ask of it */
+    const double least = m->e * course->cut.thickness / audit->size / 2;
     double away = fabs(taut_net_number(told, "use") * m->strength - combined);
 
     if (is_clear) {
@@ -397,7 +400,8 @@ static void look_at_stress(const taut_net_audit *audit, const taut_net_line *lin
             }
         }
     }
-    taut_net_off_take(off, away / combined, name, "stress");
+    taut_net_off_take(off, isnan(combined) ? combined : away / fmax(combined, least), name,
+                      "stress");
     const double weak =
         course->cut.only_bends
             ? 2 * s.bending / (m->e * course->cut.thickness)
@@ -459,7 +463,7 @@ void taut_net_figures_of(const taut_net_audit *audit, const taut_net_line *line,
         look_at_lengths(audit, line, lath, &course, off);
         look_at_radius(audit, line, lath, &course, clear, off);
         taut_net_slots_look(audit, line, lath, &course, off);
-        taut_net_holes_look(audit, line, lath, &course, off);
+        taut_net_flat_look(audit, line, lath, &course, off);
     }
     if (cut.is_cut && audit->problem != NULL && cut.thickness > 0 &&
         audit->problem->laths->material.e > 0) {

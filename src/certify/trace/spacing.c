@@ -5,10 +5,13 @@
  *     of each place that cuts it in equal parts: the nearest of them
  *     on curves that others are seeded on the measure along them, and the nodes at the lengths that details give, which the claim
  *     `nodes` finds on both curves
+ *     of a lattice the border once around as well (certify/trace/border.h)
  *     of a place that a curve is seeded at the nearest curve of the family, in space; of geodesics its direction and its end too
  */
 #include "certify/trace/spacing.h"
 
+#include "certify/trace/border.h"
+#include "certify/trace/family.h"
 #include "certify/trace/side.h"
 #include "core/vec3.h"
 #include "numeric/quadrature.h"
@@ -22,11 +25,14 @@ enum { PIECES = 16 /* between two breaks */, NODES = 8, HALVINGS = 60 };
 static const double on_line = 1e-12, along = 1e-5;
 /* Over the size: a curve begins or ends at a place; and the sine of a geodesic's angle to where it is sent. */
 static const double at_end = 1e-9, same_way = 1e-6;
+/* Of a part, as curves are seeded round the border by a rule that has an error where the net ends. */
+static const double bare_border = 0.1;
 static const taut_trace_seed as_default = {.kind = TAUT_TRACE_CELLS, .count = 8};
 
 typedef struct line {
     taut_net_cells *cells;
-    int on; /* the surface that it lies on */
+    int on;     /* the surface that it lies on */
+    double fit; /* how far curves are from it, in the document's unit */
     const taut_surface *surface;
     taut_trace_net net;
     taut_trace_by by;
@@ -140,48 +146,16 @@ static double reach(const line *l, double target)
     return l->t[k] + fmin(fmax(share, 0), 1) * (l->t[k + 1] - l->t[k]);
 }
 
-/* Is a direction nearer to this family's than to the other's? *off: what the net says of it, 0 on its curves. */
-static int is_of_family(taut_trace_net net, int family, const taut_forms *f, const double way[2],
-                        double *off)
-{
-    const double a = way[0], b = way[1];
-    const double speed = f->e * a * a + 2 * f->f * a * b + f->g * b * b;
-    const double normal = (f->l * a * a + 2 * f->m * a * b + f->n * b * b) / speed;
-    const double twist = ((f->m * a + f->n * b) * (f->e * a + f->f * b) -
-                          (f->l * a + f->m * b) * (f->f * a + f->g * b)) /
-                         (f->w * speed);
-    *off = net == TAUT_TRACE_ASYMPTOTIC ? normal : twist;
-    return net == TAUT_TRACE_ASYMPTOTIC ? (family == 0) == (twist > 0)
-                                        : (family == 0) == (normal > f->mean);
-}
-
-/* How far the family's direction goes along d for 1 along the other parameter: A + 2 B x + C x^2 = 0 of its quadratic
- * form. 0 where the net does not exist. */
+/* How far the family's direction goes along d for 1 along the other parameter, or more times both. 0 where the net does not
+ * exist. */
 static int slope_of(taut_trace_net net, int family, const taut_forms *f, int d, double *slope)
 {
-    const double mixed[3] = {f->e * f->m - f->f * f->l, (f->e * f->n - f->g * f->l) / 2,
-                             f->f * f->n - f->g * f->m};
-    const double form[3] = {net == TAUT_TRACE_ASYMPTOTIC ? f->l : mixed[0],
-                            net == TAUT_TRACE_ASYMPTOTIC ? f->m : mixed[1],
-                            net == TAUT_TRACE_ASYMPTOTIC ? f->n : mixed[2]};
-    const double first = form[d == 0 ? 2 : 0], middle = form[1], last = form[d == 0 ? 0 : 2];
-    const double square = middle * middle - first * last;
-
-    if (!f->regular || !(square > 0)) {
+    double way[2];
+    if (!taut_net_family_way(net, family, f, way)) {
         return 0;
     }
-    const double whole = -(middle + copysign(sqrt(square), middle));
-    for (int k = 0; k < 2; k++) {
-        /* (other, d) as whole numbers of one another: a root may be infinite */
-        const double ways[2][2] = {{last, whole}, {whole, first}};
-        const double way[2] = {ways[k][d == 0 ? 1 : 0], ways[k][d == 0 ? 0 : 1]};
-        double off = 0;
-        if (is_of_family(net, family, f, way, &off)) {
-            *slope = way[d] * copysign(1, way[1 - d]);
-            return 1;
-        }
-    }
-    return 0;
+    *slope = way[d] * copysign(1, way[1 - d]);
+    return 1;
 }
 
 /* Of a line on the border, where a knot meets it: the curve has a corner there, as curvatures jump, and may have the
@@ -216,6 +190,18 @@ static int only_touches(const line *l, int family, const double at[2])
     return known > 0;
 }
 
+/* In a corner of the window: does the curve leave it at once, both ways? */
+static int only_passes(const line *l, int family, const double at[2], const taut_forms *f)
+{
+    double inside = 1, slope = 0;
+    for (int d = 0; d < 2; d++) {
+        const taut_basis *basis = d == 0 ? taut_surface_u(l->surface) : taut_surface_v(l->surface);
+        const int is_low = at[d] == taut_basis_lo(basis), is_high = at[d] == taut_basis_hi(basis);
+        inside *= is_low ? 1 : is_high ? -1 : 0;
+    }
+    return inside != 0 && slope_of(l->net, family, f, 0, &slope) && !(inside * slope > 0);
+}
+
 /* Is there a curve of the family at t of the line, and does it cross it? */
 static int is_wanted(const line *l, int family, double t)
 {
@@ -234,8 +220,9 @@ static int is_wanted(const line *l, int family, double t)
         return 0;
     }
     double off = 0;
-    const int is_family = is_of_family(l->net, family, &f, l->way, &off);
-    return (!is_family || fabs(off) > along * sqrt(square)) && !only_touches(l, family, at);
+    const int is_family = taut_net_is_of_family(l->net, family, &f, l->way, &off);
+    return (!is_family || fabs(off) > along * sqrt(square)) && !only_touches(l, family, at) &&
+           !only_passes(l, family, at, &f);
 }
 
 /* How far a place of the window is to the left of the line, and its t. */
@@ -352,7 +339,7 @@ static int surface_of(const taut_net_lines *lines, const taut_trace_problem *pro
     return 0;
 }
 
-static line line_of(const taut_net_lines *lines, taut_net_cells *cells,
+static line line_of(const taut_net_lines *lines, taut_net_cells *cells, double fit,
                     const taut_trace_problem *problem, const taut_trace_seed *seed)
 {
     const int on = surface_of(lines, problem, seed);
@@ -360,7 +347,12 @@ static line line_of(const taut_net_lines *lines, taut_net_cells *cells,
     const taut_basis *bu = taut_surface_u(surface), *bv = taut_surface_v(surface);
     const double lo[2] = {taut_basis_lo(bu), taut_basis_lo(bv)};
     const double hi[2] = {taut_basis_hi(bu), taut_basis_hi(bv)};
-    line l = {.cells = cells, .on = on, .surface = surface, .net = problem->net, .by = seed->by};
+    line l = {.cells = cells,
+              .on = on,
+              .surface = surface,
+              .net = problem->net,
+              .by = seed->by,
+              .fit = fit * lines->size};
 
     for (int d = 0; d < 2; d++) {
         double from = seed->at[d], to = seed->to[d];
@@ -475,8 +467,8 @@ static taut_status part_curve(const taut_net_lines *lines, const line *l,
     return TAUT_OK;
 }
 
-/* Is there a curve of the other family where the measure is `target`? */
-static int exists_on(const parted *p, double target)
+/* Is there a curve of the other family where the measure is `target`? *rate: of the measure there. */
+static int exists_on(const parted *p, double target, double *rate)
 {
     const taut_basis *basis = taut_curve_t(p->curve->space);
     const double *breaks = taut_basis_breaks(basis);
@@ -488,27 +480,29 @@ static int exists_on(const parted *p, double target)
     }
     const double part = p->sum[k + 1] - p->sum[k];
     const double share = part > 0 ? fmin(fmax((target - p->sum[k]) / part, 0), 1) : 1;
-    if (!forms_on(p, breaks[k] + share * (breaks[k + 1] - breaks[k]), &f) || !f.regular) {
+    const double t = breaks[k] + share * (breaks[k + 1] - breaks[k]);
+    if (!forms_on(p, t, &f) || !f.regular) {
         return 0;
     }
+    *rate = rate_on(p, t);
     const double square = f.mean * f.mean - f.gaussian;
     return p->l->net == TAUT_TRACE_ISOPARAMETRIC ||
            (square > 0 && (p->l->net != TAUT_TRACE_ASYMPTOTIC || -f.gaussian > 1e-9 * square));
 }
 
-/* How far the nearest crossing is from a target, over a part; 0 where there is no curve to cross, and at the ends of
+/* How far the nearest crossing is from a target, over a part, by more than the curve itself is from its place; 0 where there is no curve to cross, and at the ends of
  * the curve, where the other one may leave the window at once. */
 static double miss(const parted *p, double target, double part)
 {
     const double room = 1e-9 * part;
-    double best = INFINITY;
-    if (!(target > room) || !(target < p->whole - room) || !exists_on(p, target)) {
+    double best = INFINITY, rate = 0;
+    if (!(target > room) || !(target < p->whole - room) || !exists_on(p, target, &rate)) {
         return 0;
     }
     for (int k = 0; k < p->count; k++) {
         best = fmin(best, fabs(p->crossings[k] - target));
     }
-    return best / part;
+    return fmax(best - p->l->fit * rate, 0) / part;
 }
 
 static taut_status judge_lath(const taut_net_lines *lines, const line *l,
@@ -573,8 +567,23 @@ static int crossing_at(const taut_net_lines *lines, const line *l, const double 
     return 0;
 }
 
+/* How much more than a part there is on the border without an end of a curve, over a part: where corners are reached. */
+static taut_status judge_border(const taut_net_lines *lines, const line *l, int unit, double part,
+                                taut_arena *arena, double *worst)
+{
+    for (int family = 0; family < 2; family++) {
+        double gap = 0;
+        if (taut_net_border_gap(lines, l->cells, l->on, family, l->by, arena, &gap) != TAUT_OK) {
+            return TAUT_NO_MEMORY;
+        }
+        const double more = ldexp(gap, unit) / part - 1;
+        *worst = more > bare_border ? fmax(*worst, more) : *worst;
+    }
+    return TAUT_OK;
+}
+
 /* The lattice of `cells` on the two curves through its node; -1 where only one family was asked for. */
-static taut_status judge_cells(const taut_net_lines *lines, const line *l,
+static taut_status judge_cells(const taut_net_lines *lines, const line *l, int unit,
                                const taut_trace_seed *seed, int families, taut_arena *arena,
                                double *worst)
 {
@@ -611,7 +620,7 @@ static taut_status judge_cells(const taut_net_lines *lines, const line *l,
             *worst = fmax(*worst, miss(&p[f], middle + k * part, part));
         }
     }
-    return TAUT_OK;
+    return judge_border(lines, l, unit, part, arena, worst);
 }
 
 /* ---- at places ---- */
@@ -728,11 +737,11 @@ static double judge_at(const taut_net_lines *lines, const line *l, int unit, int
 
 /* How far a seed is from being met: the worst of its families; -1 where that is not known. */
 static taut_status judge_seed(const taut_net_lines *lines, taut_net_cells *cells, int unit,
-                              const taut_trace_problem *problem, const taut_trace_seed *seed,
-                              taut_arena *arena, double *worst)
+                              double fit, const taut_trace_problem *problem,
+                              const taut_trace_seed *seed, taut_arena *arena, double *worst)
 {
     int families = seed->family != 0 ? seed->family : 3;
-    line l = line_of(lines, cells, problem, seed);
+    line l = line_of(lines, cells, fit, problem, seed);
 
     families &= problem->families != 0 ? problem->families : 3;
     families = problem->net == TAUT_TRACE_GEODESIC ? 1 : families;
@@ -744,7 +753,7 @@ static taut_status judge_seed(const taut_net_lines *lines, taut_net_cells *cells
         return judge_lath(lines, &l, seed, arena, worst);
     }
     if (seed->kind == TAUT_TRACE_CELL || seed->kind == TAUT_TRACE_CELLS) {
-        return judge_cells(lines, &l, seed, families, arena, worst);
+        return judge_cells(lines, &l, unit, seed, families, arena, worst);
     }
     if (seed->kind != TAUT_TRACE_AT && measure_line(arena, &l) != TAUT_OK) {
         return TAUT_NO_MEMORY;
@@ -765,8 +774,8 @@ static taut_status judge_seed(const taut_net_lines *lines, taut_net_cells *cells
 }
 
 taut_status taut_net_spacing(const taut_net_lines *lines, taut_net_cells *cells, int unit,
-                             const taut_trace_problem *problem, taut_arena *arena, double *residual,
-                             int *where)
+                             double fit, const taut_trace_problem *problem, taut_arena *arena,
+                             double *residual, int *where)
 {
     const int count = problem == NULL ? 0 : problem->seed_count > 0 ? problem->seed_count : 1;
 
@@ -774,7 +783,7 @@ taut_status taut_net_spacing(const taut_net_lines *lines, taut_net_cells *cells,
     for (int k = 0; k < count; k++) {
         const taut_trace_seed *seed = problem->seed_count > 0 ? &problem->seeds[k] : &as_default;
         double here = -1;
-        const taut_status status = judge_seed(lines, cells, unit, problem, seed, arena, &here);
+        const taut_status status = judge_seed(lines, cells, unit, fit, problem, seed, arena, &here);
         if (status != TAUT_OK) {
             return status;
         }

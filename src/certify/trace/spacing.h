@@ -9,10 +9,11 @@
 /* Of the seeds of a document that part edges, lines, laths, or the two curves through the node of a lattice: how far,
  * over a part, the measure along the line is from equal parts where curves of the family cross it; of those at a
  * place, how far the nearest curve of the family is from it, over the size, and of geodesics whether it goes the way
- * that it is sent. *where says at which seed. unit: of the cells' surfaces. Negative: there is no document.
+ * that it is sent. *where says at which seed. unit: of the cells' surfaces; fit: how far curves are from the surface, over
+ * the size, which places along them are not held to. Negative: there is no document.
  * TAUT_NO_MEMORY. */
 taut_status taut_net_spacing(const taut_net_lines *lines, taut_net_cells *cells, int unit,
-                             const taut_trace_problem *problem, taut_arena *arena, double *residual,
-                             int *where);
+                             double fit, const taut_trace_problem *problem, taut_arena *arena,
+                             double *residual, int *where);
 
 #endif /* TAUT_CERTIFY_TRACE_SPACING_H */

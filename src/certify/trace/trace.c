@@ -367,7 +367,8 @@ static void prove_straight(const request *r, const taut_net_line *line, found *f
 
 static taut_net_audit audit_of(const request *r)
 {
-    return (taut_net_audit){&r->lines, r->cells, r->rule, r->problem, r->unit, r->size};
+    return (taut_net_audit){&r->lines, r->cells, r->rule,     r->problem,
+                            r->unit,   r->size,  r->tolerance};
 }
 
 static void look_at_line(const request *r, const taut_net_line *line, found *f)
@@ -698,12 +699,14 @@ static taut_status add_right_angled(const request *r, taut_certificate *certific
 
 /* ---- spacing ---- */
 
-static taut_status add_spacing(const request *r, taut_arena *arena, taut_certificate *certificate)
+static taut_status add_spacing(const request *r, const worst *distance, taut_arena *arena,
+                               taut_certificate *certificate)
 {
     worst w = {0, ""};
     int seed = 0;
+    const double fit = fmin(distance->residual, r->tolerance);
     const taut_status status =
-        taut_net_spacing(&r->lines, r->cells, r->unit, r->problem, arena, &w.residual, &seed);
+        taut_net_spacing(&r->lines, r->cells, r->unit, fit, r->problem, arena, &w.residual, &seed);
     if (status != TAUT_OK || w.residual < 0) {
         return status;
     }
@@ -903,7 +906,7 @@ static taut_status prove(const request *r, taut_arena *arena, taut_certificate *
         status = add_right_angled(r, certificate);
     }
     if (status == TAUT_OK) {
-        status = add_spacing(r, arena, certificate);
+        status = add_spacing(r, &f.distance, arena, certificate);
     }
     if (status == TAUT_OK) {
         status = add_complete(r, arena, certificate);
