@@ -71,6 +71,17 @@ def test_readme(program, tmp_path, monkeypatch, capsys):
     assert said and [float(x) for x in said[1].split()] == [0, 0, 0.375]  # 4 x 1/8 - 1/2 x 1/4
 
 
+def test_lesson(tmp_path, monkeypatch, capsys):
+    """The lesson's lines on cutting patterns, beside its file: what is left along a seam is left on its right alone."""
+    lessons = ROOT / "docs/tutorial"
+    (tmp_path / "sail.json").write_text((lessons / "sail.json").read_text())
+    monkeypatch.chdir(tmp_path)
+    exec(re.search(r"```python\n(.*?)```", (lessons / "7-sail.md").read_text(), re.S)[1], {})
+    said = capsys.readouterr().out.splitlines()
+    assert [line.rsplit(" ", 1)[0] for line in said[:4]] == ["P1 [0.03, 0.05]", "P2 [0, 0.03]", "P3 [0.03, 0.06]", "P4 [0.05, 0.03]"]
+    assert [line.split()[0] for line in said[4:]] == ["S1", "S2", "S3"] and os.path.getsize("python.dxf") > 10000
+
+
 def test_page(tmp_path, monkeypatch):
     """The page's lines run as they stand."""
     monkeypatch.chdir(tmp_path)
