@@ -153,6 +153,14 @@ static const char threads[] =
     "\"along\":[\"a.v0\",\"b.v0\"],\"length\":2.05},{\"along\":[\"a.v1\",\"b.v1\"],"
     "\"force\":4}]}";
 
+/* Two sheets with a bound. */
+static const char bent[] =
+    "{\"taut\":1,\"construct\":\"film\",\"patches\":[{\"name\":\"a\"," CORNERS
+    "{\"u0v0\":[0,0,0],\"u1v0\":[1,0,0],\"u0v1\":[0,1,0.2],\"u1v1\":[1,1,0]}},{\"name\":"
+    "\"b\"," CORNERS
+    "{\"u0v0\":[1,0,0],\"u1v0\":[2,0,0.2],\"u0v1\":[1,1,0],\"u1v1\":[2,1,0]}}],\"seams\":[["
+    "\"a.u1\",\"b.u0\"]]}";
+
 static void run_out_of_patches(const char *text, int most)
 {
     taut_problem *problem = NULL;
@@ -176,6 +184,7 @@ int main(void)
     run_out(0, 60);
     run_out_of_patches(cushion, 2000);
     run_out_of_patches(threads, 100);
+    run_out_of_patches(bent, 200);
     run_out_of_drafts(drawn);
     run_out_of_drafts(plate);
     return check_failures != 0;

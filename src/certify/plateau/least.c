@@ -21,155 +21,21 @@
 
 #include "certify/common/quasi.h"
 #include "certify/common/verdict.h"
-#include "certify/plateau/flux.h"
-#include "certify/plateau/outline.h"
+#include "certify/plateau/given.h"
 #include "core/arena.h"
-#include "core/vec3.h"
-#include "geometry/keep.h"
 #include "taut/plateau.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-enum { DEGREES_ABOVE = 4 /* of psi over the film */ };
 static const double limit_default = 1e-6;
 static const double theta_most = 1e-9;
 static const double area_apart = 1e-3; /* of the area measured, from the bounds of it */
-/* Rows whose products differ by at most 8 u from those of orthonormal rows, as computed, are within
- * 36 u of such rows: sqrt(9) 12 u by the polar factor. */
-static const double frame_defect = 8 * 0x1p-53, frame_error = 36 * 0x1p-53;
 
-/* Why there is no bound, or the bound. */
-typedef struct finding {
-    const char *why; /* NULL: there is one */
-    double gap;      /* in squares of 2^exponent */
-    double area_low, area_high;
-    double direction[3];
-    int exponent;
-} finding;
+typedef taut_least_finding finding;
 
 /* ---- the witness, as it was written by whoever ---- */
-
-static const double *read_numbers(const taut_record *list, size_t count, taut_arena *arena)
-{
-    double *numbers = taut_arena_take(arena, count, sizeof(double));
-
-    if (numbers == NULL || taut_record_count(list) != count) {
-        return NULL;
-    }
-    for (size_t k = 0; k < count; k++) {
-        numbers[k] = taut_record_number(taut_record_at(list, k));
-    }
-    return numbers;
-}
-
-/* A basis on the breaks of `film`, a few degrees above it at most; NULL for any other. */
-static const taut_basis *read_basis(const taut_record *record, const taut_basis *film,
-                                    taut_arena *arena)
-{
-    const char *type = taut_record_text(taut_record_get(record, "type"));
-    const double degree = taut_record_number(taut_record_get(record, "degree"));
-    const taut_record *knots = taut_record_get(record, "knots");
-    const taut_record *range = taut_record_get(record, "range");
-    const int most = taut_basis_local(film) - 1 + DEGREES_ABOVE,
-              spans = taut_basis_span_count(film);
-    taut_basis_spec spec = {.type = type};
-    taut_basis *basis = NULL;
-
-    if (!(degree >= 1 && degree <= most && degree <= TAUT_DEGREE_MAX) || degree != floor(degree)) {
-        return NULL;
-    }
-    spec.degree = (int)degree;
-    if (strcmp(type, "bspline") == 0) {
-        if (taut_record_count(knots) > (size_t)(spec.degree + 1) * ((size_t)spans + 1)) {
-            return NULL;
-        }
-        spec.knot_count = (int)taut_record_count(knots);
-        spec.knots = read_numbers(knots, taut_record_count(knots), arena);
-    } else if (strcmp(type, "bezier") != 0) {
-        return NULL;
-    } else if (range != NULL) {
-        const double *ends = read_numbers(range, 2, arena);
-        spec.has_range = 1;
-        if (ends == NULL) {
-            return NULL;
-        }
-        memcpy(spec.range, ends, sizeof spec.range);
-    }
-    const taut_status status = taut_basis_new(&spec, 0, &basis, NULL);
-    if ((status == TAUT_OK || status == TAUT_NO_MEMORY) && !taut_keep_basis(arena, basis)) {
-        return NULL; /* the arena tells */
-    }
-    if (status != TAUT_OK) {
-        return NULL;
-    }
-    return taut_basis_span_count(basis) == spans &&
-                   memcmp(taut_basis_breaks(basis), taut_basis_breaks(film),
-                          ((size_t)spans + 1) * sizeof(double)) == 0
-               ? basis
-               : NULL;
-}
-
-/* The coefficients over 2^exponent, all finite; NULL otherwise. */
-static const double *read_coefficients(const taut_record *rows, const taut_flux_task *task,
-                                       taut_arena *arena)
-{
-    const size_t nu = (size_t)taut_basis_count(task->u), nv = (size_t)taut_basis_count(task->v);
-    double *all = taut_arena_take(arena, nu * nv, sizeof(double));
-    double largest = 0;
-
-    if (all == NULL || taut_record_count(rows) != nu) {
-        return NULL;
-    }
-    for (size_t i = 0; i < nu; i++) {
-        const taut_record *row = taut_record_at(rows, i);
-        if (taut_record_count(row) != nv) {
-            return NULL;
-        }
-        for (size_t j = 0; j < nv; j++) {
-            const double x = taut_record_number(taut_record_at(row, j));
-            all[i * nv + j] = ldexp(x, -task->exponent);
-            largest = taut_certify_max(largest, fabs(all[i * nv + j]));
-        }
-    }
-    return isfinite(largest) ? all : NULL;
-}
-
-/* A right-handed frame whose third row is e made unit; 0 where rounding leaves none. */
-static int make_frame(const double given[3], double frame[3][3])
-{
-    const double largest = taut_largest_coordinate(given);
-    double e[3], axis[3] = {0, 0, 0};
-    int flat = 0;
-
-    if (!(largest > 0) || !isfinite(largest) || !isfinite(given[0] + given[1] + given[2])) {
-        return 0;
-    }
-    for (int c = 0; c < 3; c++) {
-        e[c] = given[c] / largest;
-        flat = fabs(given[c]) < fabs(given[flat]) ? c : flat;
-    }
-    const double length = sqrt(taut_dot(e, e));
-    axis[flat] = 1;
-    for (int c = 0; c < 3; c++) {
-        frame[2][c] = e[c] / length;
-    }
-    taut_cross(frame[2], axis, frame[1]);
-    const double across = sqrt(taut_dot(frame[1], frame[1]));
-    for (int c = 0; c < 3; c++) {
-        frame[1][c] /= across;
-    }
-    taut_cross(frame[1], frame[2], frame[0]);
-    for (int a = 0; a < 3; a++) {
-        for (int b = 0; b <= a; b++) {
-            if (!(fabs(taut_dot(frame[a], frame[b]) - (a == b)) <= frame_defect)) {
-                return 0;
-            }
-        }
-    }
-    return 1;
-}
 
 /* Powers of two above the largest distance of a coordinate from the first point, and the weights. */
 static int find_unit(const taut_surface *surface, taut_flux_task *task)
@@ -198,31 +64,23 @@ static const char *read_witness(const taut_least_request *request, taut_arena *a
                                 taut_flux_task *task, double direction[3])
 {
     const taut_record *witness = request->witness;
-    const double *e = read_numbers(taut_record_get(witness, "direction"), 3, arena);
 
     task->surface = request->surface;
-    task->frame_error = frame_error;
     task->crew = request->crew;
     task->wanted = request->gap > 0 ? request->gap : limit_default;
-    if (e == NULL || !make_frame(e, task->frame)) {
-        return "witness: its direction is none";
+    if (!taut_given_frame(taut_record_get(witness, "direction"), arena, task)) {
+        return TAUT_GIVEN_NO_DIRECTION;
     }
     memcpy(direction, task->frame[2], 3 * sizeof(double));
     if (!find_unit(request->surface, task)) {
         return "range: the film has no size";
     }
-    task->u = read_basis(taut_record_get(witness, "u"), taut_surface_u(task->surface), arena);
-    task->v = read_basis(taut_record_get(witness, "v"), taut_surface_v(task->surface), arena);
-    if (task->u == NULL || task->v == NULL) {
-        return "witness: its bases are not on the spans of the film";
-    }
-    task->coefficients = read_coefficients(taut_record_get(witness, "coefficients"), task, arena);
-    return task->coefficients != NULL ? NULL : "witness: its coefficients do not fit its bases";
+    return taut_given_psi(witness, arena, task);
 }
 
 /* ---- what it proves ---- */
 
-static const char *reason_of(taut_flux_verdict verdict)
+const char *taut_least_reason(taut_flux_verdict verdict)
 {
     static const char *const reasons[] = {
         [TAUT_FLUX_FOLDS] = "folds: along the direction the film is not shown to be a graph",
@@ -232,6 +90,20 @@ static const char *reason_of(taut_flux_verdict verdict)
     return reasons[verdict];
 }
 
+void taut_least_conclude(const taut_flux_bound *flux, const taut_outline_bound *outline,
+                         taut_least_finding *found)
+{
+    const double theta = outline->turned_back;
+
+    if (!(theta <= theta_most) || !(flux->shadow > 6 * theta * outline->length * outline->length)) {
+        found->why = "outline: along the direction the boundary is not shown to be convex";
+        return;
+    }
+    found->area_low = flux->area_low;
+    found->area_high = flux->area_high;
+    found->gap = (1 + 0x1p-40) * (flux->gap + theta * theta * flux->area_high);
+}
+
 static taut_status bound_gap(taut_flux_task *task, finding *found)
 {
     taut_flux_bound flux;
@@ -239,18 +111,11 @@ static taut_status bound_gap(taut_flux_task *task, finding *found)
     taut_status status = taut_certify_flux(task, &flux);
 
     if (status != TAUT_OK || flux.verdict != TAUT_FLUX_ADMITTED) {
-        found->why = reason_of(flux.verdict);
+        found->why = taut_least_reason(flux.verdict);
         return status;
     }
     status = taut_certify_outline(task, &outline);
-    const double theta = outline.turned_back;
-    if (!(theta <= theta_most) || !(flux.shadow > 6 * theta * outline.length * outline.length)) {
-        found->why = "outline: along the direction the boundary is not shown to be convex";
-        return status;
-    }
-    found->area_low = flux.area_low;
-    found->area_high = flux.area_high;
-    found->gap = (1 + 0x1p-40) * (flux.gap + theta * theta * flux.area_high);
+    taut_least_conclude(&flux, &outline, found);
     return status;
 }
 
@@ -303,26 +168,27 @@ static taut_status find_bound(const taut_least_request *request, finding *found)
 
 /* The area measured, where it lies within its bounds, else the lower of these; in squares of
  * 2^exponent. */
-static double area_of(const taut_least_request *request, const finding *found)
+static double area_of(double given, const finding *found)
 {
-    const double area = ldexp(request->area, -2 * found->exponent);
+    const double area = ldexp(given, -2 * found->exponent);
 
     return area >= found->area_low * (1 - area_apart) && area <= found->area_high * (1 + area_apart)
                ? area
                : found->area_low;
 }
 
-/* What is proved: the residual, and the figures. */
-static double tell(const taut_least_request *request, const finding *found, taut_record *figures)
+double taut_least_tell(const taut_least_finding *found, double measured, double measured_error,
+                       double tension, taut_record *figures)
 {
-    const double area = area_of(request, found),
-                 told = ldexp(request->area_error, -2 * found->exponent);
+    const double area = area_of(measured, found),
+                 told = ldexp(measured_error, -2 * found->exponent);
     const double error = told > 0 ? told : 0;
     const double lower =
         (area - error - found->gap) * (area > error + found->gap ? 1 - 0x1p-50 : 1);
 
-    taut_record_add_number(figures, "lower_bound", ldexp(fmax(0, lower), 2 * found->exponent));
-    taut_record_add_number(figures, "gap", ldexp(found->gap, 2 * found->exponent));
+    taut_record_add_number(figures, "lower_bound",
+                           tension * ldexp(fmax(0, lower), 2 * found->exponent));
+    taut_record_add_number(figures, "gap", tension * ldexp(found->gap, 2 * found->exponent));
     taut_record_add_numbers(figures, "direction", 3, found->direction);
     return area > error ? found->gap / (area - error) : INFINITY;
 }
@@ -346,7 +212,7 @@ taut_status taut_certify_add_least(const taut_least_request *request, taut_recor
         return status;
     }
     if (found.why == NULL) {
-        claim.residual = tell(request, &found, figures);
+        claim.residual = taut_least_tell(&found, request->area, request->area_error, 1, figures);
         claim.holds = taut_certify_below(claim.residual, claim.limit);
         if (claim.holds == TAUT_FALSE && !(request->gap > 0)) {
             claim.holds = TAUT_UNDECIDED;

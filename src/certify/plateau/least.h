@@ -2,6 +2,8 @@
 #ifndef TAUT_CERTIFY_PLATEAU_LEAST_H
 #define TAUT_CERTIFY_PLATEAU_LEAST_H
 
+#include "certify/plateau/flux.h"
+#include "certify/plateau/outline.h"
 #include "core/crew.h"
 #include "taut/certify.h"
 #include "taut/record.h"
@@ -22,5 +24,23 @@ typedef struct taut_least_request {
  */
 taut_status taut_certify_add_least(const taut_least_request *request, taut_record *figures,
                                    taut_certificate *certificate);
+
+/* Why there is no bound, or the bound. */
+typedef struct taut_least_finding {
+    const char *why; /* NULL: there is one */
+    double gap;      /* in squares of 2^exponent */
+    double area_low, area_high;
+    double direction[3];
+    int exponent;
+} taut_least_finding;
+
+/* Words for a verdict; NULL for that which admits a witness. */
+const char *taut_least_reason(taut_flux_verdict verdict);
+/* found->why, or gap, area_low and area_high, of what all sheets and the whole boundary have. */
+void taut_least_conclude(const taut_flux_bound *flux, const taut_outline_bound *outline,
+                         taut_least_finding *found);
+/* The residual. Adds lower_bound, gap and direction to figures; the first two times the tension. */
+double taut_least_tell(const taut_least_finding *found, double measured, double measured_error,
+                       double tension, taut_record *figures);
 
 #endif /* TAUT_CERTIFY_PLATEAU_LEAST_H */

@@ -13,20 +13,23 @@
 #include "certify/common/field.h"
 #include "certify/common/verdict.h"
 #include "certify/plateau/piece.h"
+#include "core/elementary/elementary.h"
 
 #include <math.h>
+#include <string.h>
 
 enum { DEPTH_MAX = 7 };
 static const double rounding = 1e-13; /* of an angle turned back: halves would not make it less */
 static const double up = 1 + 0x1p-40;
+static const double sharp =
+    0x1p20; /* of its error at least: a tangent whose direction is known to 1e-6 */
+static const double corner_most = 3.1; /* an angle that is told from its like the other way round */
 
-/* A number and how far it may be off. */
-typedef struct near_number {
-    double value, error;
-} near_number;
+typedef taut_outline_number near_number;
 
 /* One span of an edge: a, a x a' and |a|^2; the first and the last tangent. */
 typedef struct stretch {
+    taut_field a[2];
     taut_field turn, speed; /* a x a', |a|^2 */
     near_number first[2], last[2];
     double length;
@@ -59,7 +62,7 @@ static double polygon_length(const taut_field x[4])
 static int make_stretch(taut_arena *arena, const taut_flux_task *task, int edge, int i, int j,
                         stretch *s)
 {
-    taut_field given[4], x[4], d[4], a[2], da[2];
+    taut_field given[4], x[4], d[4], da[2], *a = s->a;
 
     if (!taut_field_of_edge(arena, task->surface, edge, edge < 2 ? j : i,
                             taut_certify_origin(task, i, j), task->exponent, given)) {
@@ -179,4 +182,97 @@ taut_status taut_certify_outline(const taut_flux_task *task, taut_outline_bound 
     found.length *= up;
     *bound = found;
     return status;
+}
+
+/* ---- sides of a boundary of many ---- */
+
+/* Adds the angle that a turns by; 0 where its direction is not known well enough. */
+static int add_angle(taut_arena *arena, const taut_field a[2], int depth, double *angle)
+{
+    const int last = a[0].p;
+    double mean[2] = {0, 0};
+    int ahead = a[0].a != NULL && a[1].a != NULL && a[1].p == last;
+
+    for (int k = 0; ahead && k <= last; k++) {
+        mean[0] += a[0].a[k];
+        mean[1] += a[1].a[k];
+    }
+    const double size = fabs(mean[0]) + fabs(mean[1]);
+    for (int k = 0; ahead && k <= last; k++) {
+        const double along = mean[0] * a[0].a[k] + mean[1] * a[1].a[k];
+        ahead = along > sharp * size * (a[0].e[k] + a[1].e[k]);
+    }
+    if (ahead) { /* all in one half plane: by less than pi */
+        const double x = a[0].a[0], y = a[1].a[0], to[2] = {a[0].a[last], a[1].a[last]};
+        *angle += taut_atan2(x * to[1] - y * to[0], x * to[0] + y * to[1]);
+        return 1;
+    }
+    taut_field halves[2][2];
+    if (depth >= DEPTH_MAX || a[0].a == NULL || a[1].a == NULL) {
+        return 0;
+    }
+    for (int c = 0; c < 2; c++) {
+        taut_field_halve(arena, &a[c], 0, &halves[0][c], &halves[1][c]);
+    }
+    return add_angle(arena, halves[0], depth + 1, angle) &&
+           add_angle(arena, halves[1], depth + 1, angle);
+}
+
+static double angle_between(const near_number before[2], const near_number after[2])
+{
+    const double angle =
+        taut_atan2(before[0].value * after[1].value - before[1].value * after[0].value,
+                   before[0].value * after[0].value + before[1].value * after[1].value);
+    return fabs(angle) < corner_most ? angle : INFINITY;
+}
+
+static void turn_round(near_number a[2])
+{
+    a[0].value = -a[0].value;
+    a[1].value = -a[1].value;
+}
+
+taut_status taut_certify_outline_side(const taut_flux_task *task, int edge, int is_backward,
+                                      taut_outline_side *side)
+{
+    const taut_basis *u = taut_surface_u(task->surface), *v = taut_surface_v(task->surface);
+    const int spans = taut_basis_span_count(edge < 2 ? v : u);
+    const int across = edge % 2 == 0 ? 0 : taut_basis_span_count(edge < 2 ? u : v) - 1;
+    taut_outline_side found = {.bound = {0, 0}};
+    taut_status status = add_edge(task, edge, &found.bound);
+
+    for (int k = 0; status == TAUT_OK && k < spans; k++) {
+        taut_arena *arena = taut_arena_new();
+        stretch s;
+        if (!make_stretch(arena, task, edge, edge < 2 ? across : k, edge < 2 ? k : across, &s) ||
+            !add_angle(arena, s.a, 0, &found.turned)) {
+            found.turned = INFINITY;
+        } else {
+            found.turned += k > 0 ? angle_between(found.end, s.first) : 0;
+            if (k == 0) {
+                memcpy(found.begin, s.first, sizeof found.begin);
+            }
+            memcpy(found.end, s.last, sizeof found.end);
+        }
+        status = taut_arena_status(arena);
+        taut_arena_free(arena);
+    }
+    if (is_backward) {
+        near_number first[2];
+        memcpy(first, found.begin, sizeof first);
+        memcpy(found.begin, found.end, sizeof first);
+        memcpy(found.end, first, sizeof first);
+        turn_round(found.begin);
+        turn_round(found.end);
+        found.turned = -found.turned;
+    }
+    *side = found;
+    return status;
+}
+
+double taut_certify_outline_corner(const taut_outline_side *before, const taut_outline_side *after,
+                                   double sense, double *turned)
+{
+    *turned += angle_between(before->end, after->begin);
+    return turned_at_knot(before->end, after->begin, sense);
 }

@@ -26,4 +26,25 @@ typedef struct taut_outline_bound {
 /* task->sign is that of J. TAUT_NO_MEMORY. */
 taut_status taut_certify_outline(const taut_flux_task *task, taut_outline_bound *bound);
 
+/* A number and how far it may be off. */
+typedef struct taut_outline_number {
+    double value, error;
+} taut_outline_number;
+
+/* One side of a boundary that is run through over sides of many films. */
+typedef struct taut_outline_side {
+    taut_outline_bound bound;
+    double
+        turned; /* the angle from its first tangent to its last, with its turns, to 1e-6 for each span; infinite or NaN where that is not known */
+    taut_outline_number begin[2], end[2]; /* tangents, as it is run */
+} taut_outline_side;
+
+/* Edge u0, u1, v0, v1 (0..3), run with its parameter or backwards. TAUT_NO_MEMORY. */
+taut_status taut_certify_outline_side(const taut_flux_task *task, int edge, int is_backward,
+                                      taut_outline_side *side);
+/* The angle that the boundary turns back by from one side to the next; sense 1: it is to turn left, -1: right. *turned grows by the
+ * angle to the left, infinite where it is near pi. */
+double taut_certify_outline_corner(const taut_outline_side *before, const taut_outline_side *after,
+                                   double sense, double *turned);
+
 #endif /* TAUT_CERTIFY_PLATEAU_OUTLINE_H */

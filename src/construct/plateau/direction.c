@@ -1,6 +1,6 @@
 /* direction.c -- a direction in which a film is a graph over a convex domain.
  *
- * Samples: unit normals n_k of the film, and unit tangents t_k of its boundary, run through so that
+ * Samples: unit normals n_k of the film, of one sheet or many, and unit tangents t_k of its boundary, run through so that
  * the film lies on the left seen from its normals. Along e,
  *
  *     the film is a graph                n_k . e > 0 for all k
@@ -22,10 +22,13 @@
 #include <string.h>
 
 enum {
-    LINES_MAX = 48, /* of normals, each way */
-    ON_SPAN = 5,    /* tangents */
-    SPHERE = 600,   /* directions */
-    MOVES = 200,    /* of the best of them */
+    LINES_MAX = 48,     /* of normals, each way */
+    LINES_OF_MANY = 12, /* the same of each of many sheets */
+    MANY = 4,
+    PLANES_MAX = 16,
+    ON_SPAN = 5,  /* tangents */
+    SPHERE = 600, /* directions */
+    MOVES = 200,  /* of the best of them */
 };
 
 static const struct {
@@ -46,7 +49,7 @@ typedef struct samples {
     int normals, tangents; /* how many */
     double *normal;        /* [normals][3], unit */
     double *tangent;       /* [tangents][3], unit, once around; the first follows the last */
-    int edge[4];           /* where each edge ends in tangents, in the order run through */
+    int sides, *side;      /* where each side ends in tangents, in the order run through */
     double area[3];        /* the vector area, in some unit */
 } samples;
 
@@ -84,15 +87,15 @@ static int make_unit(double x[3])
 /* ---- samples ---- */
 
 /* `count` parameters inside the spans of a direction: some of each span, or of every so many. */
-static int place_lines(const taut_basis *basis, double *t)
+static int place_lines(const taut_basis *basis, int most, double *t)
 {
     static const double at[3] = {1e-3, 0.5, 1 - 1e-3};
     const double *breaks = taut_basis_breaks(basis);
     const int spans = taut_basis_span_count(basis);
     int count = 0;
 
-    for (int k = 0; k < LINES_MAX; k++) {
-        const int all = 3 * spans <= LINES_MAX ? 3 * spans : LINES_MAX;
+    for (int k = 0; k < most; k++) {
+        const int all = 3 * spans <= most ? 3 * spans : most;
         const int which = (int)((double)k * (3 * spans - 1) / (all - 1) + 0.5);
         if (k < all) {
             const double lo = breaks[which / 3], hi = breaks[which / 3 + 1];
@@ -102,37 +105,39 @@ static int place_lines(const taut_basis *basis, double *t)
     return count;
 }
 
-static taut_status sample_normals(const taut_surface *surface, taut_arena *arena, samples *s)
+static taut_status sample_normals(const taut_direction_sheet *sheet, int most, taut_arena *arena,
+                                  samples *s)
 {
     double u[LINES_MAX], v[LINES_MAX];
-    const int nu = place_lines(taut_surface_u(surface), u);
-    const int nv = place_lines(taut_surface_v(surface), v);
+    const int nu = place_lines(taut_surface_u(sheet->surface), most, u);
+    const int nv = place_lines(taut_surface_v(sheet->surface), most, v);
     double *jets = taut_arena_take(arena, (size_t)nu * (size_t)nv, 9 * sizeof(double));
-    taut_status status = TAUT_OK;
+    double *normal = s->normal + 3 * (size_t)s->normals;
+    taut_status status = jets != NULL ? TAUT_OK : TAUT_NO_MEMORY;
 
-    s->normals = nu * nv;
-    s->normal = taut_arena_take(arena, (size_t)s->normals, 3 * sizeof(double));
-    if (s->normal == NULL) {
-        return TAUT_NO_MEMORY;
+    if (status == TAUT_OK) {
+        status = taut_surface_eval_grid(sheet->surface, nu, u, nv, v, 1, 1, jets);
     }
-    status = taut_surface_eval_grid(surface, nu, u, nv, v, 1, 1, jets);
-    for (int k = 0; status == TAUT_OK && k < s->normals; k++) {
-        double *normal = s->normal + 3 * (size_t)k;
-        taut_cross(jets + 9 * (size_t)k + 3, jets + 9 * (size_t)k + 6, normal);
+    for (int k = 0; status == TAUT_OK && k < nu * nv; k++, normal += 3) {
+        const double *xu = jets + 9 * (size_t)k + 3, *xv = xu + 3;
+        taut_cross(sheet->sign > 0 ? xu : xv, sheet->sign > 0 ? xv : xu, normal);
         status = make_unit(normal) ? TAUT_OK : TAUT_NO_SOLUTION;
     }
+    s->normals += nu * nv;
     return status;
 }
 
-/* Edge k of v0, u1, v1, u0, run through with the film on the left. */
-static taut_status sample_edge(const taut_surface *surface, int k, taut_arena *arena, samples *s)
+/* A side, run through as it is said. */
+static taut_status sample_side(const taut_surface *surface, const taut_direction_side *side,
+                               taut_arena *arena, samples *s)
 {
     static const double at[ON_SPAN] = {1e-6, 0.25, 0.5, 0.75, 1 - 1e-6};
-    const taut_basis *along = k % 2 == 0 ? taut_surface_u(surface) : taut_surface_v(surface);
-    const taut_basis *across = k % 2 == 0 ? taut_surface_v(surface) : taut_surface_u(surface);
-    const double held = k == 1 || k == 2 ? taut_basis_hi(across) : taut_basis_lo(across);
+    const int along_u = side->edge >= 2, backward = side->is_backward;
+    const taut_basis *along = along_u ? taut_surface_u(surface) : taut_surface_v(surface);
+    const taut_basis *across = along_u ? taut_surface_v(surface) : taut_surface_u(surface);
+    const double held = side->edge % 2 == 1 ? taut_basis_hi(across) : taut_basis_lo(across);
     const double *breaks = taut_basis_breaks(along);
-    const int count = ON_SPAN * taut_basis_span_count(along), backward = k >= 2;
+    const int count = ON_SPAN * taut_basis_span_count(along);
     double *t = taut_arena_take(arena, (size_t)count, sizeof(double));
     double *jets = taut_arena_take(arena, (size_t)count, 9 * sizeof(double));
     taut_status status = jets != NULL ? TAUT_OK : TAUT_NO_MEMORY;
@@ -142,11 +147,11 @@ static taut_status sample_edge(const taut_surface *surface, int k, taut_arena *a
         t[g] = lo + (hi - lo) * at[g % ON_SPAN];
     }
     if (status == TAUT_OK) {
-        status = k % 2 == 0 ? taut_surface_eval_grid(surface, count, t, 1, &held, 1, 1, jets)
-                            : taut_surface_eval_grid(surface, 1, &held, count, t, 1, 1, jets);
+        status = along_u ? taut_surface_eval_grid(surface, count, t, 1, &held, 1, 1, jets)
+                         : taut_surface_eval_grid(surface, 1, &held, count, t, 1, 1, jets);
     }
     for (int g = 0; status == TAUT_OK && g < count; g++) {
-        const double *from = jets + 9 * (size_t)(backward ? count - 1 - g : g) + 3 + 3 * (k % 2);
+        const double *from = jets + 9 * (size_t)(backward ? count - 1 - g : g) + (along_u ? 3 : 6);
         double *tangent = s->tangent + 3 * (size_t)(s->tangents + g);
         for (int c = 0; c < 3; c++) {
             tangent[c] = backward ? -from[c] : from[c];
@@ -154,20 +159,20 @@ static taut_status sample_edge(const taut_surface *surface, int k, taut_arena *a
         status = make_unit(tangent) ? TAUT_OK : TAUT_NO_SOLUTION;
     }
     s->tangents += count;
-    s->edge[k] = s->tangents;
+    s->side[s->sides++] = s->tangents;
     return status;
 }
 
 /* (1/2) sum of r_k x r_k+1 around the net's outermost points: of the polygon, which is as good. */
-static void find_area(const taut_surface *surface, double area[3])
+static void add_area(const taut_direction_sheet *sheet, double area[3])
 {
+    const taut_surface *surface = sheet->surface;
     const int nu = taut_basis_count(taut_surface_u(surface));
     const int nv = taut_basis_count(taut_surface_v(surface));
     const double *points = taut_surface_points(surface);
     const int around = 2 * (nu - 1) + 2 * (nv - 1);
     double last[3] = {0, 0, 0};
 
-    memset(area, 0, 3 * sizeof(double));
     for (int k = 0; k <= around; k++) {
         const int m = k % around;
         const int i = m < nu                ? m
@@ -181,23 +186,35 @@ static void find_area(const taut_surface *surface, double area[3])
         double r[3], turned[3];
         taut_difference(points + 3 * ((size_t)i * (size_t)nv + (size_t)j), points, r);
         taut_cross(last, r, turned);
-        taut_add_scaled(1, turned, area);
+        taut_add_scaled(sheet->sign, turned, area);
         memcpy(last, r, sizeof last);
     }
 }
 
-static taut_status take_samples(const taut_surface *surface, taut_arena *arena, samples *s)
+static taut_status take_samples(const taut_direction_film *film, taut_arena *arena, samples *s)
 {
-    const int spans = taut_basis_span_count(taut_surface_u(surface)) +
-                      taut_basis_span_count(taut_surface_v(surface));
+    const int most = film->sheet_count <= MANY ? LINES_MAX : LINES_OF_MANY;
+    size_t tangents = 0;
     taut_status status = TAUT_OK;
 
-    s->tangent = taut_arena_take(arena, 2 * (size_t)spans * ON_SPAN, 3 * sizeof(double));
-    status = s->tangent != NULL ? sample_normals(surface, arena, s) : TAUT_NO_MEMORY;
-    for (int k = 0; status == TAUT_OK && k < 4; k++) {
-        status = sample_edge(surface, k, arena, s);
+    for (int k = 0; k < film->side_count; k++) {
+        const taut_surface *surface = film->sheets[film->sides[k].sheet].surface;
+        tangents += (size_t)taut_basis_span_count(
+            film->sides[k].edge >= 2 ? taut_surface_u(surface) : taut_surface_v(surface));
     }
-    find_area(surface, s->area);
+    s->side = taut_arena_take(arena, (size_t)film->side_count, sizeof(int));
+    s->tangent = taut_arena_take(arena, tangents * ON_SPAN, 3 * sizeof(double));
+    s->normal = taut_arena_take(arena, (size_t)film->sheet_count * (size_t)(most * most),
+                                3 * sizeof(double));
+    status = taut_arena_status(arena);
+    for (int p = 0; status == TAUT_OK && p < film->sheet_count; p++) {
+        status = sample_normals(&film->sheets[p], most, arena, s);
+        add_area(&film->sheets[p], s->area);
+    }
+    for (int k = 0; status == TAUT_OK && k < film->side_count; k++) {
+        const taut_direction_side *side = &film->sides[k];
+        status = sample_side(film->sheets[side->sheet].surface, side, arena, s);
+    }
     return status;
 }
 
@@ -242,14 +259,14 @@ static void try_direction(const samples *s, const double given[3], double better
     }
 }
 
-/* The normal of the plane of an edge that lies in one and is not straight. */
-static int find_plane(const samples *s, int edge, double normal[3])
+/* The normal of the plane of a side that lies in one and is not straight. */
+static int find_plane(const samples *s, int side, double normal[3])
 {
-    const int first = edge > 0 ? s->edge[edge - 1] : 0;
+    const int first = side > 0 ? s->side[side - 1] : 0;
     const double *t = s->tangent + 3 * (size_t)first;
     double most = 0;
 
-    for (int k = first + 1; k < s->edge[edge]; k++) {
+    for (int k = first + 1; k < s->side[side]; k++) {
         double turned[3];
         taut_cross(t, s->tangent + 3 * (size_t)k, turned);
         if (taut_length(turned) > most) {
@@ -260,7 +277,7 @@ static int find_plane(const samples *s, int edge, double normal[3])
     if (!(most > 1e-6) || !make_unit(normal)) {
         return 0;
     }
-    for (int k = first; k < s->edge[edge]; k++) {
+    for (int k = first; k < s->side[side]; k++) {
         if (fabs(taut_dot(normal, s->tangent + 3 * (size_t)k)) > limits.planar) {
             return 0;
         }
@@ -271,10 +288,10 @@ static int find_plane(const samples *s, int edge, double normal[3])
 /* Along planes of edges: the vector area put into each, and where two of them meet. */
 static void try_planes(const samples *s, best *b)
 {
-    double plane[4][3];
+    double plane[PLANES_MAX][3];
     int count = 0;
 
-    for (int k = 0; k < 4; k++) {
+    for (int k = 0; k < s->sides && count < PLANES_MAX; k++) {
         count += find_plane(s, k, plane[count]);
     }
     for (int k = 0; k < count; k++) {
@@ -340,12 +357,12 @@ static void search(const samples *s, best *b)
     }
 }
 
-taut_status taut_plateau_direction(const taut_surface *surface, double e[3])
+taut_status taut_plateau_direction_of(const taut_direction_film *film, double e[3])
 {
     taut_arena *arena = taut_arena_new();
     samples s = {.normals = 0};
     best found = {{0, 0, 0}, 0};
-    taut_status status = arena != NULL ? take_samples(surface, arena, &s) : TAUT_NO_MEMORY;
+    taut_status status = arena != NULL ? take_samples(film, arena, &s) : TAUT_NO_MEMORY;
 
     if (status == TAUT_OK) {
         search(&s, &found);
@@ -357,4 +374,12 @@ taut_status taut_plateau_direction(const taut_surface *surface, double e[3])
     }
     memcpy(e, found.e, sizeof found.e);
     return TAUT_OK;
+}
+
+taut_status taut_plateau_direction(const taut_surface *surface, double e[3])
+{
+    static const taut_direction_side round[4] = {{0, 2, 0}, {0, 1, 0}, {0, 3, 1}, {0, 0, 1}};
+    const taut_direction_sheet sheet = {surface, 1};
+    const taut_direction_film film = {1, &sheet, 4, round};
+    return taut_plateau_direction_of(&film, e);
 }

@@ -295,7 +295,7 @@ static point_form form_of_newton(const taut_dual *dual, const double *state, con
     return make_form(state, h, c, d, weight);
 }
 
-static int number_of(const taut_dual *dual, int i, int j)
+int taut_dual_number(const taut_dual *dual, int i, int j)
 {
     return dual->along_u ? j * dual->u.count + i : i * dual->v.count + j;
 }
@@ -335,11 +335,11 @@ static void add_to_matrix(taut_dual *dual, int line, int span)
         const double both = slope[a] * slope[a2], none = value[a] * value[a2];
         const double one = slope[a] * value[a2], other = value[a] * slope[a2];
         for (int b = 0; b < v->local; b++) {
-            const int p = number_of(dual, i + a, j + b);
+            const int p = taut_dual_number(dual, i + a, j + b);
             const double *e = dual->element + (size_t)b * local;
             double *row = taut_band_row(&dual->matrix, p);
             for (int b2 = 0; b2 < v->local; b2++) {
-                const int below = p - number_of(dual, i + a2, j + b2);
+                const int below = p - taut_dual_number(dual, i + a2, j + b2);
                 if (below >= 0) {
                     row[below] +=
                         both * e[b2] + one * e[local * local + (size_t)b2] +
@@ -362,14 +362,13 @@ static void add_to_right(taut_dual *dual, const point_form *form, int line, int 
     for (int a = 0; a < u->local; a++) {
         const double flat = slope[a] * form->right[0], steep = value[a] * form->right[1];
         for (int b = 0; b < v->local; b++) {
-            dual->right[number_of(dual, u->first[line / u->nodes] + a,
-                                  v->first[k / v->nodes] + b)] += flat * m[b] + steep * n[b];
+            dual->right[taut_dual_number(dual, u->first[line / u->nodes] + a,
+                                         v->first[k / v->nodes] + b)] += flat * m[b] + steep * n[b];
         }
     }
 }
 
-/* psi NULL: the system of the start. */
-static taut_status assemble(taut_dual *dual, const double *psi)
+taut_status taut_dual_assemble(taut_dual *dual, const double *psi)
 {
     const taut_dual_axis *u = &dual->u, *v = &dual->v;
     const int nodes = v->spans * v->nodes;
@@ -426,7 +425,7 @@ static taut_status solve(taut_dual *dual)
     taut_band_solve(&dual->matrix, 1, dual->right);
     for (int i = 0; i < dual->u.count; i++) {
         for (int j = 0; j < dual->v.count; j++) {
-            const double x = dual->right[number_of(dual, i, j)] - dual->right[0];
+            const double x = dual->right[taut_dual_number(dual, i, j)] - dual->right[0];
             if (!isfinite(x)) {
                 return TAUT_NO_SOLUTION;
             }
@@ -438,7 +437,7 @@ static taut_status solve(taut_dual *dual)
 
 taut_status taut_dual_start(taut_dual *dual, double *psi)
 {
-    taut_status status = assemble(dual, NULL);
+    taut_status status = taut_dual_assemble(dual, NULL);
 
     if (status == TAUT_OK) {
         status = solve(dual);
@@ -452,6 +451,6 @@ taut_status taut_dual_start(taut_dual *dual, double *psi)
 
 taut_status taut_dual_newton(taut_dual *dual, const double *psi)
 {
-    const taut_status status = assemble(dual, psi);
+    const taut_status status = taut_dual_assemble(dual, psi);
     return status == TAUT_OK ? solve(dual) : status;
 }

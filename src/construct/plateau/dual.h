@@ -64,6 +64,10 @@ taut_status taut_dual_start(taut_dual *dual, double *psi);
 /* Newton's step from psi, to dual->step. The same statuses. */
 taut_status taut_dual_newton(taut_dual *dual, const double *psi);
 
+/* The matrix and the right side alone, numbered by taut_dual_number; psi NULL: of the start. TAUT_INTERRUPTED. */
+taut_status taut_dual_assemble(taut_dual *dual, const double *psi);
+int taut_dual_number(const taut_dual *dual, int i, int j);
+
 /* About so many flops: one of these two. */
 double taut_dual_cost(const taut_dual *dual);
 

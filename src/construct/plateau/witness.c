@@ -2,19 +2,12 @@
  *
  *     surface = scaled to about unit size (construct/common/scaling.h)
  *     e       = a direction in which it is a graph (construct/plateau/direction.h)
- *     psi     = the one whose field is next to the film's normals (construct/plateau/dual.h), made
- *               smaller if it is too steep
- *     while it is cheap and worth it: Newton's step, halved until it is not too steep and the gap
- *               falls
- *     psi     = rounded to as many decimals as count
- *
- * The gap is of second order in the error of grad psi. So the start is good to about the root of
- * the gap, and films whose gap is small need no step; and decimals that move grad psi by a thousandth
- * of the root of the gap are told in vain.
+ *     psi     = the one of least gap (construct/plateau/climb.h), rounded to as many decimals as count
  */
 #include "construct/plateau/witness.h"
 
 #include "construct/common/scaling.h"
+#include "construct/plateau/climb.h"
 #include "construct/plateau/direction.h"
 #include "construct/plateau/dual.h"
 #include "core/arena.h"
@@ -28,22 +21,6 @@
 enum {
     POINTS_LARGE = 40 * 40, /* from here on psi is one degree above it, not two */
     DEGREE_MAX = 24,        /* of a film: the certificate multiplies polynomials of many degrees */
-    STEPS = 8,
-    HALVINGS = 12,
-};
-
-static const struct {
-    double steepest;   /* |grad psi| that the start is brought down to */
-    double gap_rough;  /* share of the area: below, the start is as good as a step makes it */
-    double gain_least; /* of a step, over the gap: less and it was the last */
-    double flops;      /* of all steps */
-    double decimals;   /* share of the root of the gap that a decimal may move grad psi by */
-} limits = {
-    .steepest = 0.9999,
-    .gap_rough = 1e-8,
-    .gain_least = 1e-3,
-    .flops = 1e10,
-    .decimals = 3e-3,
 };
 
 /* On the way. */
@@ -53,7 +30,7 @@ typedef struct work {
     taut_surface *scaled;
     taut_dual dual;
     taut_dual_value value;
-    double *psi, *next;
+    double *psi, *step, *next;
     taut_plateau_witness *made;
     taut_pulse pulse;
 } work;
@@ -100,8 +77,7 @@ static taut_status raise_quasi(const taut_basis *basis, int more, taut_basis **r
     return status;
 }
 
-/* The same breaks and continuity, so many degrees up: each knot repeated so many times more. */
-static taut_status raise_basis(const taut_basis *basis, int more, taut_basis **raised)
+taut_status taut_plateau_raise(const taut_basis *basis, int more, taut_basis **raised)
 {
     taut_basis_spec spec;
     double *knots = NULL;
@@ -168,9 +144,9 @@ static taut_status prepare(const taut_surface *surface, work *w)
         return status;
     }
     taut_plateau_frame(made->direction, frame);
-    status = raise_basis(taut_surface_u(surface), more, &made->u);
+    status = taut_plateau_raise(taut_surface_u(surface), more, &made->u);
     if (status == TAUT_OK) {
-        status = raise_basis(taut_surface_v(surface), more, &made->v);
+        status = taut_plateau_raise(taut_surface_v(surface), more, &made->v);
     }
     if (status == TAUT_OK) {
         status = taut_dual_new(w->scaled, made->u, made->v, frame, w->arena, &w->dual);
@@ -181,6 +157,7 @@ static taut_status prepare(const taut_surface *surface, work *w)
     const size_t count = (size_t)w->dual.u.count * (size_t)w->dual.v.count;
     w->dual.pulse = &w->pulse;
     w->psi = taut_arena_take(w->arena, count, sizeof(double));
+    w->step = taut_arena_take(w->arena, count, sizeof(double));
     w->next = taut_arena_take(w->arena, count, sizeof(double));
     made->coefficients = taut_alloc(count, sizeof(double));
     made->density = taut_alloc((size_t)w->dual.u.spans * (size_t)w->dual.v.spans, sizeof(double));
@@ -188,73 +165,34 @@ static taut_status prepare(const taut_surface *surface, work *w)
                                                                                   : TAUT_NO_MEMORY;
 }
 
-/* Newton's step from psi, as much of it as makes the gap fall; *gain over the gap, 0 for none. */
-static taut_status make_step(work *w, double *gain)
+static taut_dual_value evaluate(void *context, const double *psi)
 {
-    const size_t count = (size_t)w->dual.matrix.n;
-    double share = 1;
-    taut_status status = taut_dual_newton(&w->dual, w->psi);
+    work *w = context;
+    return taut_dual_evaluate(&w->dual, psi, NULL);
+}
 
-    *gain = 0;
-    for (int k = 0; status == TAUT_OK && k < HALVINGS && *gain == 0; k++, share *= 0.5) {
-        taut_dual_value value;
-        for (size_t i = 0; i < count; i++) {
-            w->next[i] = w->psi[i] + share * w->dual.step[i];
-        }
-        if (taut_pulse_report(&w->pulse)) {
-            status = TAUT_INTERRUPTED;
-            break;
-        }
-        value = taut_dual_evaluate(&w->dual, w->next, NULL);
-        if (value.steepest < 1 && value.gap < w->value.gap) {
-            *gain = 1 - value.gap / w->value.gap;
-            w->value = value;
-            memcpy(w->psi, w->next, count * sizeof(double));
-        }
+static taut_status solve(void *context, const double *psi, double *step)
+{
+    work *w = context;
+    const taut_status status =
+        psi != NULL ? taut_dual_newton(&w->dual, psi) : taut_dual_start(&w->dual, step);
+
+    if (status == TAUT_OK && psi != NULL) {
+        memcpy(step, w->dual.step, (size_t)w->dual.matrix.n * sizeof(double));
     }
     return status;
 }
 
 static taut_status find_psi(work *w)
 {
-    double gain = 1, flops = 0;
-    taut_status status = taut_dual_start(&w->dual, w->psi);
-
-    if (status != TAUT_OK) {
-        return status;
-    }
-    w->value = taut_dual_evaluate(&w->dual, w->psi, NULL);
-    if (!(w->value.steepest < limits.steepest)) {
-        for (size_t i = 0; i < (size_t)w->dual.matrix.n; i++) {
-            w->psi[i] *= limits.steepest / w->value.steepest;
-        }
-        w->value = taut_dual_evaluate(&w->dual, w->psi, NULL);
-    }
-    for (int k = 0; k < STEPS && gain > limits.gain_least &&
-                    w->value.gap > limits.gap_rough * w->dual.area && flops <= limits.flops;
-         k++) {
-        status = make_step(w, &gain);
-        if (status != TAUT_OK) {
-            return status;
-        }
-        flops += taut_dual_cost(&w->dual);
-    }
-    return w->value.steepest < 1 ? TAUT_OK : TAUT_NO_SOLUTION;
-}
-
-/* 10^k for the k decimals that count: where spans are short a step of the last is steep. 0: all. */
-static double decimals_of(const work *w)
-{
-    const double steep = fmax(w->dual.u.spans * w->dual.u.local, w->dual.v.spans * w->dual.v.local);
-    const double rough = fmax(w->value.gap / w->dual.area, 1e-20);
-    const double unit =
-        ldexp(limits.decimals * sqrt(rough) / steep, w->scaling.outer + w->scaling.inner);
-    double power = 1;
-
-    while (unit * power < 1 && power < 1e22) {
-        power *= 10;
-    }
-    return power < 1e22 ? power : 0;
+    const taut_dual_climb climb = {.count = (size_t)w->dual.matrix.n,
+                                   .area = w->dual.area,
+                                   .flops = taut_dual_cost(&w->dual),
+                                   .evaluate = evaluate,
+                                   .solve = solve,
+                                   .context = w,
+                                   .pulse = &w->pulse};
+    return taut_dual_climb_up(&climb, w->psi, w->step, w->next, &w->value);
 }
 
 /* The coefficients in the surface's unit, to the decimals that count. */
@@ -262,11 +200,11 @@ static int tell(work *w)
 {
     const size_t count = (size_t)w->dual.matrix.n;
     const int exponent = w->scaling.outer + w->scaling.inner;
-    const double power = decimals_of(w);
+    const double steep = fmax(w->dual.u.spans * w->dual.u.local, w->dual.v.spans * w->dual.v.local);
+    const double power = taut_dual_decimals(w->value.gap / w->dual.area, steep, exponent);
 
     for (size_t i = 0; i < count; i++) {
-        const double x = ldexp(w->psi[i], exponent), rounded = round(x * power) / power;
-        w->made->coefficients[i] = power > 0 && isfinite(rounded) ? rounded : x;
+        w->made->coefficients[i] = taut_dual_round(ldexp(w->psi[i], exponent), power);
         w->next[i] = ldexp(w->made->coefficients[i], -exponent);
         if (!isfinite(w->made->coefficients[i])) {
             return 0;
@@ -330,16 +268,23 @@ static void describe_basis(const taut_basis *basis, const char *key, taut_record
     }
 }
 
+void taut_plateau_describe_psi(const taut_basis *u, const taut_basis *v, const double *coefficients,
+                               taut_record *record)
+{
+    const int nu = taut_basis_count(u), nv = taut_basis_count(v);
+
+    describe_basis(u, "u", record);
+    describe_basis(v, "v", record);
+    taut_record *rows = taut_record_add_list(record, "coefficients");
+    for (int i = 0; i < nu; i++) {
+        taut_record_add_numbers(rows, NULL, nv, coefficients + (size_t)i * (size_t)nv);
+    }
+}
+
 void taut_plateau_witness_describe(const taut_plateau_witness *witness, taut_record *details)
 {
     taut_record *least = taut_record_add_object(details, "least");
-    const int nu = taut_basis_count(witness->u), nv = taut_basis_count(witness->v);
 
     taut_record_add_numbers(least, "direction", 3, witness->direction);
-    describe_basis(witness->u, "u", least);
-    describe_basis(witness->v, "v", least);
-    taut_record *rows = taut_record_add_list(least, "coefficients");
-    for (int i = 0; i < nu; i++) {
-        taut_record_add_numbers(rows, NULL, nv, witness->coefficients + (size_t)i * (size_t)nv);
-    }
+    taut_plateau_describe_psi(witness->u, witness->v, witness->coefficients, least);
 }

@@ -32,4 +32,10 @@ void taut_plateau_witness_free(taut_plateau_witness *witness); /* NULL is fine *
 /* The member `least` of details. */
 void taut_plateau_witness_describe(const taut_plateau_witness *witness, taut_record *details);
 
+/* The same breaks and continuity, so many degrees up: each knot repeated so many times more. */
+taut_status taut_plateau_raise(const taut_basis *basis, int more, taut_basis **raised);
+/* Members u, v, coefficients of a record. */
+void taut_plateau_describe_psi(const taut_basis *u, const taut_basis *v, const double *coefficients,
+                               taut_record *record);
+
 #endif /* TAUT_CONSTRUCT_PLATEAU_WITNESS_H */

@@ -12,7 +12,7 @@
  *   stationary  as of one patch, over the nodes, of E - sum p V; pressures and forces that are not given are those that leave the least;
  *               forces must be above 0
  *   stable      lowest eigenvalue of the second variation over the moves, scaled; above 1e-6
- *   least       null: no bound is known of films of many patches
+ *   least       films whose boundary is one closed curve, by what the model carries (certify/film/complex/least.h)
  *   equilibrium where it is asked for: the largest defect
  */
 #include "certify/film/complex/complex.h"
@@ -20,6 +20,7 @@
 
 #include "certify/common/verdict.h"
 #include "certify/film/complex/defects.h"
+#include "certify/film/complex/least.h"
 #include "certify/film/edge.h"
 #include "certify/film/images.h"
 #include "certify/film/sheet.h"
@@ -56,6 +57,7 @@ typedef struct request {
     int off_cell, off_rope;
     int slack; /* a cable that is not drawn, or -1 */
     int settled;
+    double area, area_apart; /* by the last rule, and from the one before */
     double lowest, lowest_user;
     int below;
     taut_pulse *pulse;
@@ -437,6 +439,16 @@ static taut_status add_volume(const request *r, taut_certificate *certificate, t
     return add(certificate, &claim, error);
 }
 
+static void judge_area(request *r, const taut_sheets *s)
+{
+    double area = 0;
+    for (int p = 0; p < r->problem->patch_count; p++) {
+        area += s->areas[p];
+    }
+    r->area_apart = fabs(area - r->area);
+    r->area = area;
+}
+
 static taut_status settle(request *r)
 {
     const double limit = fmin(r->tolerance, largest_limit);
@@ -451,6 +463,7 @@ static taut_status settle(request *r)
             judge(r, &s);
             judge_volumes(r, &s);
             judge_ropes(r, &s);
+            judge_area(r, &s);
         }
         taut_arena_free(arena);
         if (status != TAUT_OK) {
@@ -545,17 +558,6 @@ static taut_status add_stable(const request *r, taut_certificate *certificate, t
     return add(certificate, &claim, error);
 }
 
-static taut_status add_least(taut_certificate *certificate, taut_error *error)
-{
-    const taut_claim claim = {.claim = "least",
-                              .kind = TAUT_BOUND,
-                              .residual = taut_none,
-                              .limit = largest_limit,
-                              .holds = TAUT_UNDECIDED,
-                              .where = "patches: no bound is known of films of many patches"};
-    return add(certificate, &claim, error);
-}
-
 /* ---- figures ---- */
 
 static void add_reactions(const request *r, const taut_sheets *s, double *forces,
@@ -609,6 +611,38 @@ static void add_stress(const taut_film_problem *problem, const taut_sheets *shee
     }
 }
 
+static taut_status add_least(const request *r, double tension, taut_record *figures,
+                             taut_certificate *certificate, taut_error *error)
+{
+    const taut_record *details = taut_model_details(r->model);
+    taut_least_finding found = {.why = "declined: the problem asks for no bound"};
+    taut_claim claim = {.claim = "least",
+                        .kind = TAUT_BOUND,
+                        .residual = taut_none,
+                        .limit = largest_limit,
+                        .holds = TAUT_UNDECIDED,
+                        .where = ""};
+
+    if (!r->problem->without_least) {
+        const taut_status status = taut_complex_least_of(
+            &r->complex, r->surfaces, taut_record_get(details, "least"), r->pulse, &found);
+        if (status != TAUT_OK) {
+            return status == TAUT_NO_MEMORY ? taut_fail_memory(error) : status;
+        }
+    }
+    if (found.why == NULL) {
+        claim.residual = taut_least_tell(&found, r->area, r->area_apart, tension, figures);
+        claim.holds = taut_certify_below(claim.residual, claim.limit);
+    } else {
+        claim.where = found.why;
+    }
+    if (claim.holds == TAUT_FALSE) {
+        claim.holds = TAUT_UNDECIDED;
+        claim.where = "coarse: the film or its witness is too coarse for a bound that is so near";
+    }
+    return add(certificate, &claim, error);
+}
+
 static taut_status fill_figures(const request *r, taut_record *figures,
                                 taut_certificate *certificate, taut_error *error)
 {
@@ -648,6 +682,10 @@ static taut_status fill_figures(const request *r, taut_record *figures,
         energy -= cell->has_volume ? 0 : cell->pressure * s.volumes[k];
     }
     taut_record_add_number(figures, "energy", energy);
+    const taut_status status = add_least(r, s.shares[0] * s.tension, figures, certificate, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
     taut_record_add_number(figures, "area", area);
     taut_record_add_numbers(figures, "areas", patches, s.areas);
     taut_record_add_numbers(figures, "lengths", ropes, s.lengths);
@@ -758,9 +796,6 @@ static taut_status prove(request *r, taut_certificate *certificate, taut_error *
     }
     if (status == TAUT_OK) {
         status = add_stable(r, certificate, error);
-    }
-    if (status == TAUT_OK) {
-        status = add_least(certificate, error);
     }
     return status == TAUT_OK ? add_figures(r, certificate, error) : status;
 }

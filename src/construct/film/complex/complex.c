@@ -3,15 +3,18 @@
  *     1. check the data
  *     2. nodes, holds, the start (construct/film/complex/layout.h)
  *     3. Newton's steps to the least energy (construct/film/complex/solve.h)
- *     4. a surface of each patch, and each cable as a curve, "NAME.u0", the row of points at its edge, bit for bit
+ *     4. a witness of how near it is to the least area of all (construct/film/complex/witness.h)
+ *     5. a surface of each patch, and each cable as a curve, "NAME.u0", the row of points at its edge, bit for bit
  */
 #include "construct/film/complex/complex.h"
 
 #include "construct/common/build.h"
 #include "construct/film/complex/refine.h"
+#include "construct/film/complex/witness.h"
 #include "construct/film/edges.h"
 #include "construct/film/images.h"
 #include "construct/film/threads.h"
+#include "construct/plateau/witness.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 #include "problem/film_cells.h"
@@ -438,7 +441,11 @@ static taut_status build(void *context, taut_arena *arena, taut_model *model, ta
         return status;
     }
     taut_record *details = details_of(&layout, &rest, arena);
-    if (details != NULL && r->problem->refine > 0) {
+    if (details != NULL && !r->problem->without_least) {
+        status = taut_complex_witness_add(&layout, &rest, r->monitor, details);
+        status = status == TAUT_OK ? TAUT_OK : taut_plateau_witness_fail(status, error);
+    }
+    if (status == TAUT_OK && details != NULL && r->problem->refine > 0) {
         status = taut_film_complex_refine(&layout, &rest, r->monitor, details, error);
     }
     if (status != TAUT_OK) {

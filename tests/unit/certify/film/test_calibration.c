@@ -3,6 +3,7 @@
 #include "certificates.h"
 #include "check.h"
 #include "sails.h"
+#include "witnesses.h"
 
 #include "taut/construct.h"
 #include "taut/read.h"
@@ -14,49 +15,6 @@ static const double tetrahedron_area = 8 * 1.279261571171006466 / 2; /* test_fil
 static const double helicoid_energy = 5.56622311816688;
 
 /* ---- witnesses that are changed ---- */
-
-/* What becomes of the numbers of a record: number `at` of them is changed, or each where at is below 0. */
-typedef struct change {
-    long at, seen;
-    double by;                  /* so much of 1 is added, at random */
-    double instead;             /* of number `at`, unless NaN by is wanted */
-    const char *without, *only; /* a member left out; the members that are changed, or NULL: all */
-} change;
-
-static double changed(change *c, double x, int is_meant)
-{
-    const long k = c->seen++;
-
-    if (!is_meant) {
-        return x;
-    }
-    if (c->at >= 0) {
-        return k == c->at ? c->instead : x;
-    }
-    return random_int(0, 2) == 0 ? x + c->by * random_in(-1, 1) : x;
-}
-
-static void copy(const taut_record *from, const char *key, taut_record *to, change *c, int is_meant)
-{
-    const taut_record_kind kind = taut_record_kind_of(from);
-
-    if (kind == TAUT_RECORD_NUMBER) {
-        taut_record_add_number(to, key, changed(c, taut_record_number(from), is_meant));
-    } else if (kind == TAUT_RECORD_TEXT) {
-        taut_record_add_text(to, key, taut_record_text(from));
-    } else {
-        const int is_list = kind == TAUT_RECORD_LIST;
-        taut_record *one =
-            is_list ? taut_record_add_list(to, key) : taut_record_add_object(to, key);
-        for (size_t k = 0; k < taut_record_count(from); k++) {
-            const char *name = is_list ? NULL : taut_record_key(from, k);
-            if (name == NULL || c->without == NULL || strcmp(name, c->without) != 0) {
-                copy(taut_record_at(from, k), name, one, c,
-                     is_meant || (name != NULL && c->only != NULL && strcmp(name, c->only) == 0));
-            }
-        }
-    }
-}
 
 /* What a certificate says. */
 typedef struct proof {
@@ -82,16 +40,10 @@ static proof prove(const taut_model *model, const taut_film_problem *problem)
 }
 
 /* The same with another witness. */
-static proof prove_changed(const taut_model *model, const taut_film_problem *problem, change c)
+static proof prove_changed(const taut_model *model, const taut_film_problem *problem,
+                           witness_change c)
 {
-    const taut_record *least = taut_record_get(taut_model_details(model), "least");
-    taut_record *details = taut_record_new();
-    taut_model *other = NULL;
-
-    CHECK(taut_model_copy(model, &other) == TAUT_OK, "copy");
-    copy(least, "least", details, &c, c.only == NULL);
-    CHECK(taut_record_status(details) == TAUT_OK, "record");
-    taut_model_set_details(other, details);
+    taut_model *other = witness_changed(model, c);
     const proof p = prove(other, problem);
     taut_model_free(other);
     return p;
@@ -198,7 +150,7 @@ static void test_changed(void)
             const double size = random_log(1e-14, 3);
             const proof p =
                 prove_changed(model, &sails[k].problem,
-                              (change){.at = -1, .by = size, .only = members[trial % 8]});
+                              (witness_change){.at = -1, .by = size, .only = members[trial % 8]});
             CHECK(!(p.lower > energies[k] * (1 + 1e-13)), "%d, size %g: %.17g above %.17g", k, size,
                   p.lower, energies[k]);
             CHECK(p.holds != TAUT_FALSE, "nothing was asked for");
@@ -227,8 +179,8 @@ static void test_height(void)
 
     for (size_t k = 0; k < sizeof moves / sizeof *moves; k++) {
         const long at = 3 + 9 + 8 + 25 + 30; /* the numbers before it */
-        const proof p =
-            prove_changed(model, &s.problem, (change){.at = at, .instead = height + moves[k]});
+        const proof p = prove_changed(model, &s.problem,
+                                      (witness_change){.at = at, .instead = height + moves[k]});
         CHECK(p.lower <= helicoid_energy, "%g: %.17g above %.17g", moves[k], p.lower,
               helicoid_energy);
     }
@@ -241,7 +193,7 @@ static void test_height(void)
 static void test_refused(void)
 {
     static const struct {
-        change c;
+        witness_change c;
         const char *why;
     } rows[] = {
         {{.at = -1, .without = "origin"}, "witness: its frame"},
