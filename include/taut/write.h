@@ -56,7 +56,8 @@ extern "C" {
  * sqrt((E-G)^2 + 4 F^2) / (E+G) in [0, 1], 0 where it is; or of a film where its area is how far above
  * the lower bound of its witness, for each unit of area (docs/least.md; figures only); or of a film of force
  * densities what its threads pull with along u (warp) or v (weft), force per width, by the figure `force_density` of
- * its certificate (docs/film.md; figures only). */
+ * its certificate (docs/film.md; figures only); or of the flat pieces of a cutting pattern the principal strain that is larger
+ * in size (docs/pattern.md; figures and GLB). */
 typedef enum taut_colour {
     TAUT_COLOUR_PLAIN,
     TAUT_COLOUR_MEAN,
@@ -64,7 +65,8 @@ typedef enum taut_colour {
     TAUT_COLOUR_ISOTHERMALITY,
     TAUT_COLOUR_GAP,
     TAUT_COLOUR_WARP,
-    TAUT_COLOUR_WEFT
+    TAUT_COLOUR_WEFT,
+    TAUT_COLOUR_STRAIN
 } taut_colour;
 
 /* Formats beyond the library's own, which another library brings: taut_draw_formats() of taut/draw.h. */

@@ -243,7 +243,7 @@ class Model:
 
         tolerance   0: the format's own (1e-3 of the size for meshes)
         options     divide, thickness (of meshes), coefficients (of VTU), surface (name), colour ("plain", "mean", "gaussian",
-                    "isothermality", "gap", "warp", "weft"), no_net (False: the net of pipes too),
+                    "isothermality", "gap", "warp", "weft", "strain"), no_net (False: the net of pipes too),
                     view (azimuth, elevation in degrees), title, isolines, reflections, combs, reactions, side_by_side, column, width;
                     of flat pieces in .pdf: tiles ("a4" or "a3": 1:1 on sheets of paper), reduction (20: 1:20, on one page)
         """
@@ -369,7 +369,7 @@ class Mesh:
 
 
 _PAPERS = ("", "a4", "a3")
-_COLOURS = ("plain", "mean", "gaussian", "isothermality", "gap", "warp", "weft")
+_COLOURS = ("plain", "mean", "gaussian", "isothermality", "gap", "warp", "weft", "strain")
 
 
 def write_options(tolerance: float, threads: int | None, options: Mapping[str, Any]) -> c.WriteOptions:

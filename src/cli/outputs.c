@@ -91,7 +91,8 @@ int cli_write_options(const cli_options *options, taut_write_options *chosen)
         taut_colour colour;
     } colours[] = {{"H", TAUT_COLOUR_MEAN},          {"K", TAUT_COLOUR_GAUSSIAN},
                    {"I", TAUT_COLOUR_ISOTHERMALITY}, {"gap", TAUT_COLOUR_GAP},
-                   {"warp", TAUT_COLOUR_WARP},       {"weft", TAUT_COLOUR_WEFT}};
+                   {"warp", TAUT_COLOUR_WARP},       {"weft", TAUT_COLOUR_WEFT},
+                   {"strain", TAUT_COLOUR_STRAIN}};
 
     *chosen = (taut_write_options){.tolerance = options->tolerance,
                                    .formats = taut_draw_formats(),
@@ -120,7 +121,8 @@ int cli_write_options(const cli_options *options, taut_write_options *chosen)
             }
         }
         if (chosen->colour == TAUT_COLOUR_PLAIN) {
-            return cli_misuse_value("--colour", options->colour, "H, K, I, gap, warp or weft");
+            return cli_misuse_value("--colour", options->colour,
+                                    "H, K, I, gap, warp, weft or strain");
         }
     }
     if (options->view != NULL) {

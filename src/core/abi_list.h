@@ -874,7 +874,8 @@
     X(TAUT_COLOUR_ISOTHERMALITY, "isothermality") \
     X(TAUT_COLOUR_GAP, "gap") \
     X(TAUT_COLOUR_WARP, "warp") \
-    X(TAUT_COLOUR_WEFT, "weft")
+    X(TAUT_COLOUR_WEFT, "weft") \
+    X(TAUT_COLOUR_STRAIN, "strain")
 
 #define TAUT_ABI_VALUES_taut_edge(X) \
     X(TAUT_EDGE_U0, "u0") \

@@ -145,7 +145,8 @@ static double noise_of(const figure *f)
                            [TAUT_COLOUR_ISOTHERMALITY] = 1,
                            [TAUT_COLOUR_GAP] = 1e-15,
                            [TAUT_COLOUR_WARP] = 0, /* of any unit: nothing is rounding */
-                           [TAUT_COLOUR_WEFT] = 0};
+                           [TAUT_COLOUR_WEFT] = 0,
+                           [TAUT_COLOUR_STRAIN] = 1};
     return taut_pow(10,
                     ceil(taut_log10(fmin(fmax(1e-9 * unit[f->options.colour], 1e-290), 1e290))));
 }
@@ -176,8 +177,8 @@ static taut_status choose_limit(figure *f)
         f->has_grey |= isnan(values[i]);
     }
     f->limit = taut_colour_range(count, values, noise_of(f), &f->cut, &f->sign);
-    f->sign = f->options.colour >= TAUT_COLOUR_ISOTHERMALITY ? 1 : f->sign;
-    f->is_noise = f->options.colour < TAUT_COLOUR_ISOTHERMALITY && f->limit <= 1.1 * noise_of(f);
+    f->sign = taut_sheet_has_signs(f->options.colour) ? f->sign : 1;
+    f->is_noise = taut_sheet_has_signs(f->options.colour) && f->limit <= 1.1 * noise_of(f);
     return TAUT_OK;
 }
 
@@ -535,9 +536,9 @@ static taut_status check_numbers(const taut_write_options *o, taut_error *error)
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, o->reduction, taut_none,
                          "there is no such paper, or a reduction that is no number above 0");
     }
-    if (o->colour > TAUT_COLOUR_WEFT) {
+    if (o->colour > TAUT_COLOUR_STRAIN) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, (double)o->colour,
-                         TAUT_COLOUR_WEFT, "there is no such colour");
+                         TAUT_COLOUR_STRAIN, "there is no such colour");
     }
     return TAUT_OK;
 }

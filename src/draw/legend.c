@@ -100,6 +100,7 @@ static const heading headings[] = {
     [TAUT_COLOUR_GAP] = {"Gap per area", "0: least", 0},
     [TAUT_COLOUR_WARP] = {"Stress, warp", "force per width", 1},
     [TAUT_COLOUR_WEFT] = {"Stress, weft", "force per width", 1},
+    [TAUT_COLOUR_STRAIN] = {"Strain", "larger principal", 0},
 };
 
 static void draw_heading(const taut_legend *l, const scale *s, taut_colour colour, const char *unit)

@@ -287,7 +287,7 @@ static taut_status add_isolines(const taut_pane *pane, const taut_write_options 
     if (options->colour == TAUT_COLOUR_PLAIN) {
         return taut_parts_parameter_lines(sheet->surface, count, &pane->camera, arena, scene);
     }
-    const int first = options->colour >= TAUT_COLOUR_ISOTHERMALITY ? 0 : -count;
+    const int first = taut_sheet_has_signs(options->colour) ? -count : 0;
     const taut_status status =
         taut_parts_isolines(sheet, pane->pages[i], limit / count, first, count, scene);
     return status == TAUT_OK ? taut_parts_isoline_names(sheet, pane->pages[i], limit / count, first,

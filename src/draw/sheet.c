@@ -91,6 +91,7 @@ double taut_sheet_value(taut_colour colour, const taut_forms *forms)
         [TAUT_COLOUR_GAP] = (double)NAN, /* forms do not tell: taut_sheet_film */
         [TAUT_COLOUR_WARP] = (double)NAN,
         [TAUT_COLOUR_WEFT] = (double)NAN,
+        [TAUT_COLOUR_STRAIN] = (double)NAN,
     };
     return isfinite(x[colour]) ? x[colour] : (double)NAN;
 }

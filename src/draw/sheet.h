@@ -42,9 +42,15 @@ taut_status taut_sheet_new(const taut_surface *surface, int cells, int most,
  * knot stays one, as each cell is looked at from within. */
 taut_status taut_sheet_corners(const taut_write_options *options, taut_arena *arena,
                                taut_sheet *sheet);
-/* For colours that only films have fills sheet->values, and with isolines sheet->corners: the gap by the witness in the
- * details of the model (measure/dual/density.h), the stress by the figures of its certificate (measure/film/stress.h); NaN
- * where there is none. */
+/* Are there values below 0, too, of what a colour shows? */
+static inline int taut_sheet_has_signs(taut_colour colour)
+{
+    return colour == TAUT_COLOUR_MEAN || colour == TAUT_COLOUR_GAUSSIAN ||
+           colour == TAUT_COLOUR_STRAIN;
+}
+/* For colours that only films and cloth have fills sheet->values, and with isolines sheet->corners: the gap by the witness in the
+ * details of the model (measure/dual/density.h), the stress by the figures of its certificate (measure/film/stress.h), the
+ * strain of flat pieces (measure/cloth/mounted.h); NaN where there is none. */
 taut_status taut_sheet_film(const taut_write_options *options, const taut_model *model,
                             taut_arena *arena, taut_sheet *sheet);
 /* Fills sheet->stripes by the reflection lines that `lights` lamps leave. They are tubes along

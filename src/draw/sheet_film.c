@@ -1,7 +1,8 @@
 /* sheet_film.c -- what is known of a film beside its forms, on the cells of a sheet: where it is how far from least, what its threads pull
- * with. */
+ * with; and how a flat piece of cloth is strained. */
 #include "draw/sheet.h"
 
+#include "measure/cloth/mounted.h"
 #include "measure/dual/density.h"
 #include "measure/film/stress.h"
 
@@ -77,6 +78,24 @@ static double stress_at(const void *of, double u, double v)
     return stress[t->along];
 }
 
+static double strain_at(const void *of, double s, double t)
+{
+    double point[3], normal[3], strain = NAN;
+    taut_mounted_at(of, s, t, point, normal, &strain);
+    return strain;
+}
+
+static taut_status fill_strains(const taut_sheet *sheet, const taut_model *model, taut_arena *arena)
+{
+    taut_mounted piece;
+    const taut_status status = taut_mounted_new(model, sheet->surface, arena, &piece);
+
+    if (status == TAUT_OK) {
+        fill_cells(sheet, piece.flat != NULL ? strain_at : none_at, &piece);
+    }
+    return status;
+}
+
 taut_status taut_sheet_film(const taut_write_options *options, const taut_model *model,
                             taut_arena *arena, taut_sheet *sheet)
 {
@@ -91,6 +110,9 @@ taut_status taut_sheet_film(const taut_write_options *options, const taut_model 
     }
     if (options->colour == TAUT_COLOUR_GAP) {
         return fill_gaps(sheet, taut_model_details(model));
+    }
+    if (options->colour == TAUT_COLOUR_STRAIN) {
+        return fill_strains(sheet, model, arena);
     }
     fill_cells(sheet, taut_stress_densities(model, t.surface, t.densities) ? stress_at : none_at,
                &t);

@@ -29,6 +29,13 @@ grep -q undefined warp.svg && complain "the stress of threads has places without
 run 0 convert cloth.json -o weft.svg --colour weft --isolines 5
 contains weft.svg 'Stress, weft'
 contains weft.svg 'a line every 0\.6'
+run 2 convert cloth.json -o strain.glb --colour strain
+run 0 convert cloth.json -o strain.svg --colour strain
+contains strain.svg 'undefined'
+"$TAUT" example pattern-sail | "$TAUT" make - --quiet -o pieces.json
+run 0 convert pieces.json -o plain.glb
+run 0 convert pieces.json -o strain.glb --colour strain
+cmp plain.glb strain.glb || complain "strains are not what GLB files of patterns show"
 cat > patches.json <<'JSON'
 { "taut": 1, "construct": "film", "patches": [
   { "name": "a", "force_density": [2, 1], "corners": { "u0v0": [0,0,0], "u1v0": [1,0,0], "u0v1": [0,1,0], "u1v1": [1,1,0] },
@@ -121,7 +128,7 @@ run 0 convert run.json -o with.svg --show-net
 contains caps.svg 'the longest tooth is a curvature of 0.125/mm'
 
 run 0 convert saddle.json -o w.png --width 200
-refused 2 'value --colour Q found null expected H, K, I, gap, warp or weft' convert saddle.json -o x.svg --colour Q
+refused 2 'value --colour Q found null expected H, K, I, gap, warp, weft or strain' convert saddle.json -o x.svg --colour Q
 refused 2 'value --width 8 found 8' convert saddle.json -o x.png --width 8
 refused 2 'value --isolines 0 found 0' convert saddle.json -o x.png --isolines 0
 refused 2 'value --reflections 1\.5 found 1\.5' convert saddle.json -o x.png --reflections 1.5

@@ -12,6 +12,7 @@
 #include "core/elementary/elementary.h"
 #include "core/fail.h"
 #include "core/memory.h"
+#include "io/flat/cloth.h"
 #include "io/flat/spread.h"
 #include "io/format.h"
 #include "io/json/out.h"
@@ -603,9 +604,13 @@ static taut_status write_glb(const taut_model *model, const taut_write_options *
     glb_plan plan = {.arena = NULL, .colour = options->colour};
     taut_model *spread = NULL;
 
+    if (plan.colour == TAUT_COLOUR_STRAIN && taut_flat_is_cloth(model)) {
+        plan.colour = TAUT_COLOUR_PLAIN; /* as they are without */
+    }
     if (plan.colour >= TAUT_COLOUR_GAP) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
-                         "glb files show H, K or I; gap, warp and weft are for figures");
+                         "glb files show H, K or I, and strain of cutting patterns; gap, warp and "
+                         "weft are for figures");
     }
     if (taut_flat_spread(model, &spread) != TAUT_OK) {
         return taut_fail_memory(error);

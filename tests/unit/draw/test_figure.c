@@ -3,6 +3,7 @@
  * needs: cairo
  */
 #include "check.h"
+#include "cloths.h"
 #include "shapes.h"
 
 #include "draw/figure.h"
@@ -349,8 +350,8 @@ static void test_options(void)
     free(draw(a, &(taut_write_options){.isolines = -1}, "svg", &size, TAUT_BAD_ARGUMENT));
     free(draw(a, &(taut_write_options){.reflections = 101}, "svg", &size, TAUT_BAD_ARGUMENT));
     free(draw(a, &(taut_write_options){.width = 5000}, "png", &size, TAUT_BAD_ARGUMENT));
-    free(draw(a, &(taut_write_options){.colour = (taut_colour)(TAUT_COLOUR_WEFT + 1)}, "svg", &size,
-              TAUT_BAD_ARGUMENT));
+    free(draw(a, &(taut_write_options){.colour = (taut_colour)(TAUT_COLOUR_STRAIN + 1)}, "svg",
+              &size, TAUT_BAD_ARGUMENT));
     svg = draw(a, &(taut_write_options){.width = 300}, "png", &size, TAUT_OK);
     CHECK(big_endian(svg + 16) == 300 && big_endian(svg + 20) > 100, "as wide as asked for");
     free(svg);
@@ -489,8 +490,34 @@ static void test_hidden_names(void)
     taut_model_free(model);
 }
 
+/* Pieces of a saddle in the colours of their strains: red along the seams, which are tight, and blue in the middle; the surface grey. */
+static void test_strain(void)
+{
+    size_t size = 0;
+    made_cloth made =
+        cloth_make(SADDLE, "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 3 }]");
+    CHECK(made.status == TAUT_OK, "%s", made.error.message);
+    char *svg = draw(made.model, &(taut_write_options){.colour = TAUT_COLOUR_STRAIN, .no_net = 1},
+                     "svg", &size, TAUT_OK);
+    int red = 0, blue = 0;
+    for (const char *at = svg; at != NULL && (at = strstr(at, "fill=\"#")) != NULL; at++) {
+        const unsigned long ink = strtoul(at + 7, NULL, 16);
+        const int r = (int)(ink >> 16), b = (int)(ink & 255);
+        red += r > b + 60;
+        blue += b > r + 60;
+    }
+    CHECK(red > 50 && blue > 50, "%d red cells, %d blue ones", red, blue);
+    CHECK(strstr(svg, ">\xe2\x88\x92") != NULL, "a scale of both signs"); /* a minus */
+    CHECK(svg != NULL && strstr(svg, "larger principal") != NULL &&
+              strstr(svg, "undefined") != NULL,
+          "the legend");
+    free(svg);
+    cloth_free(&made);
+}
+
 int main(void)
 {
+    test_strain();
     test_png();
     test_pdf();
     test_svg();
