@@ -1,7 +1,7 @@
 /* test_layouts.c [COUNT | say COUNT | show K] -- random films of up to 60 patches: each ends in a film whose claims hold, or in a
  * refusal for one of the reasons that films have, most of them in a film. A flat one without cables is never refused, and has the
- * area of its polygon; one between four lines has the energy that one patch finds between them, or a little more; no tube is found
- * between circles that the theorem of the cone forbids.
+ * area of its polygon; one between four lines has the energy that one patch finds between them, or a little more; no bound is above
+ * these; no tube is found between circles that the theorem of the cone forbids.
  *
  *     COUNT    so many in place of 40: tools/nightly.sh makes a thousand
  *     say      each refusal
@@ -54,7 +54,7 @@ static double frame_energy(const layout *l)
 
 static void check_film(const layout *l, const taut_certificate *proof, int trial)
 {
-    const double energy = figure_of(proof, "energy");
+    const double energy = figure_of(proof, "energy"), lower = figure_of(proof, "lower_bound");
 
     for (int k = 0; k < taut_certificate_claim_count(proof); k++) {
         const taut_claim *claim = taut_certificate_claim(proof, k);
@@ -65,10 +65,13 @@ static void check_film(const layout *l, const taut_certificate *proof, int trial
     CHECK(energy > 0, "trial %d: %g", trial, energy);
     if (l->area > 0) {
         CHECK_NEAR(energy, l->tension * l->area, 1e-9 * energy, "trial %d", trial);
+        CHECK(!(lower > l->tension * l->area * (1 + 1e-12)), "trial %d: %.17g is no bound", trial,
+              lower);
     } else if (l->is_frame) {
         const double one = frame_energy(l);
         CHECK(!(energy < one * (1 - 1e-6)) && !(energy > one * 1.01),
               "trial %d: %.12g, by one patch %.12g", trial, energy, one);
+        CHECK(!(lower > one * (1 + 1e-12)), "trial %d: %.17g is no bound", trial, lower);
     }
     if (l->kind == LAYOUT_TUBE) {
         CHECK(!(l->arcs && l->cables == 0 && l->height > parted * (1 + 1e-3)),
