@@ -110,9 +110,21 @@ refused 2 'outside' pattern surface.json --line u=3 -o none.json
 refused 4 'crossing' pattern surface.json --line u=0.5 --line v=0.5 -o none.json
 refused 4 'shape' pattern surface.json --geodesic "0.5,0 1,0.5" -o none.json
 
+# A seam with an allowance of its own, other on its right than on its left.
+sed 's/"allowance": {/"allowance": { "S2": [0.04, 0.01],/' sail.json > own.json
+run 0 make own.json --quiet -o own-made.json -o own.dxf -o own.svg
+run 0 certify own-made.json own.json
+run 1 certify own-made.json sail.json
+contains err.txt 'allowance +DOES NOT HOLD'
+sed 's/"S2"/"S9"/' own.json > none-own.json
+refused 3 'allowance /allowance/S9' make none-own.json -o none.json
+
 # Drawings, as another program reads them.
 if python_with ezdxf; then
-    "$PYTHON" "$SOURCE/tests/cli/read_cloth.py" made.json made.dxf made.svg > read.txt || complain "$(cat read.txt)"
+    for name in made own; do
+        [ $name = made ] && model=made.json || model=own-made.json
+        "$PYTHON" "$SOURCE/tests/cli/read_cloth.py" $model $name.dxf $name.svg > read.txt || complain "$name: $(cat read.txt)"
+    done
 fi
 absent none.json
 

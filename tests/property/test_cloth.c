@@ -208,9 +208,9 @@ int main(void)
             members, sizeof members,
             "\"seams\": [{ \"across\": [%s], \"count\": %d }], \"seam_length\": \"%s\", "
             "\"compensation\": { \"warp\": %.17g, \"weft\": 0.01 }, \"allowance\": { \"seam\": "
-            "%.17g, \"border\": 0.03 }, \"marks\": { \"spacing\": 0.2 }",
+            "%.17g, \"border\": 0.03, \"S1\": [%.17g, %.17g] }, \"marks\": { \"spacing\": 0.2 }",
             edges[round % 4], random_int(2, 5), round % 3 == 2 ? "true" : "shared",
-            round % 2 == 0 ? 0 : warp, left);
+            round % 2 == 0 ? 0 : warp, left, round % 3 == 0 ? 0 : left / 3, left + 0.01);
         made_cloth made = cloth_make(surface, members);
         CHECK(made.status == TAUT_OK || made.status == TAUT_NO_SOLUTION, "%d: %s", round,
               made.error.message);
