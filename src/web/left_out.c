@@ -15,6 +15,7 @@
 #include "io/problem/film_curves.h"
 #include "io/problem/film_patches.h"
 #include "io/step/assembly.h"
+#include "measure/cloth/mounted.h"
 #include "mesh/parts.h"
 
 static taut_status write_nothing(const taut_model *model, const taut_write_options *options,
@@ -340,4 +341,26 @@ taut_status taut_flat_spread(const taut_model *model, taut_model **spread)
     (void)model;
     *spread = NULL;
     return TAUT_OK;
+}
+
+/* No piece of cloth: none is cut here, and figures of those that are given go without their strain. */
+taut_status taut_mounted_new(const taut_model *model, const taut_surface *flat, taut_arena *arena,
+                             taut_mounted *mounted)
+{
+    (void)model;
+    (void)flat;
+    (void)arena;
+    *mounted = (taut_mounted){.flat = NULL};
+    return TAUT_OK;
+}
+
+void taut_mounted_at(const taut_mounted *mounted, double s, double t, double point[3],
+                     double normal[3], double *strain)
+{
+    (void)mounted;
+    (void)s;
+    (void)t;
+    (void)point;
+    (void)normal;
+    (void)strain;
 }
