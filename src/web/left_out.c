@@ -315,6 +315,27 @@ taut_status taut_flat_read_cloth(const taut_model *model, taut_arena *arena, tau
     return refuse_cloth(error);
 }
 
+taut_status taut_mounted_new(const taut_model *model, const taut_surface *flat, taut_arena *arena,
+                             taut_mounted *mounted)
+{
+    (void)model;
+    (void)flat;
+    (void)arena;
+    mounted->flat = NULL;
+    return TAUT_OK;
+}
+
+void taut_mounted_at(const taut_mounted *mounted, double s, double t, double point[3],
+                     double normal[3], double *strain)
+{
+    (void)mounted;
+    (void)s;
+    (void)t;
+    (void)point;
+    (void)normal;
+    (void)strain;
+}
+
 taut_status taut_mesh_strains(const taut_model *model, const taut_mesh *mesh, taut_arena *arena,
                               double *values)
 {
