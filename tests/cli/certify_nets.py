@@ -238,6 +238,12 @@ def cloth():
         model = model_of(name)
         scale_cut(model, 0.5)
         judge("cut along half the lines", model, name, "edges")
+        model = model_of(name)
+        model["details"]["pieces"][0]["edges"]["right"]["length"] *= 1.001
+        judge("another length of an edge on the surface", model, name, "details")
+        model = model_of(name)
+        model["details"]["pieces"][0]["strain"]["max"] += 1e-3
+        judge("another largest strain", model, name, "details")
 
 
 curves()
