@@ -315,27 +315,6 @@ taut_status taut_flat_read_cloth(const taut_model *model, taut_arena *arena, tau
     return refuse_cloth(error);
 }
 
-taut_status taut_mounted_new(const taut_model *model, const taut_surface *flat, taut_arena *arena,
-                             taut_mounted *mounted)
-{
-    (void)model;
-    (void)flat;
-    (void)arena;
-    mounted->flat = NULL;
-    return TAUT_OK;
-}
-
-void taut_mounted_at(const taut_mounted *mounted, double s, double t, double point[3],
-                     double normal[3], double *strain)
-{
-    (void)mounted;
-    (void)s;
-    (void)t;
-    (void)point;
-    (void)normal;
-    (void)strain;
-}
-
 taut_status taut_mesh_strains(const taut_model *model, const taut_mesh *mesh, taut_arena *arena,
                               double *values)
 {
@@ -344,6 +323,23 @@ taut_status taut_mesh_strains(const taut_model *model, const taut_mesh *mesh, ta
     (void)arena;
     (void)values;
     return TAUT_NO_MEMORY;
+}
+
+void taut_mesh_put_line(taut_json_out *out, const char *name, int accessor, int material)
+{
+    (void)out;
+    (void)name;
+    (void)accessor;
+    (void)material;
+}
+
+void taut_mesh_write_lines(taut_sink *sink, int count, const taut_mesh_line *lines,
+                           const double origin[3])
+{
+    (void)sink;
+    (void)count;
+    (void)lines;
+    (void)origin;
 }
 
 taut_status taut_mesh_lines(const taut_model *model, double lift, taut_arena *arena, int *count,

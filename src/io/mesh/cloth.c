@@ -4,6 +4,7 @@
  * below, along the other one. */
 #include "io/mesh/cloth.h"
 
+#include "io/mesh/out.h"
 #include "measure/cloth/mounted.h"
 #include "taut/curve.h"
 
@@ -152,4 +153,34 @@ taut_status taut_mesh_lines(const taut_model *model, double lift, taut_arena *ar
     *count = to.count;
     *list = to.list;
     return taut_arena_status(arena);
+}
+
+void taut_mesh_put_line(taut_json_out *out, const char *name, int accessor, int material)
+{
+    enum { LINE_STRIP = 3 };
+    taut_json_open_inline(out, '{');
+    taut_json_pair_text(out, "name", name);
+    taut_json_key(out, "primitives");
+    taut_json_open_inline(out, '[');
+    taut_json_open_inline(out, '{');
+    taut_json_key(out, "attributes");
+    taut_json_open_inline(out, '{');
+    taut_json_pair_number(out, "POSITION", accessor);
+    taut_json_close(out, '}');
+    taut_json_pair_number(out, "mode", LINE_STRIP);
+    taut_json_pair_number(out, "material", material);
+    taut_json_close(out, '}');
+    taut_json_close(out, ']');
+    taut_json_close(out, '}');
+}
+
+void taut_mesh_write_lines(taut_sink *sink, int count, const taut_mesh_line *list,
+                           const double origin[3])
+{
+    for (int i = 0; i < count; i++) {
+        const double *points = list[i].points[0];
+        for (size_t k = 0; k < 3 * list[i].count; k++) {
+            taut_mesh_out_f32(sink, points[k] - origin[k % 3]);
+        }
+    }
 }

@@ -154,25 +154,6 @@ static void put_nodes(taut_json_out *out, const glb_plan *plan, const taut_model
     taut_json_close(out, ']');
 }
 
-static void put_line(taut_json_out *out, const glb_plan *plan, int i)
-{
-    enum { LINE_STRIP = 3 };
-    taut_json_open_inline(out, '{');
-    taut_json_pair_text(out, "name", plan->lines[i].name);
-    taut_json_key(out, "primitives");
-    taut_json_open_inline(out, '[');
-    taut_json_open_inline(out, '{');
-    taut_json_key(out, "attributes");
-    taut_json_open_inline(out, '{');
-    taut_json_pair_number(out, "POSITION", views_of(plan) * plan->count + i);
-    taut_json_close(out, '}');
-    taut_json_pair_number(out, "mode", LINE_STRIP);
-    taut_json_pair_number(out, "material", plan->values != NULL ? 1 : plan->count);
-    taut_json_close(out, '}');
-    taut_json_close(out, ']');
-    taut_json_close(out, '}');
-}
-
 static void put_meshes(taut_json_out *out, const glb_plan *plan)
 {
     const int views = views_of(plan);
@@ -198,7 +179,8 @@ static void put_meshes(taut_json_out *out, const glb_plan *plan)
         taut_json_close(out, '}');
     }
     for (int i = 0; i < plan->line_count; i++) {
-        put_line(out, plan, i);
+        taut_mesh_put_line(out, plan->lines[i].name, views_of(plan) * plan->count + i,
+                           plan->values != NULL ? 1 : plan->count);
     }
     taut_json_close(out, ']');
 }
@@ -528,16 +510,6 @@ static void write_indices(taut_sink *sink, const glb_plan *plan)
     }
 }
 
-static void write_lines(taut_sink *sink, const glb_plan *plan)
-{
-    for (int i = 0; i < plan->line_count; i++) {
-        const double *points = plan->lines[i].points[0];
-        for (size_t k = 0; k < 3 * plan->lines[i].count; k++) {
-            taut_mesh_out_f32(sink, points[k] - plan->origin[k % 3]);
-        }
-    }
-}
-
 static taut_status write_file(const glb_plan *plan, const taut_model *model, FILE *out,
                               taut_error *error)
 {
@@ -564,7 +536,7 @@ static taut_status write_file(const glb_plan *plan, const taut_model *model, FIL
     taut_sink_bytes(&sink, "BIN", 4);
     write_vertices(&sink, plan, normals);
     write_indices(&sink, plan);
-    write_lines(&sink, plan);
+    taut_mesh_write_lines(&sink, plan->line_count, plan->lines, plan->origin);
     taut_free(text);
     taut_free(normals);
     return taut_mesh_out_finish(&sink, error);
@@ -609,8 +581,7 @@ static taut_status write_glb(const taut_model *model, const taut_write_options *
     }
     if (plan.colour >= TAUT_COLOUR_GAP) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
-                         "glb files show H, K or I, and strain of cutting patterns; gap, warp and "
-                         "weft are for figures");
+                         "glb files show H, K or I");
     }
     if (taut_flat_spread(model, &spread) != TAUT_OK) {
         return taut_fail_memory(error);
