@@ -5,6 +5,7 @@
 #include "construct/construct_ops.h"
 #include "construct/film/complex/complex.h"
 #include "core/fail.h"
+#include "draw/flat_page.h"
 #include "io/cad/cad.h"
 #include "io/flat/cloth.h"
 #include "io/flat/spread.h"
@@ -357,6 +358,21 @@ taut_status taut_flat_spread(const taut_model *model, taut_model **spread)
 {
     (void)model;
     *spread = NULL;
+    return TAUT_OK;
+}
+
+/* More pages are a PDF file's, and those are not written here. */
+taut_status taut_flat_page(const taut_model *model, const taut_write_options *options, double point,
+                           const taut_canvas_ops *ops, taut_canvas *canvas, taut_arena *arena,
+                           taut_error *error)
+{
+    (void)model;
+    (void)options;
+    (void)point;
+    (void)ops;
+    (void)canvas;
+    (void)arena;
+    (void)error;
     return TAUT_OK;
 }
 
