@@ -166,6 +166,20 @@ typedef struct taut_pattern_held {
     int borders[4], edges[4];
 } taut_pattern_held;
 
+/* What is cut in full near an edge that does not yield. */
+typedef enum taut_pattern_component {
+    TAUT_PATTERN_COMPONENT_ALONG =
+        0, /* that of warp and weft which is nearer to the edge's direction */
+    TAUT_PATTERN_COMPONENT_BOTH
+} taut_pattern_component;
+
+/* Compensation times 3 x^2 - 2 x^3, x = min(1, distance in space from the edge / length). */
+typedef struct taut_pattern_decompensate {
+    taut_edge edge; /* of the window */
+    double length;  /* above 0 */
+    taut_pattern_component component;
+} taut_pattern_decompensate;
+
 /* How start and end of pieces run. */
 typedef enum taut_pattern_ends {
     TAUT_PATTERN_ENDS_FREE = 0,
@@ -193,6 +207,8 @@ typedef struct taut_pattern_problem {
         strain; /* claim: the largest |principal strain| is no more; 0: that of the rule, or none */
     taut_pattern_held held;
     taut_pattern_ends ends;
+    int decompensate_count; /* at most 4; none with seams of true length */
+    const taut_pattern_decompensate *decompensate;
 } taut_pattern_problem;
 
 /* Reasons: word, meaning, remedy. */

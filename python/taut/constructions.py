@@ -511,10 +511,11 @@ def pattern(*, pattern: Literal["cloth"], of: Union[ModelLike, Surface, str, os.
         unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, surface: str | None = None,
         seam_length: Literal["shared", "true"] | None = None, cloth: Mapping[str, Any] | None = None,
         untrim: bool | None = None, compensation: Mapping[str, float] | None = None,
-        prestress: Union[npt.ArrayLike, Literal["film"]] | None = None, allowance: Mapping[str, Any] | None = None,
-        held: Sequence[Any] | None = None, ends: Literal["free", "straight"] | None = None,
-        hems: Sequence[Any] | None = None, marks: Mapping[str, Any] | None = None, strain: float | None = None,
-        tolerance: float | None = None, threads: int | None = None, progress: Progress | None = None, strict: bool = False) -> Model:
+        prestress: Union[npt.ArrayLike, Literal["film"]] | None = None, decompensate: Sequence[Any] | None = None,
+        allowance: Mapping[str, Any] | None = None, held: Sequence[Any] | None = None,
+        ends: Literal["free", "straight"] | None = None, hems: Sequence[Any] | None = None,
+        marks: Mapping[str, Any] | None = None, strain: float | None = None, tolerance: float | None = None,
+        threads: int | None = None, progress: Progress | None = None, strict: bool = False) -> Model:
     """Flat pieces of cloth that are sewn together to a surface.
 
     pattern                what it is cut of
@@ -529,6 +530,7 @@ def pattern(*, pattern: Literal["cloth"], of: Union[ModelLike, Surface, str, os.
                            if not given
     compensation           the shares by which the cloth is cut smaller than it is mounted
     prestress              of warp and weft, in kN/m, in place of their compensation: e = D^-1 s, c = e/(1 + e)
+    decompensate           edges that do not yield, near which compensation fades out
     allowance              cloth that is left beyond the lines to sew
     held                   edges to which nothing is sewn, held at the length of the surface less the compensation
     ends                   straight: start and end of flat pieces are straight, and square to the warp; one of "free",
@@ -554,7 +556,8 @@ def pattern(*, pattern: Literal["cloth"], of: Union[ModelLike, Surface, str, os.
     """
     said: dict[str, Any] = {"pattern": pattern, "of": of, "seams": seams, "unit": unit, "surface": surface,
         "seam_length": seam_length, "cloth": cloth, "untrim": untrim, "compensation": compensation, "prestress": prestress,
-        "allowance": allowance, "held": held, "ends": ends, "hems": hems, "marks": marks, "strain": strain}
+        "decompensate": decompensate, "allowance": allowance, "held": held, "ends": ends, "hems": hems, "marks": marks,
+        "strain": strain}
     return made_of("pattern", said, None, tolerance=tolerance, threads=threads, progress=progress, strict=strict)
 
 

@@ -416,6 +416,11 @@
     X(taut_pattern_compensation, has_seam, "int") \
     X(taut_pattern_compensation, seam, "double")
 
+#define TAUT_ABI_MEMBERS_taut_pattern_decompensate(X) \
+    X(taut_pattern_decompensate, edge, "taut_edge") \
+    X(taut_pattern_decompensate, length, "double") \
+    X(taut_pattern_decompensate, component, "taut_pattern_component")
+
 #define TAUT_ABI_MEMBERS_taut_pattern_flat_piece(X) \
     X(taut_pattern_flat_piece, name, "const char *") \
     X(taut_pattern_flat_piece, flat, "const taut_surface *") \
@@ -469,7 +474,9 @@
     X(taut_pattern_problem, marks, "taut_pattern_marks") \
     X(taut_pattern_problem, strain, "double") \
     X(taut_pattern_problem, held, "taut_pattern_held") \
-    X(taut_pattern_problem, ends, "taut_pattern_ends")
+    X(taut_pattern_problem, ends, "taut_pattern_ends") \
+    X(taut_pattern_problem, decompensate_count, "int") \
+    X(taut_pattern_problem, decompensate, "const taut_pattern_decompensate *")
 
 #define TAUT_ABI_MEMBERS_taut_pattern_rule(X) \
     X(taut_pattern_rule, kind, "taut_pattern_rule_kind") \
@@ -813,6 +820,7 @@
     X(taut_pattern_at) \
     X(taut_pattern_cloth) \
     X(taut_pattern_compensation) \
+    X(taut_pattern_decompensate) \
     X(taut_pattern_flat_piece) \
     X(taut_pattern_held) \
     X(taut_pattern_hem) \
@@ -968,6 +976,10 @@
     X(TAUT_PATTERN_BY_LENGTH, "length") \
     X(TAUT_PATTERN_BY_PARAMETER, "parameter")
 
+#define TAUT_ABI_VALUES_taut_pattern_component(X) \
+    X(TAUT_PATTERN_COMPONENT_ALONG, "along") \
+    X(TAUT_PATTERN_COMPONENT_BOTH, "both")
+
 #define TAUT_ABI_VALUES_taut_pattern_corner(X) \
     X(TAUT_PATTERN_MITRE, "mitre") \
     X(TAUT_PATTERN_SQUARE, "square") \
@@ -1117,6 +1129,7 @@
     X(taut_panels_kind) \
     X(taut_paper) \
     X(taut_pattern_by) \
+    X(taut_pattern_component) \
     X(taut_pattern_corner) \
     X(taut_pattern_ends) \
     X(taut_pattern_notch) \

@@ -404,14 +404,21 @@ static taut_status add_thread(const taut_cloth *cloth, taut_certificate *certifi
 /* Flat over mounted along an edge, of warp and weft alone, on the average of its surface. */
 static double share_of(const taut_cloth *cloth, const taut_cloth_piece *piece, int e)
 {
-    const double p = 1 - cloth->warp, q = 1 - cloth->weft;
+    const int is_across = e == TAUT_CLOTH_START || e == TAUT_CLOTH_END;
+    const double fixed = e == TAUT_CLOTH_END || e == TAUT_CLOTH_LEFT;
     double nodes[NODES], weights[NODES], sum = 0, whole = 0;
     taut_gauss_rule(NODES, nodes, weights);
     for (int i = 0; i < EDGE_CELLS * NODES; i++) {
         const double x = (i / NODES + (1 + nodes[i % NODES]) / 2) / EDGE_CELLS;
-        double y[2][3];
+        double y[2][3], w[3][2] = {{0}}, shrink[2];
+        if (cloth->fade_count > 0) {
+            taut_cloth_across across;
+            taut_cloth_across_at(cloth, piece, is_across ? fixed : x, 1, &across);
+            taut_cloth_window_on(cloth, &across, is_across ? x : fixed, w);
+        }
+        taut_cloth_shrink(cloth, piece, w[0], shrink);
         taut_cloth_line(cloth, piece->edges[e], x, 1, y);
-        const double mounted = taut_hypot(y[1][0] / p, y[1][1] / q);
+        const double mounted = taut_hypot(y[1][0] / shrink[0], y[1][1] / shrink[1]);
         sum += weights[i % NODES] * taut_hypot(y[1][0], y[1][1]) / mounted;
         whole += weights[i % NODES];
     }

@@ -1,6 +1,7 @@
 #include "certify/pattern/cloth.h"
 
 #include "certify/common/unit.h"
+#include "certify/pattern/fade.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 #include "geometry/exponent.h"
@@ -451,6 +452,9 @@ taut_status taut_cloth_read(taut_arena *arena, const taut_model *model,
     }
     for (int k = 0; status == TAUT_OK && k < cloth->piece_count; k++) {
         find_points(cloth, &cloth->pieces[k]);
+    }
+    if (status == TAUT_OK) {
+        status = taut_cloth_read_fades(cloth, arena);
     }
     return status == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 }

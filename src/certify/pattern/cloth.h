@@ -51,6 +51,15 @@ typedef struct taut_cloth_piece {
     int is_placed, is_turned; /* is_turned: by half a turn about its origin */
 } taut_cloth_piece;
 
+/* An edge near which compensation fades out, of a surface that is cut. */
+typedef struct taut_cloth_fade {
+    const taut_surface *on; /* scaled */
+    int edge, is_faded[2];  /* of warp and weft */
+    double length;          /* times 2^-unit */
+    double (*places)[3];    /* [TAUT_CLOTH_PLACES + 1] of the edge; the arena's */
+} taut_cloth_fade;
+enum { TAUT_CLOTH_PLACES = 512 };
+
 typedef struct taut_cloth {
     const taut_model *model;
     const taut_pattern_problem *problem; /* or NULL */
@@ -68,6 +77,8 @@ typedef struct taut_cloth {
     int is_true, is_straight, has_law;
     double law[4]; /* D11, D22, D12, D33 */
     double warp, weft, thread;
+    int fade_count;
+    taut_cloth_fade *fades;
     double strain; /* that none is to be above; 0: none */
     const taut_crew *crew;
     double tolerance;
@@ -100,6 +111,9 @@ int taut_cloth_metric_on(const taut_cloth *cloth, const taut_cloth_across *acros
                          double g[3]);
 int taut_cloth_metric(const taut_cloth *cloth, const taut_cloth_piece *piece, double s, double t,
                       double g[3]);
+/* 1 / F0 of warp and weft where the place is `w` of the window. */
+void taut_cloth_shrink(const taut_cloth *cloth, const taut_cloth_piece *piece, const double w[2],
+                       double shrink[2]);
 /* The place of a side at a share of it. */
 void taut_cloth_side_at(const taut_cloth_side *side, double share, double at[2]);
 /* Of two pieces that are sewn together, those whose lengths are the seam's: to its left, or on the first of two surfaces. */

@@ -203,7 +203,6 @@ typedef struct work {
     const taut_cloth_piece *piece;
     taut_arena *arena;
     line lines[2];
-    double f[2];
     int n;
     double *gradient, *scale; /* [n]; scale: what strains of 1 would give */
     int rows;
@@ -240,10 +239,10 @@ static void jacobian_at(const work *w, int a, int b, int q, int r, matrix j, dou
     }
 }
 
-static void principal(const work *w, const density *d, double strain[2])
+static void principal(const density *d, double strain[2])
 {
-    const double a = d->c[0][0] / (w->f[0] * w->f[0]), b = d->c[1][1] / (w->f[1] * w->f[1]);
-    const double m = d->c[0][1] / (w->f[0] * w->f[1]);
+    const double a = d->c[0][0] / (d->f[0] * d->f[0]), b = d->c[1][1] / (d->f[1] * d->f[1]);
+    const double m = d->c[0][1] / (d->f[0] * d->f[1]);
     const double half = (a + b) / 2, radius = taut_hypot((a - b) / 2, m);
     strain[0] = sqrt(half - radius) - 1;
     strain[1] = sqrt(half + radius) - 1;
@@ -280,6 +279,18 @@ static void add_cell(work *w, int i0, int j0, double cell[2 * CELL][2 * CELL])
     }
 }
 
+/* F0 at a place. */
+static void stretch_at(const work *w, const taut_cloth_across *across, double t, double f[2])
+{
+    double at[3][2] = {{0}}, shrink[2];
+    if (w->cloth->fade_count > 0) {
+        taut_cloth_window_on(w->cloth, across, t, at);
+    }
+    taut_cloth_shrink(w->cloth, w->piece, at[0], shrink);
+    f[0] = 1 / shrink[0];
+    f[1] = 1 / shrink[1];
+}
+
 static double gauss_at(const work *w, const taut_cloth_across *across, double t)
 {
     double at[3][2];
@@ -309,16 +320,17 @@ static void integrate(work *w, int solved)
             const int q = place / NODES, r = place % NODES;
             const double weight = weight_of(s, a, q) * weight_of(t, b, r);
             const double at[2] = {place_of(s, a, q), place_of(t, b, r)};
-            double g[3], strain[2];
+            double g[3], f[2], strain[2];
             matrix j;
             density d, other;
             jacobian_at(w, a, b, q, r, j, grad);
             if (r == 0) {
                 taut_cloth_across_at(w->cloth, w->piece, at[0], 1, &across);
             }
+            stretch_at(w, &across, at[1], f);
             if (!taut_cloth_metric_on(w->cloth, &across, at[1], g) ||
-                !density_of(w->cloth->law, w->f, (const double(*)[2])j, g, &d) ||
-                !density_of(plain, w->f, (const double(*)[2])j, g, &other)) {
+                !density_of(w->cloth->law, f, (const double(*)[2])j, g, &d) ||
+                !density_of(plain, f, (const double(*)[2])j, g, &other)) {
                 w->state->is_folded = 1;
                 continue;
             }
@@ -326,9 +338,9 @@ static void integrate(work *w, int solved)
             w->state->area += weight * area;
             w->state->curvature += weight * area * gauss_at(w, &across, at[1]);
             w->state->flat_area += weight * d.det;
-            w->state->energy += weight * d.phi * w->f[0] * w->f[1] * d.det;
-            w->state->plain += weight * other.phi * w->f[0] * w->f[1] * d.det;
-            principal(w, &d, strain);
+            w->state->energy += weight * d.phi * f[0] * f[1] * d.det;
+            w->state->plain += weight * other.phi * f[0] * f[1] * d.det;
+            principal(&d, strain);
             w->state->largest =
                 taut_certify_max(w->state->largest, fmax(fabs(strain[0]), fabs(strain[1])));
             if (!solved) {
@@ -633,7 +645,7 @@ static void look_around(work *w)
         taut_cloth_across_at(w->cloth, w->piece, (double)i / (GRID * s->spans), 1, &across);
         for (int k = 0; k <= GRID * t->spans; k++) {
             const double at[2] = {(double)i / (GRID * s->spans), (double)k / (GRID * t->spans)};
-            double y[3][3], g[3], strain[2];
+            double y[3][3], g[3], f[2], strain[2];
             matrix j;
             density d;
             taut_surface_eval(w->piece->flat, at[0], at[1], 1, y[0]);
@@ -641,12 +653,13 @@ static void look_around(work *w)
                 j[c][0] = y[1][c];
                 j[c][1] = y[2][c];
             }
+            stretch_at(w, &across, at[1], f);
             if (!taut_cloth_metric_on(w->cloth, &across, at[1], g) ||
-                !density_of(w->cloth->law, w->f, (const double(*)[2])j, g, &d)) {
+                !density_of(w->cloth->law, f, (const double(*)[2])j, g, &d)) {
                 state->is_folded = 1;
                 continue;
             }
-            principal(w, &d, strain);
+            principal(&d, strain);
             state->strain[0] = taut_certify_min(state->strain[0], strain[0]);
             state->strain[1] = taut_certify_max(state->strain[1], strain[1]);
             const int is_corner =
@@ -701,11 +714,7 @@ static taut_status look_in(work *w, int solved)
 taut_status taut_cloth_look_at(const taut_cloth *cloth, const taut_cloth_piece *piece, int solved,
                                taut_cloth_state *state)
 {
-    work w = {.cloth = cloth,
-              .piece = piece,
-              .arena = taut_arena_new(),
-              .f = {1 / (1 - cloth->warp), 1 / (1 - cloth->weft)},
-              .state = state};
+    work w = {.cloth = cloth, .piece = piece, .arena = taut_arena_new(), .state = state};
     *state = (taut_cloth_state){.residual = 0, .stiffness = (double)NAN};
     const taut_status status = w.arena != NULL ? look_in(&w, solved) : TAUT_NO_MEMORY;
     taut_arena_free(w.arena);

@@ -290,6 +290,20 @@ static void describe_marks(const taut_pattern_marks *marks, taut_record *details
     }
 }
 
+static void describe_decompensate(const taut_pattern_cut *cut, taut_record *details)
+{
+    static const char *const components[] = {"along", "both"};
+    taut_record *list =
+        cut->decompensate_count > 0 ? taut_record_add_list(details, "decompensate") : NULL;
+    for (int k = 0; k < cut->decompensate_count; k++) {
+        const taut_pattern_decompensate *one = &cut->decompensate[k];
+        taut_record *at = taut_record_add_object(list, NULL);
+        taut_record_add_text(at, "edge", taut_edge_name(one->edge));
+        taut_record_add_number(at, "length", one->length);
+        taut_record_add_text(at, "component", components[one->component]);
+    }
+}
+
 static void describe_roll(const taut_pattern_layout *layout, const taut_pattern_roll *roll,
                           double gap, taut_record *details)
 {
@@ -373,6 +387,7 @@ void taut_pattern_describe(const taut_pattern_told *told, taut_record *details)
     const taut_pattern_problem *problem = told->problem;
     taut_record_add_text(details, "pattern", "cloth");
     describe_cloth(told, details);
+    describe_decompensate(told->cut, details);
     taut_record_add_text(details, "seam_length",
                          told->cut->seam_length == TAUT_PATTERN_TRUE ? "true" : "shared");
     double strain = problem->strain;

@@ -134,6 +134,7 @@ static void fill(const walker *w, const int spans[2], double *places)
 /* The largest strain, corners and middles of cells looked at. */
 static double strain_of(const taut_pattern_piece *piece, const taut_flat *flat)
 {
+    const double shrink[2] = {1 - flat->warp, 1 - flat->weft};
     double most = 0;
     const int first = piece->bounds[TAUT_FLAT_START].is_point; /* at a point there is no strain */
     const int last = 2 * flat->spans[0] - piece->bounds[TAUT_FLAT_END].is_point;
@@ -143,7 +144,7 @@ static double strain_of(const taut_pattern_piece *piece, const taut_flat *flat)
             double g[3], y[3][2], strain[2];
             taut_pattern_piece_metric(piece, s, t, g);
             taut_flat_at(flat, s, t, y);
-            taut_flat_strain(flat, g, (const double(*)[2])y, strain, NULL);
+            taut_flat_strain(shrink, g, (const double(*)[2])y, strain, NULL);
             most = fmax(most, fmax(fabs(strain[0]), fabs(strain[1])));
         }
     }
@@ -153,7 +154,7 @@ static double strain_of(const taut_pattern_piece *piece, const taut_flat *flat)
 taut_status taut_pattern_develop(taut_pattern_piece *piece, const taut_flat_options *options,
                                  taut_arena *arena)
 {
-    const taut_flat_strip strip = {taut_pattern_piece_metric, piece};
+    const taut_flat_strip strip = {taut_pattern_piece_metric, piece, NULL};
     walker w = {.piece = piece};
     double before = INFINITY;
 

@@ -78,16 +78,20 @@ static double seam_compensation(const taut_pattern_layout *layout, const taut_pa
                                 int piece, int edge)
 {
     double nodes[EDGE_NODES], weights[EDGE_NODES], sum = 0;
-    const double p = 1 - cut->compensation.warp, q = 1 - cut->compensation.weft;
+    const taut_pattern_piece *own = &layout->pieces[piece];
+    const int is_across = edge == TAUT_FLAT_START || edge == TAUT_FLAT_END;
+    const double fixed = edge == TAUT_FLAT_END || edge == TAUT_FLAT_LEFT;
     if (cut->compensation.has_seam) {
         return cut->compensation.seam;
     }
     taut_gauss_rule(EDGE_NODES, nodes, weights);
     for (int i = 0; i < EDGE_NODES; i++) {
-        double y[2][3];
-        taut_curve_eval(layout->pieces[piece].alone_edges[edge], (1 + nodes[i]) / 2, 1, y[0]);
+        const double x = (1 + nodes[i]) / 2;
+        double y[2][3], shrink[2];
+        taut_pattern_piece_shrink(own, is_across ? fixed : x, is_across ? x : fixed, shrink);
+        taut_curve_eval(own->alone_edges[edge], x, 1, y[0]);
         /* the direction on the surface is that before the cloth was made smaller */
-        const double a = y[1][0] / p, b = y[1][1] / q;
+        const double a = y[1][0] / shrink[0], b = y[1][1] / shrink[1];
         sum += weights[i] / 2 * (1 - taut_hypot(y[1][0], y[1][1]) / taut_hypot(a, b));
     }
     return sum;
@@ -256,7 +260,8 @@ typedef struct pass {
 
 static taut_flat_strip strip_of(const taut_pattern_piece *piece)
 {
-    return (taut_flat_strip){taut_pattern_piece_metric, piece};
+    return (taut_flat_strip){taut_pattern_piece_metric, piece,
+                             piece->fade_count > 0 ? taut_pattern_piece_shrink : NULL};
 }
 
 /* What is asked of this piece. */
@@ -278,6 +283,7 @@ static void alone(void *context, int worker, int64_t task)
     const taut_flat_options own = options_of(p, piece, worker);
 
     taut_pattern_look_at_curvature(piece);
+    piece->is_developable &= piece->fade_count == 0; /* cut smaller by parts it is strained */
     if (piece->is_developable) {
         taut_status status = taut_pattern_develop(piece, &own, p->arenas[task]);
         p->status[task] = status == TAUT_OK
@@ -451,6 +457,64 @@ static taut_status check_ends(const taut_pattern_layout *layout, const taut_patt
     return TAUT_OK;
 }
 
+/* ---- where compensation fades out ---- */
+
+/* Does an edge of the window run across strips, that is, do they start or end on it? */
+static int runs_across(const taut_pattern_layout *layout, int ground, int border)
+{
+    int any = 0;
+    for (int k = 0; k < layout->piece_count; k++) {
+        const taut_pattern_bound *bounds = layout->pieces[k].bounds;
+        any |= layout->pieces[k].ground == ground &&
+               (bounds[TAUT_FLAT_START].border == border || bounds[TAUT_FLAT_END].border == border);
+    }
+    return any;
+}
+
+/* The share of warp, or of weft, that fades out near an edge across strips or along them. */
+static void choose_component(const taut_pattern_cut *cut, taut_pattern_component component,
+                             int is_across, int is_faded[2])
+{
+    const double along = fabs(taut_cos(cut->thread)), across = fabs(taut_sin(cut->thread));
+    const int is_warp = is_across ? across > along : along >= across;
+    is_faded[0] = component == TAUT_PATTERN_COMPONENT_BOTH || is_warp;
+    is_faded[1] = component == TAUT_PATTERN_COMPONENT_BOTH || !is_warp;
+}
+
+static taut_status set_shares(taut_pattern_layout *layout, const taut_pattern_cut *cut)
+{
+    const size_t count = (size_t)cut->decompensate_count;
+    taut_pattern_fade *all =
+        taut_arena_take(layout->arena, count * (size_t)layout->ground_count + 1, sizeof *all);
+    if (all == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    for (int g = 0; g < layout->ground_count; g++) {
+        taut_pattern_fade *fades = all + (size_t)g * count;
+        for (int k = 0; k < cut->decompensate_count; k++) {
+            const taut_pattern_decompensate *asked = &cut->decompensate[k];
+            const int edge = (int)asked->edge;
+            if (taut_border_new(layout->arena, layout->grounds[g].carrier->surface, edge,
+                                &fades[k].border) != TAUT_OK) {
+                return TAUT_NO_MEMORY;
+            }
+            fades[k].length = asked->length;
+            choose_component(cut, asked->component, runs_across(layout, g, edge),
+                             fades[k].is_faded);
+        }
+        for (int k = 0; k < layout->piece_count; k++) {
+            taut_pattern_piece *piece = &layout->pieces[k];
+            if (piece->ground == g) {
+                piece->shares[0] = cut->compensation.warp;
+                piece->shares[1] = cut->compensation.weft;
+                piece->fade_count = cut->decompensate_count;
+                piece->fades = fades;
+            }
+        }
+    }
+    return TAUT_OK;
+}
+
 static taut_flat_options options_for(const taut_pattern_cut *cut)
 {
     return (taut_flat_options){.law = cut->has_law ? &cut->law : NULL,
@@ -471,7 +535,7 @@ taut_status taut_pattern_flatten(taut_pattern_layout *layout, const taut_pattern
               .arenas = taut_arena_take(layout->arena, count, sizeof *p.arenas),
               .folded = taut_arena_take(layout->arena, count, sizeof *p.folded)};
 
-    if (taut_arena_status(layout->arena) != TAUT_OK) {
+    if (taut_arena_status(layout->arena) != TAUT_OK || set_shares(layout, cut) != TAUT_OK) {
         return taut_fail_memory(error);
     }
     for (size_t k = 0; k < count; k++) {

@@ -19,6 +19,8 @@ typedef struct taut_pattern_cut {
     double thread;
     taut_pattern_held held;
     int is_straight; /* start and end of pieces are */
+    int decompensate_count;
+    const taut_pattern_decompensate *decompensate;
 } taut_pattern_cut;
 
 /* Is an edge held to which nothing is sewn? */

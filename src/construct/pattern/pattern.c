@@ -238,6 +238,30 @@ static taut_pattern_compensation compensation_of(const taut_pattern_problem *pro
     return c;
 }
 
+static taut_status check_decompensate(const taut_pattern_problem *problem, taut_error *error)
+{
+    taut_status status = TAUT_OK;
+    for (int k = 0; status == TAUT_OK && k < problem->decompensate_count; k++) {
+        const taut_pattern_decompensate *one = &problem->decompensate[k];
+        char where[48];
+        snprintf(where, sizeof where, "/decompensate/%d/length", k);
+        if ((unsigned)one->edge > 3) {
+            return taut_fail(error, TAUT_BAD_INPUT, "edge", "/decompensate", (int)one->edge,
+                             taut_none, "found edge %d, expected one of u0, u1, v0 and v1",
+                             (int)one->edge);
+        }
+        status = check_range(one->length, 1e-300, 1e300, "value", where, error);
+    }
+    if (status == TAUT_OK && problem->decompensate_count > 0 &&
+        (problem->seam_length == TAUT_PATTERN_TRUE || problem->compensation.has_seam)) {
+        return taut_fail(error, TAUT_BAD_INPUT, "conflict", "/decompensate", taut_none, taut_none,
+                         "found it beside seams of %s, expected one of them",
+                         problem->compensation.has_seam ? "a compensation of their own"
+                                                        : "the surface's length");
+    }
+    return status;
+}
+
 static taut_status check_problem(const taut_pattern_problem *problem, taut_error *error)
 {
     const taut_pattern_compensation *c = problem != NULL ? &problem->compensation : NULL;
@@ -294,6 +318,9 @@ static taut_status check_problem(const taut_pattern_problem *problem, taut_error
     for (int k = 0; status == TAUT_OK && k < problem->hem_count; k++) {
         status = check_range(problem->hems[k].pocket, 0, 1e300, "allowance", "/hems", error);
     }
+    if (status == TAUT_OK) {
+        status = check_decompensate(problem, error);
+    }
     const double shares[3] = {shrunk.warp, shrunk.weft, c->has_seam ? c->seam : 0};
     const int pressed = problem->has_prestress;
     const char *const places[3] = {pressed ? "/prestress/0" : "/compensation/warp",
@@ -316,7 +343,9 @@ static void take_cut(request *r)
                                 .compensation = compensation_of(r->problem),
                                 .thread = r->problem->cloth.thread,
                                 .held = r->problem->held,
-                                .is_straight = r->problem->ends == TAUT_PATTERN_ENDS_STRAIGHT};
+                                .is_straight = r->problem->ends == TAUT_PATTERN_ENDS_STRAIGHT,
+                                .decompensate_count = r->problem->decompensate_count,
+                                .decompensate = r->problem->decompensate};
     if (r->cut.has_law) {
         const double d = 1 - m->nu * m->nu * m->e[1] / m->e[0], unit = m->e[0];
         r->cut.law = (taut_flat_law){.d11 = m->e[0] / d / unit,

@@ -118,6 +118,29 @@ void taut_pattern_piece_metric(const void *context, double s, double t, double g
     g[2] = taut_dot(xt, xt);
 }
 
+void taut_pattern_piece_shrink(const void *context, double s, double t, double shrink[2])
+{
+    const taut_pattern_piece *piece = context;
+    double c[2] = {piece->shares[0], piece->shares[1]}, w[6][2], x[3], at[2];
+
+    if (piece->fade_count > 0) {
+        taut_pattern_piece_window(piece, s, t, w);
+        for (int d = 0; d < 2; d++) { /* rounding may leave the window */
+            at[d] = fmin(fmax(w[0][d], piece->carrier->lo[d]), piece->carrier->hi[d]);
+        }
+        taut_surface_eval(piece->carrier->surface, at[0], at[1], 0, x);
+    }
+    for (int k = 0; k < piece->fade_count; k++) {
+        const taut_pattern_fade *fade = &piece->fades[k];
+        const double z = fmin(1, taut_border_distance(&fade->border, x) / fade->length);
+        for (int d = 0; d < 2; d++) {
+            c[d] *= fade->is_faded[d] ? z * z * (3 - 2 * z) : 1;
+        }
+    }
+    shrink[0] = 1 - c[0];
+    shrink[1] = 1 - c[1];
+}
+
 void taut_pattern_piece_bends(const taut_pattern_piece *piece, double s, double t, double bend[2],
                               double *gauss)
 {

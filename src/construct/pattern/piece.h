@@ -9,6 +9,7 @@
 #define TAUT_CONSTRUCT_PATTERN_PIECE_H
 
 #include "construct/pattern/side.h"
+#include "geometry/border_distance.h"
 #include "pattern/flat/flat.h"
 
 /* An edge of a piece, as s or t grows. */
@@ -22,12 +23,22 @@ typedef struct taut_pattern_bound {
     double ends[2][2]; /* the places where it begins and ends */
 } taut_pattern_bound;
 
+/* Where compensation fades out: near an edge of the window that does not yield. */
+typedef struct taut_pattern_fade {
+    taut_border border; /* lengths are those of the surface's own unit */
+    double length;
+    int is_faded[2]; /* of warp and weft */
+} taut_pattern_fade;
+
 typedef struct taut_pattern_piece {
     char name[TAUT_SIDE_NAME];
     const taut_carrier *carrier;
     int ground; /* the surface that it is part of */
     int strip;  /* pieces of one strip have one number */
     taut_pattern_bound bounds[TAUT_FLAT_EDGES];
+    double shares[2]; /* by which warp and weft are cut smaller, away from `fades` */
+    int fade_count;
+    const taut_pattern_fade *fades;
     int spans[2];     /* of its flat piece */
     double curvature; /* iint K dA */
     int is_developable;
@@ -40,6 +51,8 @@ typedef struct taut_pattern_piece {
 void taut_pattern_piece_window(const taut_pattern_piece *piece, double s, double t, double w[6][2]);
 /* g_ss, g_st, g_tt, as taut_flat_strip has it; context: the piece. */
 void taut_pattern_piece_metric(const void *piece, double s, double t, double g[3]);
+/* 1 / F0 of warp and weft there, as taut_flat_strip has it. */
+void taut_pattern_piece_shrink(const void *piece, double s, double t, double shrink[2]);
 /* k_g ds/ds of the line t = const, k_g dt/dt of the line s = const, and the Gauss curvature. */
 void taut_pattern_piece_bends(const taut_pattern_piece *piece, double s, double t, double bend[2],
                               double *gauss);

@@ -25,10 +25,11 @@ taut_pattern_strains taut_pattern_strains_of(const taut_pattern_piece *piece)
     for (int i = first; i <= last; i++) {
         for (int k = 0; k <= count[1]; k++) {
             const double s = (double)i / count[0], t = (double)k / count[1];
-            double g[3], y[3][2], strain[2], cloth[3];
+            double g[3], y[3][2], shrink[2], strain[2], cloth[3];
             taut_pattern_piece_metric(piece, s, t, g);
+            taut_pattern_piece_shrink(piece, s, t, shrink);
             taut_flat_at(flat, s, t, y);
-            taut_flat_strain(flat, g, (const double(*)[2])y, strain, cloth);
+            taut_flat_strain(shrink, g, (const double(*)[2])y, strain, cloth);
             if (strain[1] < all.low) {
                 all.low = strain[1];
                 all.at_low[0] = s;

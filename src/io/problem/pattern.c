@@ -16,8 +16,9 @@
 #include <string.h>
 
 static const char *const members[] = {
-    "pattern",   "of",   "surface", "seams", "seam_length", "cloth",  "compensation", "prestress",
-    "allowance", "held", "ends",    "hems",  "marks",       "strain", "untrim",       NULL};
+    "pattern",      "of",        "surface",      "seams",     "seam_length", "cloth",
+    "compensation", "prestress", "decompensate", "allowance", "held",        "ends",
+    "hems",         "marks",     "strain",       "untrim",    NULL};
 static const char *const patterns[] = {"cloth", NULL};
 static const char *const lengths[] = {"shared", "true", NULL};
 static const char *const sides[] = {"upper", "lower", NULL};
@@ -45,6 +46,8 @@ static const char *const allowance_members[] = {"seam", "border", "overlap", "sp
 static const char *const corners[] = {"mitre", "square", "mirror", NULL};
 static const char *const hem_members[] = {"edge", "pocket", NULL};
 static const char *const mark_members[] = {"spacing", "notch", NULL};
+static const char *const decompensate_members[] = {"edge", "length", "component", NULL};
+static const char *const components[] = {"along", "both", NULL};
 static const char *const notches[] = {"slit", "v", "dot", NULL};
 
 /* Typical values, in kN/m. ETFE is isotropic: G = E / (2 (1 + nu)). */
@@ -646,6 +649,51 @@ static void read_hems(taut_reader *document, taut_arena *arena, taut_pattern_pro
     }
 }
 
+typedef struct yields {
+    taut_pattern_decompensate list[4];
+    int count;
+} yields;
+
+static taut_status read_decompensate(const taut_json *at, void *into, taut_error *error)
+{
+    yields *all = into;
+    taut_pattern_decompensate *one = &all->list[all->count++];
+    taut_reader in = taut_reader_of(at, decompensate_members, error);
+    int word = 0, component = 0;
+    taut_reader_word(&in, "edge", edges, &word);
+    take_reason(&in, 1, "edge");
+    taut_reader_member(&in, "length", read_positive, &one->length);
+    taut_reader_optional_word(&in, "component", components, &component);
+    one->edge = (taut_edge)word;
+    one->component = (taut_pattern_component)component;
+    for (int k = 0; in.status == TAUT_OK && k + 1 < all->count; k++) {
+        if (all->list[k].edge == one->edge) {
+            return taut_json_refuse(at, error, "edge", "each edge once");
+        }
+    }
+    return in.status;
+}
+
+static void read_all_decompensate(taut_reader *document, taut_arena *arena,
+                                  taut_pattern_problem *data)
+{
+    const taut_json at = taut_json_member(document->object, "decompensate");
+    yields all = {.count = 0};
+    if (document->status != TAUT_OK || !taut_reader_has(document, "decompensate")) {
+        return;
+    }
+    document->status = taut_json_each(&at, 0, 4, "edges", read_decompensate, &all, document->error);
+    taut_pattern_decompensate *list = taut_arena_take(arena, 4, sizeof *list);
+    if (document->status == TAUT_OK && list == NULL) {
+        document->status = taut_fail_memory(document->error);
+    }
+    if (document->status == TAUT_OK) {
+        memcpy(list, all.list, sizeof all.list);
+        data->decompensate = list;
+        data->decompensate_count = all.count;
+    }
+}
+
 /* Half the roll apart, unless they are told. */
 static void read_marks(taut_reader *document, taut_pattern_problem *data)
 {
@@ -702,6 +750,7 @@ static void pattern_read(taut_reader *document, taut_problem *problem, void *int
     taut_reader_optional(document, "cloth", read_cloth, &data->cloth);
     taut_reader_optional(document, "compensation", read_compensation, &data->compensation);
     read_prestress(document, data);
+    read_all_decompensate(document, problem->arena, data);
     if (document->status == TAUT_OK && taut_reader_has(document, "allowance")) {
         const taut_json left = taut_json_member(document->object, "allowance");
         document->status = read_allowance(&left, problem->arena, &data->allowance, document->error);

@@ -47,6 +47,66 @@ static taut_status read_side(const taut_record *details, const taut_record *edge
     return status;
 }
 
+/* Does a piece of the surface start or end on an edge of the window? */
+static int runs_across(const taut_record *details, const char *surface, const char *edge)
+{
+    static const char *const ends[2] = {"start", "end"};
+    const taut_record *pieces = taut_record_get(details, "pieces");
+    int any = 0;
+    for (size_t k = 0; k < 2 * taut_record_count(pieces); k++) {
+        const taut_record *piece = taut_record_at(pieces, k / 2);
+        const taut_record *end = taut_record_get(taut_record_get(piece, "edges"), ends[k % 2]);
+        any |= strcmp(taut_record_text(taut_record_get(piece, "surface")), surface) == 0 &&
+               strcmp(taut_record_text(taut_record_get(end, "edge")), edge) == 0;
+    }
+    return any;
+}
+
+/* Edges near which compensation fades out. */
+static taut_status read_fades(const taut_record *details, const char *surface, taut_arena *arena,
+                              taut_mounted *m)
+{
+    static const char *const edges[4] = {"u0", "u1", "v0", "v1"};
+    const taut_record *list = taut_record_get(details, "decompensate");
+    const double thread =
+        taut_record_number(taut_record_get(taut_record_get(details, "cloth"), "thread"));
+    for (size_t k = 0; k < taut_record_count(list) && k < 4; k++) {
+        const taut_record *one = taut_record_at(list, k);
+        const char *name = taut_record_text(taut_record_get(one, "edge"));
+        const int is_both =
+            strcmp(taut_record_text(taut_record_get(one, "component")), "both") == 0;
+        const double along = fabs(taut_cos(thread)), across = fabs(taut_sin(thread));
+        const int is_warp = runs_across(details, surface, name) ? across > along : along >= across;
+        for (int e = 0; e < 4; e++) {
+            if (strcmp(name, edges[e]) != 0) {
+                continue;
+            }
+            const int n = m->fade_count++;
+            m->lengths[n] = taut_record_number(taut_record_get(one, "length"));
+            m->is_faded[n][0] = is_both || is_warp;
+            m->is_faded[n][1] = is_both || !is_warp;
+            if (taut_border_new(arena, m->surface, e, &m->borders[n]) != TAUT_OK) {
+                return TAUT_NO_MEMORY;
+            }
+        }
+    }
+    return TAUT_OK;
+}
+
+/* 1 / F0 at a place in space. */
+static void shrink_at(const taut_mounted *m, const double x[3], double shrink[2])
+{
+    for (int d = 0; d < 2; d++) {
+        shrink[d] = m->shrink[d];
+    }
+    for (int k = 0; k < m->fade_count; k++) {
+        const double z = fmin(1, taut_border_distance(&m->borders[k], x) / m->lengths[k]);
+        for (int d = 0; d < 2; d++) {
+            shrink[d] = m->is_faded[k][d] ? 1 - (1 - shrink[d]) * z * z * (3 - 2 * z) : shrink[d];
+        }
+    }
+}
+
 taut_status taut_mounted_new(const taut_model *model, const taut_surface *flat, taut_arena *arena,
                              taut_mounted *mounted)
 {
@@ -86,7 +146,7 @@ taut_status taut_mounted_new(const taut_model *model, const taut_surface *flat, 
         mounted->shrink[k] = 1 - (share != NULL ? taut_record_number(share) : 0);
     }
     mounted->flat = flat;
-    return TAUT_OK;
+    return read_fades(details, surface, arena, mounted);
 }
 
 /* An edge at x in [0, 1], and its derivative. */
@@ -190,5 +250,7 @@ void taut_mounted_at(const taut_mounted *mounted, double s, double t, double poi
     for (int c = 0; c < 3; c++) {
         normal[c] = area > 0 ? normal[c] / area : (double)NAN;
     }
-    *strain = area > 0 ? strain_of(g, (const double(*)[3])y, mounted->shrink) : (double)NAN;
+    double shrink[2];
+    shrink_at(mounted, point, shrink);
+    *strain = area > 0 ? strain_of(g, (const double(*)[3])y, shrink) : (double)NAN;
 }

@@ -7,6 +7,7 @@
 #define TAUT_MEASURE_CLOTH_MOUNTED_H
 
 #include "core/arena.h"
+#include "geometry/border_distance.h"
 #include "taut/model.h"
 
 typedef struct taut_mounted {
@@ -14,7 +15,11 @@ typedef struct taut_mounted {
     const taut_curve
         *sides[4];      /* right, end, left and start in the window; ends that are straight: NULL */
     double parts[4][2]; /* the shares of them that edges are */
-    double shrink[2];   /* 1 / F0, of warp and weft */
+    double shrink[2];   /* 1 / F0, of warp and weft, away from edges that do not yield */
+    int fade_count;
+    taut_border borders[4]; /* these */
+    double lengths[4];      /* over which compensation fades out */
+    int is_faded[4][2];
 } taut_mounted;
 
 /* Of a flat surface of the model; what it makes is the arena's. TAUT_NO_MEMORY. */

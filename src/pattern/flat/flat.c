@@ -47,6 +47,8 @@ typedef struct work {
     const taut_flat_options *options;
     line lines[2];
     double *metric; /* [spans][GAUSS][spans][GAUSS][3] */
+    double *
+        shrink; /* [spans][GAUSS][spans][GAUSS][2]: 1/F0, where it is not one everywhere; or NULL */
     taut_flat_sums sums;
     double (*j)[2][2];     /* of all places of t at one of s */
     taut_flat_form *forms; /* and these */
@@ -78,6 +80,16 @@ static double *metric_along(const work *w, int a, int q)
     return w->metric + (size_t)(a * GAUSS + q) * (size_t)(w->lines[1].spans * GAUSS) * 3;
 }
 
+/* 1/F0 at place m of t of those at a place of s. */
+static const double *shrink_at(const work *w, int a, int q, int m)
+{
+    return w->shrink == NULL
+               ? w->stretch
+               : w->shrink +
+                     ((size_t)(a * GAUSS + q) * (size_t)(w->lines[1].spans * GAUSS) + (size_t)m) *
+                         2;
+}
+
 /* W of a net; INFINITY where it folds at a Gauss point. */
 static double energy_of(work *w, const double *y)
 {
@@ -88,8 +100,8 @@ static double energy_of(work *w, const double *y)
         const double *g = metric_along(w, k / GAUSS, k % GAUSS);
         taut_flat_sums_slopes(&w->sums, y, k / GAUSS, k % GAUSS, w->j);
         for (int m = 0; m < t->spans * GAUSS; m++) {
-            if (!taut_flat_density(&w->law, w->stretch, (const double(*)[2])w->j[m], g + 3 * m, 0,
-                                   &f)) {
+            if (!taut_flat_density(&w->law, shrink_at(w, k / GAUSS, k % GAUSS, m),
+                                   (const double(*)[2])w->j[m], g + 3 * m, 0, &f)) {
                 return INFINITY;
             }
             sum += f.w * s->weight[k % GAUSS] * t->weight[m % GAUSS];
@@ -110,8 +122,9 @@ static void assemble(work *w)
             const double *g = metric_along(w, a, q);
             taut_flat_sums_slopes(&w->sums, w->y, a, q, w->j);
             for (int m = 0; m < t->spans * GAUSS; m++) {
-                w->is_there[m] = (char)taut_flat_density(
-                    &w->law, w->stretch, (const double(*)[2])w->j[m], g + 3 * m, 1, &w->forms[m]);
+                w->is_there[m] = (char)taut_flat_density(&w->law, shrink_at(w, a, q, m),
+                                                         (const double(*)[2])w->j[m], g + 3 * m, 1,
+                                                         &w->forms[m]);
             }
             taut_flat_sums_add(&w->sums, a, q, w->forms, w->is_there, w->gradient);
         }
@@ -798,6 +811,10 @@ static taut_status prepare(work *w)
     const size_t n = (size_t)w->n, room = (size_t)w->room;
     const size_t across = (size_t)spans[1] * GAUSS;
     w->metric = taut_arena_take(w->arena, (size_t)spans[0] * GAUSS * across, sizeof(double[3]));
+    w->shrink =
+        w->strip->shrink != NULL
+            ? taut_arena_take(w->arena, (size_t)spans[0] * GAUSS * across, sizeof(double[2]))
+            : NULL;
     w->j = taut_arena_take(w->arena, across, sizeof *w->j);
     w->forms = taut_arena_take(w->arena, across, sizeof *w->forms);
     w->is_there = taut_arena_take(w->arena, across, 1);
@@ -814,7 +831,8 @@ static taut_status prepare(work *w)
     w->c = taut_arena_take(w->arena, room, sizeof(double));
     w->multiplier = taut_arena_take(w->arena, room, sizeof(double));
     w->schur = taut_arena_take(w->arena, room * room, sizeof(double));
-    if (!taut_flat_sums_new(w->arena, &w->lines[0], &w->lines[1], &w->sums)) {
+    if (!taut_flat_sums_new(w->arena, &w->lines[0], &w->lines[1], &w->sums) ||
+        taut_arena_status(w->arena) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
     for (int k = 0; o->straight && k < w->lines[1].count; k++) {
@@ -839,6 +857,11 @@ static double sample(work *w)
             w->strip->metric(w->strip->context, s->at[k / GAUSS][k % GAUSS],
                              t->at[m / GAUSS][m % GAUSS], g);
             area += sqrt(g[0] * g[2] - g[1] * g[1]) * s->weight[k % GAUSS] * t->weight[m % GAUSS];
+            if (w->shrink != NULL) {
+                w->strip->shrink(
+                    w->strip->context, s->at[k / GAUSS][k % GAUSS], t->at[m / GAUSS][m % GAUSS],
+                    w->shrink + 2 * ((size_t)k * (size_t)(t->spans * GAUSS) + (size_t)m));
+            }
         }
     }
     for (int e = 0; e < TAUT_FLAT_EDGES; e++) {
@@ -978,14 +1001,14 @@ void taut_flat_at(const taut_flat *flat, double s, double t, double y[3][2])
     }
 }
 
-void taut_flat_strain(const taut_flat *flat, const double g[3], const double y[3][2],
+void taut_flat_strain(const double shrink[2], const double g[3], const double y[3][2],
                       double strain[2], double cloth[3])
 {
     const double j[2][2] = {{y[1][0], y[2][0]}, {y[1][1], y[2][1]}};
     double inverse[2][2], det, c[3] = {0, 0, 0};
     strain[0] = strain[1] = NAN;
     if (taut_flat_stretch(j, g, inverse, &det, c)) {
-        const double p = 1 - flat->warp, q = 1 - flat->weft;
+        const double p = shrink[0], q = shrink[1];
         const double a = c[0] * p * p, b = c[1] * q * q, m = c[2] * p * q;
         const double half = (a + b) / 2, radius = taut_hypot((a - b) / 2, m);
         strain[0] = sqrt(half + radius) - 1;

@@ -55,6 +55,8 @@ typedef struct taut_flat_strip {
     /* g_ss, g_st, g_tt of a place; positive definite */
     void (*metric)(const void *context, double s, double t, double g[3]);
     const void *context;
+    /* 1 / F0 there, of warp and weft; NULL: what options say everywhere */
+    void (*shrink)(const void *context, double s, double t, double shrink[2]);
 } taut_flat_strip;
 
 typedef struct taut_flat {
@@ -89,9 +91,9 @@ taut_status taut_flat_copy(taut_arena *arena, const taut_flat *from, taut_flat *
 
 /* y, y_s, y_t at a place. */
 void taut_flat_at(const taut_flat *flat, double s, double t, double y[3][2]);
-/* Principal strains beyond the compensation there, falling, of a metric; and, where `cloth` is not NULL, those of warp
+/* Principal strains beyond the compensation there (`shrink`: 1 / F0), falling, of a metric; and, where `cloth` is not NULL, those of warp
  * and weft and the angle by which theirs is less than a right one. */
-void taut_flat_strain(const taut_flat *flat, const double g[3], const double y[3][2],
+void taut_flat_strain(const double shrink[2], const double g[3], const double y[3][2],
                       double strain[2], double cloth[3]);
 /* The length of an edge, and |y_s| / |X_s| at its Gauss points ([spans][TAUT_FLAT_GAUSS], or NULL). */
 double taut_flat_edge_length(const taut_flat *flat, const taut_flat_strip *strip,

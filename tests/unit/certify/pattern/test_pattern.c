@@ -427,6 +427,26 @@ static void test_asked(void)
           "S1");
     CHECK(judge_number(&held, "seams", "S1", "compensation", 1.02, "compensation") == TAUT_FALSE,
           "S1");
+    /* an edge that yields, or does not, or another one */
+    static const char fading[] =
+        "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 3 }], \"compensation\": { "
+        "\"warp\": 0.02, \"weft\": 0.045 }, \"decompensate\": [{ \"edge\": \"v0\", \"length\": 0.3 "
+        "}]";
+    static const char *const not_fading[] = {
+        "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 3 }], \"compensation\": { "
+        "\"warp\": 0.02, \"weft\": 0.045 }",
+        "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 3 }], \"compensation\": { "
+        "\"warp\": 0.02, \"weft\": 0.045 }, \"decompensate\": [{ \"edge\": \"v0\", \"length\": "
+        "0.301 }]",
+        "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 3 }], \"compensation\": { "
+        "\"warp\": 0.02, \"weft\": 0.045 }, \"decompensate\": [{ \"edge\": \"v0\", \"length\": "
+        "0.3, \"component\": \"both\" }]"};
+    made_cloth fades = cloth_make(SADDLE, fading);
+    CHECK(judge_by(&fades, fading, "stationary") == TAUT_TRUE, "fades out");
+    for (size_t k = 0; k < sizeof not_fading / sizeof not_fading[0]; k++) {
+        CHECK(judge_by(&fades, not_fading[k], "stationary") == TAUT_FALSE, "%s", not_fading[k]);
+    }
+    cloth_free(&fades);
     /* more seams than the document's */
     made_cloth lines = cloth_make(SADDLE, "\"seams\": [{ \"line\": { \"u\": [0.3, 0.7] } }]");
     CHECK(judge_by(&lines, "\"seams\": [{ \"line\": { \"u\": 0.3 } }]", "layout") == TAUT_FALSE,

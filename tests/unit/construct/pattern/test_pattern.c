@@ -543,6 +543,51 @@ static void test_butts(void)
     cloth_free(&made);
 }
 
+/* A narrow strip of a plane, 1 long and 0.02 wide, whose weft is cut smaller by 0.1 but at its start: the width follows 1 - 0.1 mu, up to
+ * the square of 0.02 over the length that it fades over; at the start all of the width is there. Along an edge that does not yield a
+ * sail's flat pieces are as long as the surface. */
+static void test_decompensate(void)
+{
+    static const char plane[] =
+        "{ \"taut\": 1, \"surfaces\": [{ \"name\": \"band\", \"u\": { \"type\": \"bezier\", "
+        "\"degree\": 1 }, \"v\": { \"type\": \"bezier\", \"degree\": 1 }, \"points\": [[[0, 0, "
+        "0], [0, 1, 0]], [[0.02, 0, 0], [0.02, 1, 0]]] }] }";
+    made_cloth made = cloth_make(
+        plane, "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 1 }], \"compensation\": { "
+               "\"weft\": 0.1 }, \"decompensate\": [{ \"edge\": \"v0\", \"length\": 1 }]");
+    CHECK(made.status == TAUT_OK, "%s", made.error.message);
+    check_holds(&made, "band");
+    CHECK(!has_claim(made.proof, "isometric") && has_claim(made.proof, "stationary"), "solved");
+    CHECK_NEAR(cloth_number(&made, "pieces", "P1", "width_middle"), 0.02 * 0.95, 2e-8, "middle");
+    CHECK_NEAR(cloth_number(&made, "pieces", "P1", "edges/start/flat_length"), 0.02, 2e-6, "start");
+    CHECK_NEAR(cloth_number(&made, "pieces", "P1", "edges/end/flat_length"), 0.018, 2e-6, "end");
+    CHECK_NEAR(cloth_number(&made, "pieces", "P1", "extent/0"), 1, 2e-6, "the warp is as long");
+    cloth_free(&made);
+
+    /* held, so that nothing but the compensation says how long they are; both fade out, or warp cut smaller would still count where the edge
+     * does not run along the weft */
+    made = cloth_make(SADDLE, "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 3 }], "
+                              "\"compensation\": { \"warp\": 0.02, \"weft\": 0.045 }, \"held\": "
+                              "[\"v0\"], \"decompensate\": [{ \"edge\": \"v0\", \"length\": 0.5, "
+                              "\"component\": \"both\" }, { \"edge\": \"u1\", \"length\": 0.3 }]");
+    CHECK(made.status == TAUT_OK, "%s", made.error.message);
+    check_holds(&made, "rails");
+    for (int k = 1; k <= 3; k++) {
+        char name[4];
+        snprintf(name, sizeof name, "P%d", k);
+        CHECK_NEAR(cloth_number(&made, "pieces", name, "edges/start/flat_length"),
+                   cloth_number(&made, "pieces", name, "edges/start/length"), 1e-9, "%s", name);
+    }
+    /* u1 runs along the warp: of two sides that are alike but for this it is the longer one, by less than the warp's 0.02 */
+    const double sides[2] = {cloth_number(&made, "pieces", "P1", "edges/left/flat_length") /
+                                 cloth_number(&made, "pieces", "P1", "edges/left/length"),
+                             cloth_number(&made, "pieces", "P3", "edges/right/flat_length") /
+                                 cloth_number(&made, "pieces", "P3", "edges/right/length")};
+    CHECK(sides[1] - sides[0] > 0.01 && sides[1] - sides[0] < 0.02, "%g and %g", sides[0],
+          sides[1]);
+    cloth_free(&made);
+}
+
 /* With its thread turned by pi/4 pvc-pes holds a 6.8th of the energy on gores of the sphere ([LinhardWuechnerBletzinger2008] has the law; the
  * ratio is another program's), and `bias` is what a pattern with that thread holds. */
 static void test_bias(void)
@@ -778,6 +823,21 @@ static void test_refusals(void)
         {"\"seams\": [{ \"line\": { \"u\": 0.5 } }, { \"butt\": \"auto\", \"at\": 0.5 }], "
          "\"cloth\": { \"length\": 1 }",
          "conflict", "/seams/1/at", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"line\": { \"u\": 0.5 } }], \"seam_length\": \"true\", "
+         "\"decompensate\": [{ \"edge\": \"v0\", \"length\": 1 }]",
+         "conflict", "/decompensate", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"line\": { \"u\": 0.5 } }], \"compensation\": { \"seam\": 0.01 }, "
+         "\"decompensate\": [{ \"edge\": \"v0\", \"length\": 1 }]",
+         "conflict", "/decompensate", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"line\": { \"u\": 0.5 } }], \"decompensate\": [{ \"edge\": \"w\", "
+         "\"length\": 1 }]",
+         "edge", "/decompensate/0/edge", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"line\": { \"u\": 0.5 } }], \"decompensate\": [{ \"edge\": \"v0\", "
+         "\"length\": 1 }, { \"edge\": \"v0\", \"length\": 1 }]",
+         "edge", "/decompensate/1", TAUT_BAD_INPUT},
+        {"\"seams\": [{ \"line\": { \"u\": 0.5 } }], \"decompensate\": [{ \"edge\": \"v0\", "
+         "\"length\": 0 }]",
+         "value", "/decompensate/0/length", TAUT_BAD_INPUT},
         {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"width\": true }]", "missing",
          "/cloth/width", TAUT_BAD_INPUT},
         {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2, \"width\": 1 }]", "conflict",
@@ -968,6 +1028,7 @@ int main(void)
     test_equal_butts();
     test_seams_of_their_own();
     test_bias();
+    test_decompensate();
     test_ring();
     test_poles();
     test_refusals();

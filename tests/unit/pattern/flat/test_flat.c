@@ -72,7 +72,8 @@ static void strains(const taut_flat *flat, const taut_flat_strip *strip, double 
             double g[3], y[3][2], e[2];
             strip->metric(strip->context, i / 32.0, k / 8.0, g);
             taut_flat_at(flat, i / 32.0, k / 8.0, y);
-            taut_flat_strain(flat, g, (const double(*)[2])y, e, NULL);
+            const double shrink[2] = {1 - flat->warp, 1 - flat->weft};
+            taut_flat_strain(shrink, g, (const double(*)[2])y, e, NULL);
             range[0] = fmin(range[0], e[1]);
             range[1] = fmax(range[1], e[0]);
         }
@@ -97,7 +98,7 @@ static int flatten(taut_arena *arena, const taut_flat_strip *strip,
 /* Isometric pieces: no strain, whatever their compensation. */
 static void test_developable(void)
 {
-    const taut_flat_strip strips[2] = {{cylinder, NULL}, {cone, NULL}};
+    const taut_flat_strip strips[2] = {{cylinder, NULL, NULL}, {cone, NULL, NULL}};
     const double angle = 0.471238898038468986; /* of the annular sector */
     for (int k = 0; k < 2; k++) {
         taut_arena *arena = taut_arena_new();
@@ -143,7 +144,7 @@ static void test_bands(void)
 
     for (size_t k = 0; k < sizeof rows / sizeof rows[0]; k++) {
         taut_arena *arena = taut_arena_new();
-        const taut_flat_strip strip = {band, &rows[k].hyperbolic};
+        const taut_flat_strip strip = {band, &rows[k].hyperbolic, NULL};
         const taut_flat_options options = {
             .spans = {4, 8},
             .straight = 1,
@@ -156,7 +157,8 @@ static void test_bands(void)
             double g[3], y[3][2], e[2];
             band(&rows[k].hyperbolic, 0.5, 0.5, g);
             taut_flat_at(&flat, 0.5, 0.5, y);
-            taut_flat_strain(&flat, g, (const double(*)[2])y, e, NULL);
+            const double shrink[2] = {1 - flat.warp, 1 - flat.weft};
+            taut_flat_strain(shrink, g, (const double(*)[2])y, e, NULL);
             const double axis = rows[k].axis > 0 ? e[0] : e[1];
             CHECK_NEAR(distance(&flat, 0.5, 0, 0.5, 1), rows[k].width, 1e-11, "width");
             CHECK_NEAR(flat.energy, rows[k].energy, 1e-10 * rows[k].energy, "energy");
@@ -228,7 +230,7 @@ static void test_printed(void)
     }
     for (size_t k = 0; k < sizeof rows / sizeof rows[0]; k++) {
         const printed *p = &rows[k];
-        const taut_flat_strip strip = {p->metric, &width};
+        const taut_flat_strip strip = {p->metric, &width, NULL};
         const taut_flat_options alone = {.spans = {32, 6}};
         const taut_flat_options held_true = {
             .spans = {32, 6}, .held = {[TAUT_FLAT_RIGHT] = held, [TAUT_FLAT_LEFT] = held}};
@@ -256,7 +258,8 @@ static void test_printed(void)
             double g[3], y[3][2], e[2];
             p->metric(&width, p->waist, 0.5, g);
             taut_flat_at(&flat, p->waist, 0.5, y);
-            taut_flat_strain(&flat, g, (const double(*)[2])y, e, NULL);
+            const double shrink[2] = {1 - flat.warp, 1 - flat.weft};
+            taut_flat_strain(shrink, g, (const double(*)[2])y, e, NULL);
             const double right = taut_flat_edge_length(&flat, &strip, TAUT_FLAT_RIGHT, NULL);
             CHECK_NEAR(
                 right,
@@ -278,7 +281,7 @@ static void test_bias(void)
 {
     static const taut_flat_law coated = {1000 / 0.972, 700 / 0.972, 140 / 0.972, 20};
     const double width = TAUT_PI / 6, ratios[3] = {6.8, 1, 5.5};
-    const taut_flat_strip strip = {gore, &width};
+    const taut_flat_strip strip = {gore, &width, NULL};
     taut_arena *arena = taut_arena_new();
     double energy[3] = {0, 1, 0};
     for (int k = 0; k < 3; k++) {
@@ -308,7 +311,7 @@ static void test_refusal(void)
 {
     const double width = TAUT_PI / 6;
     double held[2][4 * TAUT_FLAT_GAUSS];
-    const taut_flat_strip strip = {gore, &width};
+    const taut_flat_strip strip = {gore, &width, NULL};
     const taut_flat_options options = {
         .spans = {4, 2}, .held = {[TAUT_FLAT_RIGHT] = held[0], [TAUT_FLAT_LEFT] = held[1]}};
     taut_flat flat;
@@ -328,7 +331,7 @@ static void test_again(void)
 {
     const double width = TAUT_PI / 6;
     double held[2][16 * TAUT_FLAT_GAUSS];
-    const taut_flat_strip strip = {gore, &width};
+    const taut_flat_strip strip = {gore, &width, NULL};
     const taut_flat_options alone = {.warp = 0};
     const taut_flat_options again = {
         .held = {[TAUT_FLAT_RIGHT] = held[0], [TAUT_FLAT_LEFT] = held[1]}};
@@ -353,7 +356,7 @@ static void annulus(const void *context, double s, double t, double g[3])
 
 static void test_annulus(void)
 {
-    const taut_flat_strip strip = {annulus, NULL};
+    const taut_flat_strip strip = {annulus, NULL, NULL};
     const taut_flat_options none = {.warp = 0};
     taut_arena *arena = taut_arena_new();
     taut_flat flat;
@@ -371,7 +374,7 @@ static void test_wide(void)
 {
     const double width = TAUT_PI / 2;
     double held[16 * TAUT_FLAT_GAUSS];
-    const taut_flat_strip strip = {gore, &width};
+    const taut_flat_strip strip = {gore, &width, NULL};
     const taut_flat_options alone = {.warp = 0};
     const taut_flat_options straight = {
         .held = {[TAUT_FLAT_RIGHT] = held, [TAUT_FLAT_LEFT] = held}};
