@@ -86,6 +86,24 @@ static void test_deep(void)
     sail_free(&s);
 }
 
+/* Four cables of a square, so long that arcs of 2.4 rad touch in its corners: there is no flat sail, before one is sought. */
+static void test_too_long(void)
+{
+    const double a = 1.2;
+    const taut_film_edge edge = {
+        .kind = TAUT_FILM_CABLE, .law = TAUT_FILM_LENGTH, .length = chord * a / sin(a)};
+    sail s = new_sail(8, &edge, 4);
+    taut_error error = {.status = TAUT_OK};
+    taut_model *model = NULL;
+    CHECK(taut_film_make(&s.problem, NULL, &model, &error) == TAUT_NO_SOLUTION &&
+              strcmp(error.reason, "cable-too-weak") == 0,
+          "%s: %s", error.reason, error.message);
+    /* each may be stressed until arcs of a quarter turn from corner to corner touch: sqrt(1/2) of a chord is the radius */
+    CHECK_NEAR(error.limit, chord * sqrt(0.5), 1e-12 * chord, "the least force");
+    taut_model_free(model);
+    sail_free(&s);
+}
+
 /* EA is chosen for an unstressed length, and the other way round, so that the arc is known. */
 static void test_elastic(void)
 {
@@ -227,6 +245,7 @@ int main(void)
 {
     test_lengths();
     test_deep();
+    test_too_long();
     test_elastic();
     test_back();
     test_derivative();
