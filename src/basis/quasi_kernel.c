@@ -127,7 +127,8 @@ static void half_circular(const taut_quasi_segment *segment, double t, int order
         half_polynomial(segment->length, t, order, values);
         return;
     }
-    const double sh = taut_sin(t / 2), xh = taut_cos(t / 2);
+    double sh, xh;
+    taut_sin_cos(t / 2, &sh, &xh);
     const double f = f_circular(t), g = 2 * sh * sh;
     const double s = 2 * sh * xh, x = 1 - g;
     const double c = segment->c, k = segment->k;
@@ -189,7 +190,8 @@ static void half_hyperbolic(const taut_quasi_segment *segment, double t, int ord
         half_polynomial(segment->length, t, order, values);
         return;
     }
-    const double sh = taut_sinh(t / 2), xh = taut_cosh(t / 2);
+    double sh, xh;
+    taut_sinh_cosh(t / 2, &sh, &xh);
     const double f = f_hyperbolic(t), g = 2 * sh * sh;
     const double s = 2 * sh * xh, x = 1 + g;
     const double c = segment->c, k = segment->k, q = segment->q;

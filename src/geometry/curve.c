@@ -103,23 +103,28 @@ taut_status taut_curve_eval(const taut_curve *curve, double t, int order, double
     const int first = curve->t->first[span];
 
     curve->t->ops->eval(curve->t, span, t, order, n);
+    if (curve->weights == NULL) {
+        for (int k = 0; k <= order; k++) {
+            double sum[3] = {0, 0, 0};
+            for (int a = 0; a < local; a++) {
+                for (int c = 0; c < 3; c++) {
+                    sum[c] += n[k * local + a] * curve->points[3 * (first + a) + c];
+                }
+            }
+            memcpy(values + 3 * k, sum, sizeof sum);
+        }
+        return TAUT_OK;
+    }
     memset(h, 0, sizeof h);
     for (int k = 0; k <= order; k++) {
         for (int a = 0; a < local; a++) {
-            const double w = curve->weights != NULL ? curve->weights[first + a] : 1;
-            const double nw = n[k * local + a] * w;
+            const double nw = n[k * local + a] * curve->weights[first + a];
             for (int c = 0; c < 3; c++) {
                 h[k][c] += nw * curve->points[3 * (first + a) + c];
             }
             h[k][3] += nw;
         }
     }
-    if (curve->weights != NULL) {
-        taut_net_project_curve(order, h, values);
-    } else {
-        for (int k = 0; k <= order; k++) {
-            memcpy(values + 3 * k, h[k], 3 * sizeof(double));
-        }
-    }
+    taut_net_project_curve(order, h, values);
     return TAUT_OK;
 }

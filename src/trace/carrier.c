@@ -16,9 +16,9 @@ static const double least_share = 1e-4;
 static const int order_u[TAUT_CARRIER_VECTORS] = {0, 1, 0, 2, 1, 0, 3, 2, 1, 0};
 static const int order_v[TAUT_CARRIER_VECTORS] = {0, 0, 1, 0, 1, 2, 0, 1, 2, 3};
 
-/* Homogeneous derivatives: h[k][4]. */
-static void sum_net(const taut_carrier *carrier, const int span[2], const double at[2], int order,
-                    double h[TAUT_CARRIER_VECTORS][4])
+/* Homogeneous derivatives: h[k][4]. `order` is a constant at each call, so that the loops over derivatives unroll. */
+static inline void sum_net(const taut_carrier *carrier, const int span[2], const double at[2],
+                           const int order, double h[TAUT_CARRIER_VECTORS][4])
 {
     const taut_basis *bu = carrier->basis[0], *bv = carrier->basis[1];
     const int local_u = bu->shape.local, local_v = bv->shape.local;
@@ -92,6 +92,10 @@ void taut_carrier_at(const taut_carrier *carrier, const int span[2], const doubl
 
     if (carrier->cells != NULL) {
         taut_carrier_cells_at(carrier->cells, span, at, order, h);
+    } else if (order == 2) {
+        sum_net(carrier, span, at, 2, h);
+    } else if (order == 3) {
+        sum_net(carrier, span, at, 3, h);
     } else {
         sum_net(carrier, span, at, order, h);
     }

@@ -30,13 +30,19 @@ static void near_0(taut_twice r, taut_twice *sine, taut_twice *cosine)
     *cosine = taut_twice_quick(down.high, down.low + down_low);
 }
 
+/* The sine of quadrant pi/2 + r, of the sine and the cosine of r. */
+static double turned(int quadrant, taut_twice sine, taut_twice cosine)
+{
+    const double size = taut_twice_round((quadrant & 1) != 0 ? cosine : sine);
+    return (quadrant & 2) != 0 ? -size : size;
+}
+
 /* The sine of quadrant pi/2 + r */
 static double sine_of(int quadrant, taut_twice r)
 {
     taut_twice sine, cosine;
     near_0(r, &sine, &cosine);
-    const double size = taut_twice_round((quadrant & 1) != 0 ? cosine : sine);
-    return (quadrant & 2) != 0 ? -size : size;
+    return turned(quadrant, sine, cosine);
 }
 
 double taut_sin(double x)
@@ -60,6 +66,19 @@ double taut_cos(double x)
     }
     const taut_twice r = taut_elementary_reduce(x, &quadrant);
     return sine_of(quadrant + 1, r);
+}
+
+void taut_sin_cos(double x, double *sine, double *cosine)
+{
+    int quadrant = 0;
+    taut_twice near[2];
+    if (!(fabs(x) < HUGE_VAL)) {
+        *sine = *cosine = x - x;
+        return;
+    }
+    near_0(taut_elementary_reduce(x, &quadrant), &near[0], &near[1]);
+    *sine = fabs(x) < 0x1p-40 ? x : turned(quadrant, near[0], near[1]);
+    *cosine = turned(quadrant + 1, near[0], near[1]);
 }
 
 double taut_tan(double x)

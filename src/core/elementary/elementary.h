@@ -22,6 +22,8 @@ double taut_pow(double x, double y);
 
 double taut_sin(double x);
 double taut_cos(double x);
+/* Both, with the bits of each, for the work of one. */
+void taut_sin_cos(double x, double *sine, double *cosine);
 double taut_tan(double x);
 double taut_asin(double x);
 double taut_acos(double x);
@@ -30,6 +32,8 @@ double taut_atan2(double y, double x);
 
 double taut_sinh(double x);
 double taut_cosh(double x);
+/* Both, with the bits of each. */
+void taut_sinh_cosh(double x, double *sinh, double *cosh);
 double taut_tanh(double x);
 
 double taut_hypot(double x, double y);

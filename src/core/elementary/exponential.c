@@ -163,6 +163,23 @@ double taut_cosh(double x)
     return taut_elementary_scaled(sum, k - 1);
 }
 
+void taut_sinh_cosh(double x, double *sinh, double *cosh)
+{
+    const double size = fabs(x);
+    int k = 0, j = 0;
+    if (!(size < 800) || size < 0.25) { /* then the sine has no exponentials */
+        *sinh = taut_sinh(x);
+        *cosh = taut_cosh(x);
+        return;
+    }
+    const taut_twice up = taut_elementary_exp(taut_twice_of(size), &k);
+    const taut_twice down = taut_elementary_exp(taut_twice_of(-size), &j);
+    const taut_twice less = add_scaled(up, k, taut_twice_negative(down), j);
+    const double found = taut_elementary_scaled(less, k - 1);
+    *sinh = x < 0 ? -found : found;
+    *cosh = taut_elementary_scaled(add_scaled(up, k, down, j), k - 1);
+}
+
 double taut_tanh(double x)
 {
     int k = 0, j = 0;

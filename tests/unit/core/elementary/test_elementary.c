@@ -350,9 +350,31 @@ static void test_special(void)
     }
 }
 
+/* Of both functions at once, the bits of each. */
+static void test_pairs(int trials)
+{
+    static const double marks[] = {
+        0,        -0.0,      0x1p-41, -0x1p-41, 0x1p-40, 0.25, -0.25, 0x1.fffffffffffffp-3,
+        1e22,     700,       711,     -711,     799,     800,  -801,  DBL_MAX,
+        HUGE_VAL, -HUGE_VAL, NAN};
+    const int count = (int)(sizeof marks / sizeof *marks);
+
+    for (int k = 0; k < count + trials; k++) {
+        const double x = k < count ? marks[k] : ldexp(random_in(-1, 1), k % 40 - 28);
+        double first, second;
+        taut_sin_cos(x, &first, &second);
+        CHECK(is_same(first, taut_sin(x)), "sine of %a beside the cosine", x);
+        CHECK(is_same(second, taut_cos(x)), "cosine of %a beside the sine", x);
+        taut_sinh_cosh(x, &first, &second);
+        CHECK(is_same(first, taut_sinh(x)), "sinh of %a beside cosh", x);
+        CHECK(is_same(second, taut_cosh(x)), "cosh of %a beside sinh", x);
+    }
+}
+
 int main(void)
 {
     random_seed(21);
+    test_pairs(random_trials(20000));
     for (size_t i = 0; i < sizeof functions / sizeof *functions; i++) {
         test_function(&functions[i], random_trials(6000));
     }
