@@ -111,20 +111,35 @@ static void bernstein_at(int n, double s, double b[3][SIDE_MOST + 1])
     }
 }
 
-/* x, x_u, x_v, x_uu, x_uv, x_vv of a cell that is a polynomial. */
-static void derivatives_at(const taut_net_cell *one, const double at[2], double x[6][3])
+/* The same of degree 3, written out. */
+static void bernstein_cubic(double s, double b[3][SIDE_MOST + 1])
 {
-    static const int order_u[6] = {0, 1, 0, 2, 1, 0}, order_v[6] = {0, 0, 1, 0, 1, 2};
-    const int p = one->x[0].p, q = one->x[0].q;
-    double u[3][SIDE_MOST + 1], v[3][SIDE_MOST + 1];
-    double factor[6];
+    const double r = 1 - s;
+    const double two[3] = {r * r, r * s + s * r, s * s};
 
-    bernstein_at(p, (at[0] - one->lo[0]) / one->width[0], u);
-    bernstein_at(q, (at[1] - one->lo[1]) / one->width[1], v);
-    for (int k = 0; k < 6; k++) {
-        factor[k] = (order_u[k] > 0 ? one->width[0] : 1) * (order_u[k] > 1 ? one->width[0] : 1) *
-                    (order_v[k] > 0 ? one->width[1] : 1) * (order_v[k] > 1 ? one->width[1] : 1);
-    }
+    b[0][0] = r * two[0];
+    b[0][1] = r * two[1] + s * two[0];
+    b[0][2] = r * two[2] + s * two[1];
+    b[0][3] = s * two[2];
+    b[1][0] = 3 * -two[0];
+    b[1][1] = 3 * (two[0] - two[1]);
+    b[1][2] = 3 * (two[1] - two[2]);
+    b[1][3] = 3 * two[2];
+    b[2][0] = 6 * r;
+    b[2][1] = 6 * (s - 2 * r);
+    b[2][2] = 6 * (r - 2 * s);
+    b[2][3] = 6 * s;
+}
+
+/* x, x_u, x_v, x_uu, x_uv, x_vv of a cell that is a polynomial; p and q are constants for cubic cells, so that the loops
+ * unroll. */
+static inline void sum_cell(const int p, const int q, const taut_net_cell *one,
+                            double u[3][SIDE_MOST + 1], double v[3][SIDE_MOST + 1], double x[6][3])
+{
+    const double width[2] = {one->width[0], one->width[1]};
+    const double factor[6] = {
+        1, width[0], width[1], width[0] * width[0], width[0] * width[1], width[1] * width[1]};
+
     for (int c = 0; c < 3; c++) {
         double sum[6] = {0, 0, 0, 0, 0, 0};
         for (int i = 0; i <= p; i++) {
@@ -135,13 +150,34 @@ static void derivatives_at(const taut_net_cell *one, const double at[2], double 
                 inner[1] += row[j] * v[1][j];
                 inner[2] += row[j] * v[2][j];
             }
-            for (int k = 0; k < 6; k++) {
-                sum[k] += u[order_u[k]][i] * inner[order_v[k]];
-            }
+            sum[0] += u[0][i] * inner[0];
+            sum[1] += u[1][i] * inner[0];
+            sum[2] += u[0][i] * inner[1];
+            sum[3] += u[2][i] * inner[0];
+            sum[4] += u[1][i] * inner[1];
+            sum[5] += u[0][i] * inner[2];
         }
         for (int k = 0; k < 6; k++) {
             x[k][c] = sum[k] / factor[k];
         }
+    }
+}
+
+static void derivatives_at(const taut_net_cell *one, const double at[2], double x[6][3])
+{
+    const int p = one->x[0].p, q = one->x[0].q;
+    const double s = (at[0] - one->lo[0]) / one->width[0];
+    const double t = (at[1] - one->lo[1]) / one->width[1];
+    double u[3][SIDE_MOST + 1], v[3][SIDE_MOST + 1];
+
+    if (p == 3 && q == 3) {
+        bernstein_cubic(s, u);
+        bernstein_cubic(t, v);
+        sum_cell(3, 3, one, u, v, x);
+    } else {
+        bernstein_at(p, s, u);
+        bernstein_at(q, t, v);
+        sum_cell(p, q, one, u, v, x);
     }
 }
 

@@ -196,8 +196,10 @@ void taut_net_crossings_look(const taut_net_audit *audit, taut_net_off *off)
 /* Which of a node's curves a line is; -1 for none. */
 static int side_of(const taut_net_audit *audit, const taut_record *node, const taut_net_line *line)
 {
+    const char *name = taut_net_text(node, "node");
     const taut_net_line *both[2];
-    if (!taut_net_lines_of_node(audit->lines, taut_net_text(node, "node"), both)) {
+    if (strstr(name, taut_curve_name(line->space)) == NULL || /* most are not: for little work */
+        !taut_net_lines_of_node(audit->lines, name, both)) {
         return -1;
     }
     return both[0] == line ? 0 : both[1] == line ? 1 : -1;

@@ -1,6 +1,7 @@
 /* everywhere.c
  *
- *     of each cell: m^2 - l n > 0 by the ranges of l, m, n alone; where that does not say
+ *     of each cell: m^2 - l n > 0 by the ranges of the derivatives alone; where that does not say
+ *     by those of l, m, n as polynomials; where that does not either
  *     the discriminant as a polynomial that knows its rounding (certify/common/field.h)
  *     its least coefficient is above 0, or that of its halves, and of theirs
  *     a corner that is not above 0, or too many pieces: not proved
@@ -12,6 +13,8 @@
 #include <math.h>
 
 enum { DEPTH = 12 /* halvings of a cell */, PIECES = 256 /* of a cell */ };
+/* More than underflow may lose. */
+static const double least_size = 0x1p-1000;
 
 typedef struct request {
     taut_arena *arena;
@@ -36,35 +39,83 @@ static int is_positive(request *r, const taut_field *f, int depth)
 
 /* What the forms of a cell are made of. */
 typedef struct forms {
-    taut_field u[3], v[3], l, m, n;
+    taut_field u[3], v[3], second[3][3]; /* x_uu, x_uv, x_vv */
+    taut_field l, m, n;
 } forms;
 
-static void forms_of(taut_arena *arena, const taut_field x[3], forms *q)
+static void derive(taut_arena *arena, const taut_field x[3], forms *q)
 {
-    taut_field uu[3], uv[3], vv[3], normal[3];
     for (int c = 0; c < 3; c++) {
         q->u[c] = taut_field_du(arena, &x[c]);
         q->v[c] = taut_field_dv(arena, &x[c]);
-        uu[c] = taut_field_du(arena, &q->u[c]);
-        uv[c] = taut_field_dv(arena, &q->u[c]);
-        vv[c] = taut_field_dv(arena, &q->v[c]);
+        q->second[0][c] = taut_field_du(arena, &q->u[c]);
+        q->second[1][c] = taut_field_dv(arena, &q->u[c]);
+        q->second[2][c] = taut_field_dv(arena, &q->v[c]);
     }
+}
+
+static void forms_of(taut_arena *arena, forms *q)
+{
+    taut_field normal[3];
     taut_field_cross(arena, q->u, q->v, normal);
-    q->l = taut_field_dot(arena, uu, normal);
-    q->m = taut_field_dot(arena, uv, normal);
-    q->n = taut_field_dot(arena, vv, normal);
+    q->l = taut_field_dot(arena, q->second[0], normal);
+    q->m = taut_field_dot(arena, q->second[1], normal);
+    q->n = taut_field_dot(arena, q->second[2], normal);
+}
+
+/* All between two numbers, rounding and all. */
+typedef struct range {
+    double low, high;
+} range;
+
+static range range_of(const taut_field *f)
+{
+    return (range){taut_field_low(f), taut_field_high(f)};
+}
+
+/* sum + sign a b */
+static range add_product(range sum, int sign, range a, range b)
+{
+    const double p[4] = {a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high};
+    const double low = fmin(fmin(p[0], p[1]), fmin(p[2], p[3]));
+    const double high = fmax(fmax(p[0], p[1]), fmax(p[2], p[3]));
+    const double room =
+        8 * TAUT_UNIT_ROUNDOFF *
+        (fmax(fabs(low), fabs(high)) + fmax(fabs(sum.low), fabs(sum.high)) + least_size);
+    return sign > 0 ? (range){sum.low + low - room, sum.high + high + room}
+                    : (range){sum.low - high - room, sum.high - low + room};
 }
 
 /* The least |m|^2 above the largest l n, of all that lies between their bounds, with room for rounding. */
-static int is_saddle(const forms *q)
+static int are_saddle(range l, range m, range n)
 {
-    const double l[2] = {taut_field_low(&q->l), taut_field_high(&q->l)};
-    const double n[2] = {taut_field_low(&q->n), taut_field_high(&q->n)};
-    const double m = fmax(taut_field_low(&q->m), -taut_field_high(&q->m));
-    const double product = fmax(fmax(l[0] * n[0], l[0] * n[1]), fmax(l[1] * n[0], l[1] * n[1]));
-    const double square = m > 0 ? m * m : 0;
-    const int are_finite = isfinite(l[0]) && isfinite(l[1]) && isfinite(n[0]) && isfinite(n[1]);
+    const double least = fmax(m.low, -m.high);
+    const double product =
+        fmax(fmax(l.low * n.low, l.low * n.high), fmax(l.high * n.low, l.high * n.high));
+    const double square = least > 0 ? least * least : 0;
+    const int are_finite =
+        isfinite(l.low) && isfinite(l.high) && isfinite(n.low) && isfinite(n.high);
     return are_finite && square - product > 4 * TAUT_UNIT_ROUNDOFF * (square + fabs(product));
+}
+
+/* By the ranges of derivatives, of each coordinate alone: a small share of the work, and enough where cells are small. */
+static int is_plainly_saddle(const forms *q)
+{
+    range normal[3], form[3];
+    for (int c = 0; c < 3; c++) {
+        const int a = (c + 1) % 3, b = (c + 2) % 3;
+        const range u[2] = {range_of(&q->u[a]), range_of(&q->u[b])};
+        const range v[2] = {range_of(&q->v[a]), range_of(&q->v[b])};
+        normal[c] = add_product((range){0, 0}, 1, u[0], v[1]);
+        normal[c] = add_product(normal[c], -1, u[1], v[0]);
+    }
+    for (int k = 0; k < 3; k++) {
+        form[k] = (range){0, 0};
+        for (int c = 0; c < 3; c++) {
+            form[k] = add_product(form[k], 1, range_of(&q->second[k][c]), normal[c]);
+        }
+    }
+    return are_saddle(form[0], form[1], form[2]);
 }
 
 /* m^2 - l n. */
@@ -102,8 +153,12 @@ static int cell_has_net(taut_arena *arena, const taut_net_cell *one, taut_trace_
     if (one == NULL || one->x[3].p > 0 || one->x[3].q > 0) {
         return 0;
     }
-    forms_of(arena, one->x, &q);
-    if (is_saddle(&q)) {
+    derive(arena, one->x, &q);
+    if (is_plainly_saddle(&q)) {
+        return 1;
+    }
+    forms_of(arena, &q);
+    if (are_saddle(range_of(&q.l), range_of(&q.m), range_of(&q.n))) {
         return 1;
     }
     const taut_field saddle = saddle_of(arena, &q);

@@ -8,6 +8,7 @@
  */
 #include "certify/trace/figures.h"
 
+#include "basis/basis_ops.h"
 #include "certify/common/verdict.h"
 #include "certify/trace/crossings.h"
 #include "certify/trace/flat.h"
@@ -157,16 +158,72 @@ static int is_on_knot(const taut_net_audit *audit, const taut_record *lath)
     return taut_net_is_on_knot(audit->cells->surfaces[taut_net_surface_of(audit, lath)], at);
 }
 
+/* How far a place is from the box of the points that hold span i at least. */
+static double box_away(const taut_curve *curve, int i, const double x[3])
+{
+    const taut_basis *basis = taut_curve_t(curve);
+    const double *points = taut_curve_points(curve) + 3 * basis->first[i];
+    double away[3];
+    for (int c = 0; c < 3; c++) {
+        double low = points[c], high = points[c];
+        for (int a = 1; a < basis->shape.local; a++) {
+            low = fmin(low, points[3 * a + c]);
+            high = fmax(high, points[3 * a + c]);
+        }
+        away[c] = fmax(fmax(low - x[c], x[c] - high), 0);
+    }
+    return taut_norm(away);
+}
+
+/* The nearest of some places of span i, where that is nearer. */
+static void seek_in(const taut_net_line *line, int i, const double x[3], double *nearest,
+                    double *best)
+{
+    const double *breaks = taut_basis_breaks(taut_curve_t(line->space)) + i;
+    double there[3];
+    for (int k = 0; k <= SEEK; k++) {
+        const double t = breaks[0] + (breaks[1] - breaks[0]) * k / SEEK;
+        if (taut_curve_eval(line->space, t, 0, there) == TAUT_OK &&
+            taut_distance(there, x) < *nearest) {
+            *nearest = taut_distance(there, x);
+            *best = t;
+        }
+    }
+}
+
+/* The nearest of some places of the line. Spans are passed over whose points are all farther than places of the span
+ * that is the nearest by its points. */
+static double nearest_place(const taut_net_line *line, const double x[3], double room)
+{
+    const int spans = taut_basis_span_count(taut_curve_t(line->space));
+    const int is_held = taut_curve_weights(line->space) == NULL;
+    double least = INFINITY, near = INFINITY, nearest = INFINITY;
+    double best = taut_basis_lo(taut_curve_t(line->space)), unused = best;
+    int first = 0;
+
+    for (int i = 0; is_held && i < spans; i++) {
+        const double away = box_away(line->space, i, x);
+        first = away < least ? i : first;
+        least = fmin(least, away);
+    }
+    seek_in(line, first, x, &near, &unused);
+    for (int i = 0; i < spans; i++) {
+        if (!is_held || !(box_away(line->space, i, x) > near + room)) {
+            seek_in(line, i, x, &nearest, &best);
+        }
+    }
+    return best;
+}
+
 /* The parameter at which the line passes the seed: the nearest of some places, then along the tangent. *away: how far it
  * does, over the size. */
 static double seed_at(const taut_net_audit *audit, const taut_net_line *line,
                       const taut_record *lath, double *away)
 {
     const taut_basis *range = taut_curve_t(line->space);
-    const double *breaks = taut_basis_breaks(range);
     const double lo = taut_basis_lo(range), hi = taut_basis_hi(range);
     const int on = taut_net_surface_of(audit, lath);
-    double seed[3], x[2][3], way[3], best = lo, nearest = INFINITY;
+    double seed[3], x[2][3], way[3], best = lo;
 
     if (taut_surface_eval(audit->cells->surfaces[on], member_of(lath, "seed", 0),
                           member_of(lath, "seed", 1), 0, seed) != TAUT_OK) {
@@ -175,16 +232,7 @@ static double seed_at(const taut_net_audit *audit, const taut_net_line *line,
     for (int c = 0; c < 3; c++) {
         seed[c] = ldexp(seed[c], audit->unit);
     }
-    for (int i = 0; i < taut_basis_span_count(range); i++) {
-        for (int k = 0; k <= SEEK; k++) {
-            const double t = breaks[i] + (breaks[i + 1] - breaks[i]) * k / SEEK;
-            if (taut_curve_eval(line->space, t, 0, x[0]) == TAUT_OK &&
-                taut_distance(x[0], seed) < nearest) {
-                nearest = taut_distance(x[0], seed);
-                best = t;
-            }
-        }
-    }
+    best = nearest_place(line, seed, at_break * ldexp(audit->size, audit->unit));
     for (int round = 0; round < SEEK; round++) {
         if (taut_curve_eval(line->space, best, 1, x[0]) != TAUT_OK) {
             return NAN;

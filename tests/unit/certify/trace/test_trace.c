@@ -308,7 +308,20 @@ static void test_straight(void)
     net_free(&other);
 }
 
-/* z = a x^2 + b xy + c y^2 + d x^3 over [-1, 1]^2: K < 0, R > 0, or not everywhere. */
+/* About (1, 2, 2)/3 by the angle whose cosine is 3/5: then all coordinates are of one kind. */
+static void turn_about(double x[3])
+{
+    static const double axis[3] = {1.0 / 3, 2.0 / 3, 2.0 / 3};
+    const double along = axis[0] * x[0] + axis[1] * x[1] + axis[2] * x[2];
+    double turned[3];
+    for (int c = 0; c < 3; c++) {
+        const int a = (c + 1) % 3, b = (c + 2) % 3;
+        turned[c] = 0.6 * x[c] + 0.8 * (axis[a] * x[b] - axis[b] * x[a]) + 0.4 * along * axis[c];
+    }
+    memcpy(x, turned, sizeof turned);
+}
+
+/* z = a x^2 + b xy + c y^2 + d x^3 over [-1, 1]^2, as it is and turned: K < 0, R > 0, or not everywhere. */
 static void test_everywhere(void)
 {
     const struct {
@@ -319,20 +332,24 @@ static void test_everywhere(void)
                 {1, 0, -1, 0.3, 1, 1},  {1, 0, -1, 0.34, 0, 1}, {1, 0, -1, 0.32, 1, 1},
                 {-1, 0, -0.5, -1, 0, 0}};
 
-    for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    for (size_t i = 0; i < 2 * sizeof rows / sizeof *rows; i++) {
+        const size_t k = i / 2;
         const double heights[3][4] = {{-1, -1.0 / 3, 1.0 / 3, 1},
                                       {1, -1.0 / 3, -1.0 / 3, 1},
                                       {-1, 1, -1, 1}}; /* Bernstein: of x, x^2, x^3 */
         double points[4][3][3];
         taut_basis *bases[2] = {NULL, NULL};
         taut_surface *surface = NULL;
-        for (int i = 0; i < 4; i++) {
+        for (int m = 0; m < 4; m++) {
             for (int j = 0; j < 3; j++) {
                 const double y = j - 1, y2 = j == 1 ? -1 : 1;
-                points[i][j][0] = heights[0][i];
-                points[i][j][1] = y;
-                points[i][j][2] = rows[k].a * heights[1][i] + rows[k].b * heights[0][i] * y +
-                                  rows[k].c * y2 + rows[k].d * heights[2][i];
+                points[m][j][0] = heights[0][m];
+                points[m][j][1] = y;
+                points[m][j][2] = rows[k].a * heights[1][m] + rows[k].b * heights[0][m] * y +
+                                  rows[k].c * y2 + rows[k].d * heights[2][m];
+                if (i % 2 != 0) {
+                    turn_about(points[m][j]);
+                }
             }
         }
         for (int d = 0; d < 2; d++) {
