@@ -114,6 +114,7 @@ typedef struct taut_write_options {
     /* pdf, of models with flat pieces to cut: their plan */
     taut_paper tiles; /* 1:1 on sheets of this size to be put together; or on one page */
     double reduction; /* 1:this, of that page; 0: 1:1 */
+    int lagrange; /* vtu: nonzero: Lagrange cells through points of the surfaces, in version 1.0 of the format */
 } taut_write_options;
 
 /* The library's own formats, i = 0 .. count-1: its ending without the dot, and one line on what it holds. */

@@ -46,7 +46,7 @@ class WriteOptions(Structure):
                 ("title", c_char_p), ("isolines", c_int), ("reflections", c_int), ("combs", c_int), ("side_by_side", c_int),
                 ("width", c_int), ("labels", POINTER(c_char_p)), ("monitor", MonitorStruct), ("bound", POINTER(c_double)),
                 ("thickness", c_double), ("coefficients", c_int), ("reactions", c_int), ("column", c_int),
-                ("tiles", c_int), ("reduction", c_double)]
+                ("tiles", c_int), ("reduction", c_double), ("lagrange", c_int)]
 
 
 class MeshOptions(Structure):

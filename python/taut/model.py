@@ -242,8 +242,8 @@ class Model:
         .svg, .pdf, .png, .html.
 
         tolerance   0: the format's own (1e-3 of the size for meshes)
-        options     divide, thickness (of meshes), coefficients (of VTU), surface (name), colour ("plain", "mean", "gaussian",
-                    "isothermality", "gap", "warp", "weft", "strain"), no_net (False: the net of pipes too),
+        options     divide, thickness (of meshes), coefficients, lagrange (of VTU), surface (name), colour ("plain", "mean",
+                    "gaussian", "isothermality", "gap", "warp", "weft", "strain"), no_net (False: the net of pipes too),
                     view (azimuth, elevation in degrees), title, isolines, reflections, combs, reactions, side_by_side, column, width;
                     of flat pieces in .pdf: tiles ("a4" or "a3": 1:1 on sheets of paper), reduction (20: 1:20, on one page)
         """
@@ -394,7 +394,7 @@ def write_options(tolerance: float, threads: int | None, options: Mapping[str, A
             chosen.tiles = _PAPERS.index(value)
         elif name == "no_net":
             chosen.no_net = 1 if value else -1
-        elif name in ("combs", "reactions", "side_by_side", "column", "short_knots", "coefficients"):
+        elif name in ("combs", "reactions", "side_by_side", "column", "short_knots", "coefficients", "lagrange"):
             setattr(chosen, name, int(bool(value)))
         else:
             raise TypeError(f"there is no option {name!r}")

@@ -83,7 +83,8 @@ def to_meshio(model: Model, tolerance: float = 0.0, divide: int = 0) -> Any:
 
     tolerance, divide    as of Model.mesh
 
-    meshio does not read our VTU files, whose cells are the exact Bezier patches; VTK, ParaView and pyvista do."""
+    meshio reads VTU files that `Model.write` made with lagrange=True, with curved cells; without it cells are Bezier patches, which
+    VTK, ParaView and pyvista read."""
     import meshio
     mesh = model.mesh(tolerance, divide)
     return meshio.Mesh(np.array(mesh.vertices), [("triangle", np.array(mesh.triangles, dtype=np.int64))],

@@ -111,3 +111,28 @@ def test_meshio(tmp_path):
     back = meshio.read(tmp_path / "x.vtk")
     assert np.array_equal(back.points, mesh.vertices) and np.array_equal(back.cells_dict["triangle"], mesh.triangles)
     assert np.array_equal(back.point_data["parameters"][:, :2], mesh.parameters)  # VTK pads pairs
+
+
+def test_meshio_cells(tmp_path):
+    """Lagrange cells of two surfaces of other degrees: points and fields are those of the surfaces at a grid in each cell."""
+    meshio = pytest.importorskip("meshio", reason="needs python3-meshio")
+    rng = np.random.default_rng(6)
+    made = [taut.Surface(taut.bezier(2), taut.bezier(3), rng.standard_normal((3, 4, 3)), name="a"),
+            taut.Surface(taut.bezier(4), taut.bezier(1), rng.standard_normal((5, 2, 3)), name="b")]
+    taut.Model(made).write(tmp_path / "x.vtu", divide=3, lagrange=True)
+    mesh, first = meshio.read(tmp_path / "x.vtu"), 0
+    assert [block.data.shape for block in mesh.cells] == [(9, 12), (9, 10)]
+    for index, (surface, block) in enumerate(zip(made, mesh.cells)):
+        p, q = surface.u.degree, surface.v.degree
+        assert block.type == "VTK_LAGRANGE_QUADRILATERAL" and np.all(mesh.cell_data["surface"][index] == index)
+        assert np.all(mesh.cell_data["HigherOrderDegrees"][index] == (p, q, 1))
+        u, v = (np.concatenate([(cell + np.arange(d + 1) / d) / 3 for cell in range(3)]) for d in (p, q))
+        cells = surface.grid(u, v, derivatives=1).reshape(3, 3, p + 1, 3, q + 1, 3).transpose(0, 1, 3, 2, 4, 5).reshape(3, -1, 3)
+        here = slice(first, first + cells.shape[1])
+        first = here.stop
+        assert np.abs(mesh.points[here] - cells[0]).max() < 1e-14
+        e, f, g = ((cells[i] * cells[j]).sum(axis=-1) for i, j in ((1, 1), (1, 2), (2, 2)))
+        assert np.abs(mesh.point_data["F"][here] - f).max() < 1e-13 * (e + g).max()
+        assert np.abs(mesh.point_data["E_minus_G"][here] - (e - g)).max() < 1e-13 * (e + g).max()
+        assert sorted(np.unique(block.data)) == list(range(here.start, here.stop))
+    assert first == len(mesh.points)

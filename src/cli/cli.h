@@ -66,6 +66,7 @@ typedef struct cli_options {
     double time_limit;
     double sheet; /* make and convert --thickness */
     int coefficients;
+    int lagrange;
     int threads;
     int grid;
     int divide;
@@ -153,6 +154,11 @@ typedef struct cli_command {
     {                                                                                              \
         "--coefficients", CLI_FLAG, offsetof(cli_options, coefficients), 0, 0, 0, NULL,            \
             "VTU: fields as coefficients of Bezier cells, nearer between points, not in range"     \
+    }
+#define CLI_LAGRANGE                                                                               \
+    {                                                                                              \
+        "--lagrange", CLI_FLAG, offsetof(cli_options, lagrange), 0, 0, 0, NULL,                    \
+            "VTU: Lagrange cells through points of the surfaces, which meshio reads too"           \
     }
 #define CLI_TOLERANCE                                                                              \
     {                                                                                              \

@@ -95,6 +95,7 @@ static const cli_option options_of_convert[] = {
     CLI_SHEET,
     CLI_SOLID,
     CLI_COEFFICIENTS,
+    CLI_LAGRANGE,
     {"--pieces", CLI_FLAG, offsetof(cli_options, pieces), 0, 0, 0, NULL,
      "every knot span on its own, on bezier, c-bezier or h-bezier bases"},
     CLI_SURFACE,

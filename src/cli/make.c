@@ -168,6 +168,7 @@ static const cli_option options_of_make[] = {
     CLI_SHEET,
     CLI_SOLID,
     CLI_COEFFICIENTS,
+    CLI_LAGRANGE,
     CLI_THREADS,
     CLI_FIGURE,
     CLI_EXACT,

@@ -99,6 +99,7 @@ int cli_write_options(const cli_options *options, taut_write_options *chosen)
                                    .divide = options->divide,
                                    .thickness = options->sheet,
                                    .coefficients = options->coefficients,
+                                   .lagrange = options->lagrange,
                                    .threads = options->threads,
                                    .surface = options->surface,
                                    .short_knots = options->short_knots,

@@ -764,7 +764,8 @@
     X(taut_write_options, reactions, "int") \
     X(taut_write_options, column, "int") \
     X(taut_write_options, tiles, "taut_paper") \
-    X(taut_write_options, reduction, "double")
+    X(taut_write_options, reduction, "double") \
+    X(taut_write_options, lagrange, "int")
 
 #define TAUT_ABI_STRUCT_LIST(X) \
     X(taut_abi_enum) \

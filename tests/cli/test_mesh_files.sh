@@ -166,6 +166,37 @@ for p in points: # 1.3e-12 seen
     assert abs(abs(data.GetArray("H").GetTuple1(p)) - 1) < 1e-11 and abs(data.GetArray("K").GetTuple1(p) - 1) < 1e-11, p
     assert 0 <= data.GetArray("isothermality").GetTuple1(p) <= 1, p
 PY
+    # Lagrange cells: degrees 3 and 2, uneven knots, one of them double.
+    cat > wave.json <<'JSON'
+{ "taut": 1, "surfaces": [ { "name": "wave", "u": { "type": "bspline", "degree": 3, "knots": [0,0,0,0,0.3,0.3,1.1,2,2,2,2] },
+  "v": { "type": "bspline", "degree": 2, "knots": [-1,-1,-1,0.5,1,1,1] },
+  "points": [[[0,0,0],[0.1,1,0.5],[0,2,0],[0,3,1]],[[1,0,0.2],[1,1,0],[1.2,2,0],[1,3,0]],[[2,0,0],[2,1.1,1],[2,2,0.4],[2,3,0]],
+             [[3,0,0],[3,1,0],[3,2,2],[3,3,0.1]],[[4,0,1],[4,0.9,0],[4,2,0],[4,3,0]],[[5,0,0],[5,1,0.7],[5.1,2,0],[5,3,0]],
+             [[6,0,0],[6,1,0],[6,2,0.3],[6,3,0.5]]] } ] }
+JSON
+    run 0 convert wave.json -o wave.vtu
+    run 0 convert wave.json -o wave-lagrange.vtu --lagrange
+    "$PYTHON" "$SOURCE/tests/cli/read_lagrange.py" wave.json wave-lagrange.vtu wave.vtu > said.txt 2>&1 || complain "Lagrange cells: $(cat said.txt)"
+    refused 2 'argument never\.vtu found null expected null' convert wave.json -o never.vtu --lagrange --coefficients
+    absent never.vtu
+    # Others go as quads, here 32 x 8 of the rational tube; nets are left out.
+    run 0 convert tube.json -o tube-lagrange.vtu --lagrange --divide 8 --surface tube
+    "$PYTHON" - > said.txt 2>&1 <<'PY' || complain "Lagrange cells of a rational tube: $(cat said.txt)"
+import math
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+reader = vtkXMLUnstructuredGridReader()
+reader.SetFileName("tube-lagrange.vtu")
+reader.Update()
+grid = reader.GetOutput()
+assert grid.GetNumberOfCells() == 32 * 8 and {grid.GetCellType(i) for i in range(256)} == {9}, grid.GetNumberOfCells()
+assert all(abs(math.hypot(*grid.GetPoint(i)[:2]) - 1) < 1e-14 for i in range(grid.GetNumberOfPoints()))
+assert grid.GetPointData().GetArray("RationalWeights") is None
+try:
+    import meshio
+except ImportError:
+    raise SystemExit
+assert [(block.type, len(block.data)) for block in meshio.read("tube-lagrange.vtu").cells] == [("quad", 256)]
+PY
     "$PYTHON" "$SOURCE/tests/cli/read_meshes.py" cube ball pipe > said.txt 2>&1 || complain "VTK: $(cat said.txt)"
 else
     missing VTK 'tools/deps.sh check'

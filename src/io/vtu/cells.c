@@ -1,4 +1,4 @@
-/* cells.c -- a polynomial or rational surface as Bezier cells.
+/* cells.c -- a polynomial or rational surface as Bezier cells, a polynomial one as Lagrange cells.
  *
  * Every span is cut into equal cells by de Casteljau's algorithm in homogeneous coordinates
  * ([Farin2002] 5.4), which changes nothing. A field f is no polynomial: VTK shows
@@ -10,6 +10,9 @@
  * inside. Asked for coefficients, they are found such that what is drawn equals f at the Chebyshev points of
  * the cell: with A_ki = B_i(t_k) and W = sum w_ij B_i B_j,
  *     w_ij f_ij = sum_kl inv(A_u)_ik inv(A_v)_jl (f W)(s_k, t_l).
+ *
+ * A Lagrange cell is given by its points at (i / p, j / q), S = sum B_i B_j P_ij, and so are its fields: what VTK draws between is
+ * the polynomial of degrees p and q through them, for points the surface again.
  */
 #include "core/elementary/elementary.h"
 #include "core/fail.h"
@@ -23,9 +26,16 @@
 
 enum { ORDER_MAX = VTU_DEGREE_MAX + 1, CELLS_WISHED = 4 };
 
-int taut_vtu_cells_plan(const taut_surface *surface, int divide, taut_vtu_cells *plan)
+int taut_vtu_cells_plan(const taut_surface *surface, const taut_write_options *options,
+                        taut_vtu_cells *plan)
 {
+    const int divide = options->divide;
     const taut_basis *bases[2] = {taut_surface_u(surface), taut_surface_v(surface)};
+    plan->lagrange = options->lagrange;
+    plan->coefficients = options->coefficients && !options->lagrange;
+    if (plan->lagrange && taut_surface_weights(surface) != NULL) {
+        return 0;
+    }
     for (int d = 0; d < 2; d++) {
         const int spans = taut_basis_span_count(bases[d]);
         plan->degree[d] = taut_basis_degree(bases[d]);
@@ -90,6 +100,7 @@ static void make_rule(int degree, int coefficients, node_rule *rule)
     if (!coefficients) {
         for (int k = 0; k <= degree; k++) {
             rule->nodes[k] = (double)k / degree;
+            taut_bernstein_eval(degree, 0, rule->nodes[k], rule->values[k]);
         }
         return;
     }
@@ -250,12 +261,32 @@ static void fit_fields(cell_work *work, taut_vtu_grid *grid, size_t first, int c
     }
 }
 
+/* The net of a polynomial cell gives way to its points at the nodes; ends and edges of neighbours stay the same doubles. */
+static void put_points(cell_work *work)
+{
+    const int n = work->rules[0].order * work->rules[1].order;
+    for (int c = 0; c < 3; c++) {
+        for (int i = 0; i < n; i++) {
+            work->at[i] = work->net[i][c];
+        }
+        apply_both(work, work->rules[0].values, work->rules[1].values, work->at, work->half,
+                   work->at);
+        for (int i = 0; i < n; i++) {
+            work->net[i][c] = work->at[i];
+        }
+    }
+}
+
 static void add_cell(cell_work *work, int index, int column, taut_vtu_grid *grid)
 {
     const int p = work->plan->degree[0], q = work->plan->degree[1];
+    const int type = work->plan->lagrange ? VTK_LAGRANGE_QUADRILATERAL : VTK_BEZIER_QUADRILATERAL;
     const size_t first = grid->points;
-    int64_t *corners = taut_vtu_grid_add_cell(grid, VTK_BEZIER_QUADRILATERAL,
-                                              (size_t)(p + 1) * (size_t)(q + 1), p, q, index);
+    int64_t *corners =
+        taut_vtu_grid_add_cell(grid, type, (size_t)(p + 1) * (size_t)(q + 1), p, q, index);
+    if (work->plan->lagrange) {
+        put_points(work);
+    }
     for (int i = 0; i < (p + 1) * (q + 1); i++) {
         const double w = work->net[i][3];
         const double point[3] = {work->net[i][0] / w, work->net[i][1] / w, work->net[i][2] / w};

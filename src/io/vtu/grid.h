@@ -8,9 +8,14 @@
 
 #include <stdint.h>
 
-enum { VTK_POLY_LINE = 4, VTK_QUAD = 9, VTK_BEZIER_QUADRILATERAL = 77 };
+enum {
+    VTK_POLY_LINE = 4,
+    VTK_QUAD = 9,
+    VTK_LAGRANGE_QUADRILATERAL = 70,
+    VTK_BEZIER_QUADRILATERAL = 77
+};
 
-/* The highest degree of VTK's Bezier cells. */
+/* The highest degree of VTK's Bezier and Lagrange cells. */
 enum { VTU_DEGREE_MAX = 10 };
 
 /* All arrays are as long as they may become; the counts say how long they are. */
@@ -35,14 +40,16 @@ int64_t *taut_vtu_grid_add_cell(taut_vtu_grid *grid, int type, size_t corners, i
 size_t taut_vtu_grid_add_point(taut_vtu_grid *grid, const double *position, double weight);
 
 /* A surface as Bezier cells: what it is, exactly, with the values of fields on a grid in each cell, or coefficients that
- * interpolate at Chebyshev points inside. */
+ * interpolate at Chebyshev points inside. Or as Lagrange cells: a polynomial surface by its points at the same grid, exactly too. */
 typedef struct taut_vtu_cells {
     int degree[2], per_span[2], count[2]; /* cells in all along u and v */
     int coefficients;                     /* nonzero: those of the fields */
+    int lagrange;                         /* nonzero: Lagrange cells */
 } taut_vtu_cells;
 
-/* Can it be? Then how many cells, for `divide` of them per span (0: by the number of spans). */
-int taut_vtu_cells_plan(const taut_surface *surface, int divide, taut_vtu_cells *plan);
+/* Can it be, with such options? Then how many cells, for `divide` of them per span (0: by the number of spans). */
+int taut_vtu_cells_plan(const taut_surface *surface, const taut_write_options *options,
+                        taut_vtu_cells *plan);
 taut_status taut_vtu_cells_add(const taut_surface *surface, const taut_vtu_cells *plan, int index,
                                taut_vtu_grid *grid, taut_error *error);
 

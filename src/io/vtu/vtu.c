@@ -4,6 +4,9 @@
  * polynomial or rational surface goes as Bezier cells, exactly; any other as quads to the chord
  * tolerance. Point data: H and K, E_minus_G and F, the weights; NaN where there is no value.
  *
+ * Or the surfaces alone, polynomial ones as Lagrange cells, in version 1.0, whose cells in two dimensions are those of 2.2:
+ * meshio reads no later one, of several pieces the last alone, and no poly-lines.
+ *
  * An array is base 64 of its length in bytes, eight of them, and its numbers, all with the lowest
  * byte first. */
 #include "core/fail.h"
@@ -34,6 +37,10 @@ static taut_status choose_parts(const taut_model *model, const taut_write_option
 {
     const int count = taut_model_surface_count(model);
     int inexact = 0;
+    if (options->lagrange && options->coefficients) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
+                         "Lagrange cells have no coefficients: ask for one of both");
+    }
     file->parts = taut_arena_take(file->arena, (size_t)count, sizeof *file->parts);
     if (file->parts == NULL) {
         return taut_fail_memory(error);
@@ -43,8 +50,7 @@ static taut_status choose_parts(const taut_model *model, const taut_write_option
         if (taut_format_wants(model, options, i)) {
             part->surface = taut_model_surface(model, i);
             part->index = i;
-            part->is_exact = taut_vtu_cells_plan(part->surface, options->divide, &part->cells);
-            part->cells.coefficients = options->coefficients;
+            part->is_exact = taut_vtu_cells_plan(part->surface, options, &part->cells);
             inexact += !part->is_exact;
             file->count++;
         }
@@ -171,6 +177,12 @@ static taut_status fill_grids(const taut_write_options *options, vtu_file *file,
     return TAUT_OK;
 }
 
+/* A file that is being written. */
+typedef struct vtu_out {
+    taut_sink *sink;
+    int lagrange;
+} vtu_out;
+
 /* Three bytes wait to become four letters. */
 typedef struct base64 {
     taut_sink *sink;
@@ -204,16 +216,19 @@ static void put_bytes(base64 *out, uint64_t bits, size_t size)
     }
 }
 
-static base64 open_array(taut_sink *sink, const char *type, const char *name, int components,
+static base64 open_array(const vtu_out *file, const char *type, const char *name, int components,
                          size_t bytes)
 {
+    taut_sink *sink = file->sink;
     base64 out = {sink, {0, 0, 0}, 0};
     taut_sink_text(sink, "<DataArray type=\"");
     taut_sink_text(sink, type);
     taut_sink_text(sink, "\" Name=\"");
     taut_sink_text(sink, name);
-    taut_sink_text(sink, "\" NumberOfComponents=\"");
-    taut_sink_count(sink, (size_t)components);
+    if (!file->lagrange || components > 1) { /* meshio makes columns of arrays that say 1 */
+        taut_sink_text(sink, "\" NumberOfComponents=\"");
+        taut_sink_count(sink, (size_t)components);
+    }
     taut_sink_text(sink, "\" format=\"binary\">\n");
     put_bytes(&out, bytes, 8);
     return out;
@@ -228,10 +243,10 @@ static void close_array(base64 *out)
 }
 
 /* Every `stride`-th number from `values` on, `components` of them at a time. */
-static void put_doubles(taut_sink *sink, const char *name, int components, size_t count,
+static void put_doubles(const vtu_out *file, const char *name, int components, size_t count,
                         size_t stride, const double *values)
 {
-    base64 out = open_array(sink, "Float64", name, components, 8 * count * (size_t)components);
+    base64 out = open_array(file, "Float64", name, components, 8 * count * (size_t)components);
     for (size_t i = 0; i < count; i++) {
         for (size_t c = 0; c < (size_t)components; c++) {
             uint64_t bits = 0;
@@ -242,9 +257,9 @@ static void put_doubles(taut_sink *sink, const char *name, int components, size_
     close_array(&out);
 }
 
-static void put_long(taut_sink *sink, const char *name, size_t count, const int64_t *values)
+static void put_long(const vtu_out *file, const char *name, size_t count, const int64_t *values)
 {
-    base64 out = open_array(sink, "Int64", name, 1, 8 * count);
+    base64 out = open_array(file, "Int64", name, 1, 8 * count);
     for (size_t i = 0; i < count; i++) {
         put_bytes(&out, (uint64_t)values[i], 8);
     }
@@ -252,57 +267,63 @@ static void put_long(taut_sink *sink, const char *name, size_t count, const int6
 }
 
 /* One value over and over where `values` is NULL. */
-static void put_int(taut_sink *sink, const char *name, int components, size_t count,
+static void put_int(const vtu_out *file, const char *name, int components, size_t count,
                     const int32_t *values, int32_t same)
 {
-    base64 out = open_array(sink, "Int32", name, components, 4 * count * (size_t)components);
+    base64 out = open_array(file, "Int32", name, components, 4 * count * (size_t)components);
     for (size_t i = 0; i < count * (size_t)components; i++) {
         put_bytes(&out, (uint32_t)(values != NULL ? values[i] : same), 4);
     }
     close_array(&out);
 }
 
-static void put_small(taut_sink *sink, const char *name, size_t count, const uint8_t *values)
+static void put_small(const vtu_out *file, const char *name, size_t count, const uint8_t *values)
 {
-    base64 out = open_array(sink, "UInt8", name, 1, count);
+    base64 out = open_array(file, "UInt8", name, 1, count);
     for (size_t i = 0; i < count; i++) {
         put_bytes(&out, values[i], 1);
     }
     close_array(&out);
 }
 
-static void write_begin(taut_sink *sink, const char *unit)
+static void write_begin(const vtu_out *file, const char *unit)
 {
+    taut_sink *sink = file->sink;
     taut_sink_text(sink, "<?xml version=\"1.0\"?>\n<!-- taut, unit ");
     taut_sink_text(sink, unit);
-    taut_sink_text(sink, " -->\n<VTKFile type=\"UnstructuredGrid\" version=\"2.2\" "
-                         "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
+    taut_sink_text(sink, " -->\n<VTKFile type=\"UnstructuredGrid\" version=\"");
+    taut_sink_text(sink, file->lagrange ? "1.0" : "2.2");
+    taut_sink_text(sink, "\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
                          "<UnstructuredGrid>\n");
 }
 
-static void write_piece(taut_sink *sink, const taut_vtu_grid *grid, int part)
+static void write_piece(const vtu_out *file, const taut_vtu_grid *grid, int part)
 {
     static const char *const names[] = {"H", "K", "E_minus_G", "F", "isothermality"};
     _Static_assert(sizeof names / sizeof names[0] == TAUT_FIELDS, "a name for each field");
+    taut_sink *sink = file->sink;
     taut_sink_text(sink, "<Piece NumberOfPoints=\"");
     taut_sink_count(sink, grid->points);
     taut_sink_text(sink, "\" NumberOfCells=\"");
     taut_sink_count(sink, grid->cells);
-    taut_sink_text(sink, "\">\n<PointData RationalWeights=\"RationalWeights\">\n");
+    taut_sink_text(sink, file->lagrange ? "\">\n<PointData>\n"
+                                        : "\">\n<PointData RationalWeights=\"RationalWeights\">\n");
     for (size_t f = 0; f < TAUT_FIELDS; f++) {
-        put_doubles(sink, names[f], 1, grid->points, TAUT_FIELDS, grid->fields + f);
+        put_doubles(file, names[f], 1, grid->points, TAUT_FIELDS, grid->fields + f);
     }
-    put_doubles(sink, "RationalWeights", 1, grid->points, 1, grid->weights);
+    if (!file->lagrange) {
+        put_doubles(file, "RationalWeights", 1, grid->points, 1, grid->weights);
+    }
     taut_sink_text(sink, "</PointData>\n<CellData HigherOrderDegrees=\"HigherOrderDegrees\">\n");
-    put_int(sink, "HigherOrderDegrees", 3, grid->cells, grid->degrees, 0);
-    put_int(sink, "part", 1, grid->cells, NULL, part);
-    put_int(sink, "surface", 1, grid->cells, grid->surfaces, 0);
+    put_int(file, "HigherOrderDegrees", 3, grid->cells, grid->degrees, 0);
+    put_int(file, "part", 1, grid->cells, NULL, part);
+    put_int(file, "surface", 1, grid->cells, grid->surfaces, 0);
     taut_sink_text(sink, "</CellData>\n<Points>\n");
-    put_doubles(sink, "Points", 3, grid->points, 3, grid->positions);
+    put_doubles(file, "Points", 3, grid->points, 3, grid->positions);
     taut_sink_text(sink, "</Points>\n<Cells>\n");
-    put_long(sink, "connectivity", grid->corners, grid->connectivity);
-    put_long(sink, "offsets", grid->cells, grid->offsets);
-    put_small(sink, "types", grid->cells, grid->types);
+    put_long(file, "connectivity", grid->corners, grid->connectivity);
+    put_long(file, "offsets", grid->cells, grid->offsets);
+    put_small(file, "types", grid->cells, grid->types);
     taut_sink_text(sink, "</Cells>\n</Piece>\n");
 }
 
@@ -329,9 +350,12 @@ static taut_status write_file(vtu_file *file, const taut_model *model,
         return status;
     }
     sink = taut_sink_to(out);
-    write_begin(&sink, taut_model_unit(model));
-    write_piece(&sink, &file->surfaces, 0);
-    write_piece(&sink, &file->nets, 1);
+    const vtu_out written = {&sink, options->lagrange};
+    write_begin(&written, taut_model_unit(model));
+    write_piece(&written, &file->surfaces, 0);
+    if (!options->lagrange) {
+        write_piece(&written, &file->nets, 1);
+    }
     write_end(&sink);
     return taut_mesh_out_finish(&sink, error);
 }
