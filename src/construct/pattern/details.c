@@ -1,7 +1,6 @@
 #include "construct/pattern/details.h"
 
 #include "construct/common/of.h"
-#include "construct/pattern/strains.h"
 #include "core/elementary/elementary.h"
 #include "numeric/quadrature.h"
 
@@ -41,7 +40,7 @@ static double flat_length(const taut_curve *curve)
 
 static void add_strain(const taut_pattern_piece *piece, taut_record *at)
 {
-    const taut_pattern_strains all = taut_pattern_strains_of(piece);
+    const taut_pattern_strains all = piece->strains;
     taut_record *strain = taut_record_add_object(at, "strain");
     taut_record_add_number(strain, "min", all.low);
     taut_record_add_number(strain, "max", all.high);
@@ -355,7 +354,7 @@ static void add_slack(const taut_pattern_told *told, taut_record *warnings)
 {
     const double c = fmax(told->cut->compensation.warp, told->cut->compensation.weft);
     for (int k = 0; c > 0 && k < told->layout->piece_count; k++) {
-        const taut_pattern_strains all = taut_pattern_strains_of(&told->layout->pieces[k]);
+        const taut_pattern_strains all = told->layout->pieces[k].strains;
         char text[128];
         if (-all.low > c) {
             snprintf(text, sizeof text,

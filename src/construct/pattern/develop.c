@@ -17,12 +17,14 @@ static const double flat_curvature = 1e-11, no_strain = 2e-12;
 void taut_pattern_look_at_curvature(taut_pattern_piece *piece)
 {
     double nodes[LOOK], weights[LOOK], sum = 0, most = 0, area = 0;
+    taut_pattern_kept kept = {.s = NAN};
+    const taut_pattern_across across = {piece, &kept};
     taut_gauss_rule(LOOK, nodes, weights);
     for (int i = 0; i < LOOK; i++) {
         for (int k = 0; k < LOOK; k++) {
             const double s = (1 + nodes[i]) / 2, t = (1 + nodes[k]) / 2;
             double g[3], bend[2], gauss;
-            taut_pattern_piece_metric(piece, s, t, g);
+            taut_pattern_across_metric(&across, s, t, g);
             taut_pattern_piece_bends(piece, s, t, bend, &gauss);
             const double part = sqrt(g[0] * g[2] - g[1] * g[1]) * weights[i] * weights[k] / 4;
             sum += gauss * part;
@@ -154,7 +156,9 @@ static double strain_of(const taut_pattern_piece *piece, const taut_flat *flat)
 taut_status taut_pattern_develop(taut_pattern_piece *piece, const taut_flat_options *options,
                                  taut_arena *arena)
 {
-    const taut_flat_strip strip = {taut_pattern_piece_metric, piece, NULL};
+    taut_pattern_kept kept = {.s = NAN};
+    const taut_pattern_across across = {piece, &kept};
+    const taut_flat_strip strip = {taut_pattern_across_metric, &across, NULL};
     walker w = {.piece = piece};
     double before = INFINITY;
 

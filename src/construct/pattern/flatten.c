@@ -1,6 +1,7 @@
 #include "construct/pattern/flatten.h"
 
 #include "construct/pattern/develop.h"
+#include "construct/pattern/strains.h"
 #include "core/constants.h"
 #include "core/elementary/elementary.h"
 #include "core/fail.h"
@@ -258,10 +259,10 @@ typedef struct pass {
     double *energies; /* of each piece, its thread turned */
 } pass;
 
-static taut_flat_strip strip_of(const taut_pattern_piece *piece)
+static taut_flat_strip strip_of(const taut_pattern_across *across)
 {
-    return (taut_flat_strip){taut_pattern_piece_metric, piece,
-                             piece->fade_count > 0 ? taut_pattern_piece_shrink : NULL};
+    return (taut_flat_strip){taut_pattern_across_metric, across,
+                             across->piece->fade_count > 0 ? taut_pattern_across_shrink : NULL};
 }
 
 /* What is asked of this piece. */
@@ -279,7 +280,9 @@ static void alone(void *context, int worker, int64_t task)
 {
     const pass *p = context;
     taut_pattern_piece *piece = &p->layout->pieces[task];
-    const taut_flat_strip strip = strip_of(piece);
+    taut_pattern_kept kept = {.s = NAN};
+    const taut_pattern_across across = {piece, &kept};
+    const taut_flat_strip strip = strip_of(&across);
     const taut_flat_options own = options_of(p, piece, worker);
 
     taut_pattern_look_at_curvature(piece);
@@ -332,7 +335,9 @@ static taut_status hold_piece(const pass *p, int index, int worker, taut_arena *
                               taut_flat *flat)
 {
     const taut_pattern_piece *piece = &p->layout->pieces[index];
-    const taut_flat_strip strip = strip_of(piece);
+    taut_pattern_kept kept = {.s = NAN};
+    const taut_pattern_across across = {piece, &kept};
+    const taut_flat_strip strip = strip_of(&across);
     taut_flat_options own = options_of(p, piece, worker);
     int is_natural = 1, is_same = !p->cut->is_straight;
 
@@ -371,6 +376,7 @@ static void together(void *context, int worker, int64_t task)
     }
     if (status == TAUT_OK) {
         status = all_edges(&piece->flat, p->arenas[task], piece->edges);
+        piece->strains = taut_pattern_strains_of(piece);
     }
     p->status[task] = status;
     taut_arena_free(scratch);
@@ -563,7 +569,9 @@ static void turned(void *context, int worker, int64_t task)
 {
     const pass *p = context;
     const taut_pattern_piece *piece = &p->layout->pieces[task];
-    const taut_flat_strip strip = strip_of(piece);
+    taut_pattern_kept kept = {.s = NAN};
+    const taut_pattern_across across = {piece, &kept};
+    const taut_flat_strip strip = strip_of(&across);
     const taut_flat_options own = options_of(p, piece, worker);
     taut_arena *scratch = taut_arena_new();
     taut_flat flat = {.steps = 0};

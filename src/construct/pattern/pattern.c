@@ -14,7 +14,6 @@
 #include "construct/pattern/details.h"
 #include "construct/pattern/overlap.h"
 #include "construct/pattern/rule.h"
-#include "construct/pattern/strains.h"
 #include "core/fail.h"
 #include "core/unit.h"
 #include "core/vec3.h"
@@ -420,8 +419,8 @@ static taut_status make_outlines(const request *r, made_pieces *made, taut_error
             made->longest = outline->high[0] - outline->low[0];
             made->longest_piece = k;
         }
-        const taut_pattern_strains strains = taut_pattern_strains_of(&made->layout.pieces[k]);
-        made->strain = fmax(made->strain, fmax(strains.high, -strains.low));
+        const taut_pattern_strains *strains = &made->layout.pieces[k].strains;
+        made->strain = fmax(made->strain, fmax(strains->high, -strains->low));
     }
     return status == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 }

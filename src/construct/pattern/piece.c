@@ -36,11 +36,17 @@ static void add_bulge(const taut_pattern_bound *bound, double share, double slop
     }
 }
 
-void taut_pattern_piece_window(const taut_pattern_piece *piece, double s, double t, double w[6][2])
+/* The long edges at one s. */
+static void sides_at(const taut_pattern_piece *piece, double s, double sides[2][3][2])
 {
-    double right[3][2], left[3][2];
-    bound_at(&piece->bounds[TAUT_FLAT_RIGHT], s, right);
-    bound_at(&piece->bounds[TAUT_FLAT_LEFT], s, left);
+    bound_at(&piece->bounds[TAUT_FLAT_RIGHT], s, sides[0]);
+    bound_at(&piece->bounds[TAUT_FLAT_LEFT], s, sides[1]);
+}
+
+static void window_between(const taut_pattern_piece *piece, double sides[2][3][2], double s,
+                           double t, double w[6][2])
+{
+    double(*right)[2] = sides[0], (*left)[2] = sides[1];
     for (int d = 0; d < 2; d++) {
         w[0][d] = (1 - t) * right[0][d] + t * left[0][d];
         w[1][d] = (1 - t) * right[1][d] + t * left[1][d];
@@ -51,6 +57,13 @@ void taut_pattern_piece_window(const taut_pattern_piece *piece, double s, double
     }
     add_bulge(&piece->bounds[TAUT_FLAT_START], 1 - s, -1, t, w);
     add_bulge(&piece->bounds[TAUT_FLAT_END], s, 1, t, w);
+}
+
+void taut_pattern_piece_window(const taut_pattern_piece *piece, double s, double t, double w[6][2])
+{
+    double sides[2][3][2];
+    sides_at(piece, s, sides);
+    window_between(piece, sides, s, t, w);
 }
 
 int taut_pattern_is_sewn(const taut_pattern_piece *piece, int edge)
@@ -105,11 +118,9 @@ static void second(const double x[TAUT_CARRIER_VECTORS][3], const double a[2], c
     }
 }
 
-void taut_pattern_piece_metric(const void *context, double s, double t, double g[3])
+static void metric_in(const taut_pattern_piece *piece, const double w[6][2], double g[3])
 {
-    const taut_pattern_piece *piece = context;
-    double w[6][2], x[TAUT_CARRIER_VECTORS][3], xs[3], xt[3];
-    taut_pattern_piece_window(piece, s, t, w);
+    double x[TAUT_CARRIER_VECTORS][3], xs[3], xt[3];
     space_at(piece->carrier, w[0], 1, x);
     along((const double(*)[3])x, w[1], xs);
     along((const double(*)[3])x, w[2], xt);
@@ -118,9 +129,35 @@ void taut_pattern_piece_metric(const void *context, double s, double t, double g
     g[2] = taut_dot(xt, xt);
 }
 
-void taut_pattern_piece_shrink(const void *context, double s, double t, double shrink[2])
+void taut_pattern_piece_metric(const taut_pattern_piece *piece, double s, double t, double g[3])
 {
-    const taut_pattern_piece *piece = context;
+    double w[6][2];
+    taut_pattern_piece_window(piece, s, t, w);
+    metric_in(piece, (const double(*)[2])w, g);
+}
+
+void taut_pattern_across_metric(const void *context, double s, double t, double g[3])
+{
+    const taut_pattern_across *across = context;
+    taut_pattern_kept *kept = across->kept;
+    double w[6][2];
+    if (!(kept->s == s)) {
+        sides_at(across->piece, s, kept->sides);
+        kept->s = s;
+    }
+    window_between(across->piece, kept->sides, s, t, w);
+    metric_in(across->piece, (const double(*)[2])w, g);
+}
+
+void taut_pattern_across_shrink(const void *context, double s, double t, double shrink[2])
+{
+    const taut_pattern_across *across = context;
+    taut_pattern_piece_shrink(across->piece, s, t, shrink);
+}
+
+void taut_pattern_piece_shrink(const taut_pattern_piece *piece, double s, double t,
+                               double shrink[2])
+{
     double c[2] = {piece->shares[0], piece->shares[1]}, w[6][2], x[3], at[2];
 
     if (piece->fade_count > 0) {

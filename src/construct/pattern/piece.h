@@ -30,6 +30,13 @@ typedef struct taut_pattern_fade {
     int is_faded[2]; /* of warp and weft */
 } taut_pattern_fade;
 
+/* How a flat piece is strained, of places on a grid that has its border. */
+typedef struct taut_pattern_strains {
+    double low, high, at[2]; /* principal ones; at: of the larger one, in (s, t) */
+    double at_low[2];
+    double warp[2], weft[2], shear;
+} taut_pattern_strains;
+
 typedef struct taut_pattern_piece {
     char name[TAUT_SIDE_NAME];
     const taut_carrier *carrier;
@@ -44,15 +51,29 @@ typedef struct taut_pattern_piece {
     int is_developable;
     taut_flat alone, flat; /* of pass 1 and 2, in the carrier's unit */
     const taut_curve *alone_edges[TAUT_FLAT_EDGES],
-        *edges[TAUT_FLAT_EDGES]; /* theirs, as s or t grows */
+        *edges[TAUT_FLAT_EDGES];  /* theirs, as s or t grows */
+    taut_pattern_strains strains; /* of flat */
 } taut_pattern_piece;
 
 /* The place of the window, and its derivatives: w, w_s, w_t, w_ss, w_st, w_tt. */
 void taut_pattern_piece_window(const taut_pattern_piece *piece, double s, double t, double w[6][2]);
-/* g_ss, g_st, g_tt, as taut_flat_strip has it; context: the piece. */
-void taut_pattern_piece_metric(const void *piece, double s, double t, double g[3]);
-/* 1 / F0 of warp and weft there, as taut_flat_strip has it. */
-void taut_pattern_piece_shrink(const void *piece, double s, double t, double shrink[2]);
+/* g_ss, g_st, g_tt. */
+void taut_pattern_piece_metric(const taut_pattern_piece *piece, double s, double t, double g[3]);
+/* 1 / F0 of warp and weft there. */
+void taut_pattern_piece_shrink(const taut_pattern_piece *piece, double s, double t,
+                               double shrink[2]);
+
+/* Both as taut_flat_strip has them: of one s after the other, whose long edges are kept for the next place. */
+typedef struct taut_pattern_kept {
+    double s; /* NAN: none yet */
+    double sides[2][3][2];
+} taut_pattern_kept;
+typedef struct taut_pattern_across {
+    const taut_pattern_piece *piece;
+    taut_pattern_kept *kept;
+} taut_pattern_across;
+void taut_pattern_across_metric(const void *across, double s, double t, double g[3]);
+void taut_pattern_across_shrink(const void *across, double s, double t, double shrink[2]);
 /* k_g ds/ds of the line t = const, k_g dt/dt of the line s = const, and the Gauss curvature. */
 void taut_pattern_piece_bends(const taut_pattern_piece *piece, double s, double t, double bend[2],
                               double *gauss);

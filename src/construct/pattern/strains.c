@@ -18,6 +18,8 @@ taut_pattern_strains taut_pattern_strains_of(const taut_pattern_piece *piece)
                                 .high = -INFINITY,
                                 .warp = {INFINITY, -INFINITY},
                                 .weft = {INFINITY, -INFINITY}};
+    taut_pattern_kept kept = {.s = NAN};
+    const taut_pattern_across across = {piece, &kept};
     double most = -1;
     /* at a point there is no strain */
     const int first = piece->bounds[TAUT_FLAT_START].is_point;
@@ -26,7 +28,7 @@ taut_pattern_strains taut_pattern_strains_of(const taut_pattern_piece *piece)
         for (int k = 0; k <= count[1]; k++) {
             const double s = (double)i / count[0], t = (double)k / count[1];
             double g[3], y[3][2], shrink[2], strain[2], cloth[3];
-            taut_pattern_piece_metric(piece, s, t, g);
+            taut_pattern_across_metric(&across, s, t, g);
             taut_pattern_piece_shrink(piece, s, t, shrink);
             taut_flat_at(flat, s, t, y);
             taut_flat_strain(shrink, g, (const double(*)[2])y, strain, cloth);

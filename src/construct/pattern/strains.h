@@ -4,12 +4,6 @@
 
 #include "construct/pattern/piece.h"
 
-typedef struct taut_pattern_strains {
-    double low, high, at[2]; /* principal ones; at: of the larger one, in (s, t) */
-    double at_low[2];
-    double warp[2], weft[2], shear;
-} taut_pattern_strains;
-
 taut_pattern_strains taut_pattern_strains_of(const taut_pattern_piece *piece);
 
 #endif /* TAUT_CONSTRUCT_PATTERN_STRAINS_H */
