@@ -128,7 +128,7 @@ static void look_at_edge(const taut_cloth *cloth, const taut_cloth_piece *piece,
     const int cut_short[2] = {
         mirrors || is_short(cloth, piece, (e + TAUT_CLOTH_EDGES - 1) % TAUT_CLOTH_EDGES, 0),
         mirrors || is_short(cloth, piece, e, 1)};
-    const double length = taut_cloth_length(cloth, piece->edges[e]);
+    const double length = piece->flat_lengths[e];
     const double room = next_to + 4 * width / length;
     for (int k = 0; !piece->is_point[e] && k <= PLACES; k++) {
         const double x = (double)k / PLACES;

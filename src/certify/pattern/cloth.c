@@ -545,32 +545,35 @@ static void patch_on(const taut_cloth *cloth, const taut_cloth_across *across, d
     }
 }
 
-int taut_cloth_window_on(const taut_cloth *cloth, const taut_cloth_across *across, double t,
-                         double w[3][2])
+/* Is a place in the window? Rounding is taken off. */
+static int is_in_window(const taut_surface *on, double at[2])
 {
-    const taut_surface *on = across->piece->on;
     const taut_basis *bases[2] = {taut_surface_u(on), taut_surface_v(on)};
-    double all[6][2];
-
-    patch_on(cloth, across, t, 1, all);
-    memcpy(w, all, 3 * sizeof all[0]);
     for (int d = 0; d < 2; d++) {
         const double lo = taut_basis_lo(bases[d]), hi = taut_basis_hi(bases[d]);
         const double room = 1e-9 * (hi - lo);
-        if (!(w[0][d] >= lo - room) || !(w[0][d] <= hi + room)) {
+        if (!(at[d] >= lo - room) || !(at[d] <= hi + room)) {
             return 0;
         }
-        w[0][d] = fmin(fmax(w[0][d], lo), hi);
+        at[d] = fmin(fmax(at[d], lo), hi);
     }
     return 1;
 }
 
-void taut_cloth_bend_on(const taut_cloth *cloth, const taut_cloth_across *across, double t,
-                        double bend[3][2])
+int taut_cloth_window_on(const taut_cloth *cloth, const taut_cloth_across *across, double t,
+                         double w[3][2])
 {
     double all[6][2];
-    patch_on(cloth, across, t, 2, all);
-    memcpy(bend, all[3], 3 * sizeof all[0]);
+    patch_on(cloth, across, t, 1, all);
+    memcpy(w, all, 3 * sizeof all[0]);
+    return is_in_window(across->piece->on, w[0]);
+}
+
+int taut_cloth_bend_on(const taut_cloth *cloth, const taut_cloth_across *across, double t,
+                       double w[6][2])
+{
+    patch_on(cloth, across, t, 2, w);
+    return is_in_window(across->piece->on, w[0]);
 }
 
 int taut_cloth_metric_on(const taut_cloth *cloth, const taut_cloth_across *across, double t,

@@ -42,6 +42,7 @@ typedef struct taut_cloth_piece {
     double part[TAUT_CLOTH_EDGES][2]; /* shares of the side, as s or t grows */
     const taut_surface *flat;         /* scaled; the arena's */
     const taut_curve *edges[TAUT_CLOTH_EDGES]; /* as s or t grows, in the model's unit */
+    double lengths[TAUT_CLOTH_EDGES], flat_lengths[TAUT_CLOTH_EDGES]; /* lengths.h; times 2^-unit */
     const taut_curve *cut;
     double allowance[TAUT_CLOTH_EDGES]; /* told to be left along each, in the model's unit */
     int border
@@ -103,9 +104,9 @@ void taut_cloth_across_at(const taut_cloth *cloth, const taut_cloth_piece *piece
 /* Between them, of order 1: w, and its derivatives by s and t. 0 where a side leaves the window. */
 int taut_cloth_window_on(const taut_cloth *cloth, const taut_cloth_across *across, double t,
                          double w[3][2]);
-/* Of order 2: w_ss, w_st and w_tt, where the sides are inside the window. */
-void taut_cloth_bend_on(const taut_cloth *cloth, const taut_cloth_across *across, double t,
-                        double bend[3][2]);
+/* Of order 2: w_ss, w_st and w_tt after them. */
+int taut_cloth_bend_on(const taut_cloth *cloth, const taut_cloth_across *across, double t,
+                       double w[6][2]);
 /* g_ss, g_st, g_tt there; 0 where there is none. */
 int taut_cloth_metric_on(const taut_cloth *cloth, const taut_cloth_across *across, double t,
                          double g[3]);

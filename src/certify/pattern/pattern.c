@@ -21,6 +21,7 @@
 #include "certify/pattern/asked.h"
 #include "certify/pattern/energy.h"
 #include "certify/pattern/fold.h"
+#include "certify/pattern/lengths.h"
 #include "certify/pattern/roll.h"
 #include "certify/pattern/seams.h"
 #include "certify/pattern/unavoidable.h"
@@ -154,7 +155,7 @@ static taut_status add_figures(const taut_cloth *cloth, const taut_cloth_state *
         for (int e = 0; e < TAUT_CLOTH_EDGES; e++) { /* once a seam: those to its left */
             const taut_cloth_piece *piece = &cloth->pieces[k];
             seams += piece->is_sewn[e] && taut_cloth_is_first(cloth, piece, e)
-                         ? taut_cloth_length(cloth, piece->edges[e])
+                         ? piece->flat_lengths[e]
                          : 0;
         }
     }
@@ -274,7 +275,7 @@ static taut_status certify_in(taut_arena *arena, const taut_model *model,
     if (status != TAUT_OK) {
         return status;
     }
-    status = report(&cloth);
+    status = taut_cloth_measure_edges(&cloth);
     if (status == TAUT_OK) {
         status = prove(&cloth, arena, certificate);
     }

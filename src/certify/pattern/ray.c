@@ -21,19 +21,15 @@ static double inside(double x)
 int taut_cloth_spot_at(const taut_cloth *cloth, const taut_cloth_piece *piece, double s, double t,
                        taut_cloth_spot *spot)
 {
-    double w[3][2], bent[3][2], x[6][3], normal[3];
-    const double at = inside(t);
+    double w[6][2], x[6][3], normal[3];
     taut_cloth_across across;
 
     taut_cloth_across_at(cloth, piece, inside(s), 2, &across);
-    if (!taut_cloth_window_on(cloth, &across, at, w)) {
+    if (!taut_cloth_bend_on(cloth, &across, inside(t), w) ||
+        taut_surface_eval(piece->on, w[0][0], w[0][1], 2, x[0]) != TAUT_OK) {
         return 0;
     }
-    taut_cloth_bend_on(cloth, &across, at, bent);
-    if (taut_surface_eval(piece->on, w[0][0], w[0][1], 2, x[0]) != TAUT_OK) {
-        return 0;
-    }
-    const double *ws = w[1], *wt = w[2];
+    const double *ws = w[1], *wt = w[2], *const bent[3] = {w[3], w[4], w[5]};
     for (int c = 0; c < 3; c++) {
         const double uu = x[TAUT_XUU][c], uv = x[TAUT_XUV][c], vv = x[TAUT_XVV][c];
         const double xu = x[TAUT_XU][c], xv = x[TAUT_XV][c];
@@ -170,8 +166,9 @@ static void leave(runner *r, const state *x, int way, int end)
     r->ray->slant = (x->way[along] * g[2 * along] + x->way[way] * g[1]) / sqrt(g[2 * along]);
 }
 
-void taut_cloth_ray_from(const taut_cloth *cloth, const taut_cloth_piece *piece, const double at[2],
-                         double angle, double limit, double step, taut_cloth_ray *ray)
+/* Given up once it is longer than `longest`, of border -1. */
+static void follow(const taut_cloth *cloth, const taut_cloth_piece *piece, const double at[2],
+                   double angle, double limit, double longest, double step, taut_cloth_ray *ray)
 {
     runner r = {.cloth = cloth, .piece = piece, .ray = ray};
     state x = {{at[0], at[1]}, {0, 0}}, slope;
@@ -201,11 +198,17 @@ void taut_cloth_ray_from(const taut_cloth *cloth, const taut_cloth_piece *piece,
         if (is_last) {
             return;
         }
-        if (ray->length >= limit * (1 - 1e-12)) {
+        if (ray->length >= limit * (1 - 1e-12) || ray->length > longest) {
             ray->border = -1;
             return;
         }
     }
+}
+
+void taut_cloth_ray_from(const taut_cloth *cloth, const taut_cloth_piece *piece, const double at[2],
+                         double angle, double limit, double step, taut_cloth_ray *ray)
+{
+    follow(cloth, piece, at, angle, limit, limit, step, ray);
 }
 
 /* ---- distance ---- */
@@ -214,12 +217,12 @@ typedef struct search {
     const taut_cloth *cloth;
     const taut_cloth_piece *piece;
     const double *at;
-    double limit, step, best;
+    double limit, longest, step, best; /* longest: what is longer is of no use */
 } search;
 
 static void look(search *s, double angle, taut_cloth_ray *ray)
 {
-    taut_cloth_ray_from(s->cloth, s->piece, s->at, angle, s->limit, s->step, ray);
+    follow(s->cloth, s->piece, s->at, angle, s->limit, s->longest, s->step, ray);
     if (ray->border >= 0) {
         s->best = fmin(s->best, ray->length);
     }
@@ -253,21 +256,22 @@ static void square_up(search *s, double angle)
 double taut_cloth_distance(const taut_cloth *cloth, const taut_cloth_piece *piece,
                            const double at[2], double limit)
 {
-    search s = {cloth, piece, at, room * limit, limit / STEPS, limit};
+    search s = {cloth, piece, at, room * limit, room * limit, limit / STEPS, limit};
     double nearest = 0, least = INFINITY;
-    for (int k = 0; k < AROUND; k++) {
+    for (int k = 0; k < AROUND;
+         k++) { /* of strips those to the sides first: the others are cut short */
         taut_cloth_ray ray;
-        const double angle = 2 * TAUT_PI * k / AROUND;
+        const double angle = 2 * TAUT_PI * ((k + AROUND / 4) % AROUND) / AROUND;
         look(&s, angle, &ray);
         if (ray.border >= 0 && ray.length < least) {
-            least = ray.length;
+            s.longest = least = ray.length;
             nearest = angle;
         }
     }
     if (!(least < INFINITY)) {
         return 0;
     }
-    s.limit = room * least;
+    s.limit = s.longest = room * least;
     square_up(&s, nearest);
     return s.best;
 }

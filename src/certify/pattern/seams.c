@@ -13,6 +13,7 @@
  */
 #include "certify/pattern/seams.h"
 
+#include "certify/pattern/lengths.h"
 #include "certify/pattern/worst.h"
 #include "core/vec3.h"
 #include "numeric/quadrature.h"
@@ -20,7 +21,7 @@
 
 #include <string.h>
 
-enum { PLACES = 8, NODES = 16, STEPS = 1024, FEW = 4 };
+enum { PLACES = 8, NODES = 16, STEPS = 1024 };
 /* Corners, evaluated along both edges that meet there, over the window. */
 static const double same_corner = 1e-13;
 static const double geodesic_limit = 1e-6, seam_limit = 1e-9, edge_limit = 1e-6, end_limit = 1e-9;
@@ -399,29 +400,6 @@ static taut_status add_on_surface(const taut_cloth *cloth, taut_certificate *cer
 
 /* ---- flat lengths ---- */
 
-static double length_between(const taut_cloth *cloth, const taut_curve *line, double a, double b,
-                             const double *nodes, const double *weights)
-{
-    double y[2][3], sum = 0;
-    for (int q = 0; q < FEW; q++) {
-        taut_cloth_line(cloth, line, a + (b - a) * (1 + nodes[q]) / 2, 1, y);
-        sum += weights[q] * (b - a) / 2 * taut_hypot(y[1][0], y[1][1]);
-    }
-    return sum;
-}
-
-double taut_cloth_length(const taut_cloth *cloth, const taut_curve *line)
-{
-    double nodes[FEW], weights[FEW], sum = 0;
-    const double lo = taut_basis_lo(taut_curve_t(line)), hi = taut_basis_hi(taut_curve_t(line));
-    taut_gauss_rule(FEW, nodes, weights);
-    for (int k = 0; k < STEPS; k++) {
-        sum += length_between(cloth, line, lo + (hi - lo) * k / STEPS,
-                              lo + (hi - lo) * (k + 1) / STEPS, nodes, weights);
-    }
-    return sum;
-}
-
 /* An edge that is sewn. */
 typedef struct sewn {
     int piece, edge;
@@ -441,20 +419,20 @@ static void compare(const taut_cloth *cloth, const char *name, const sewn both[2
     }
     const double from = fmax(fmin(parts[0][0], parts[0][1]), fmin(parts[1][0], parts[1][1]));
     const double to = fmin(fmax(parts[0][0], parts[0][1]), fmax(parts[1][0], parts[1][1]));
-    double nodes[FEW], weights[FEW], sums[2] = {0, 0}, apart = 0, at = 0;
+    double nodes[TAUT_CLOTH_FEW], weights[TAUT_CLOTH_FEW], sums[2] = {0, 0}, apart = 0, at = 0;
 
     if (!(from < to)) {
         return;
     }
-    taut_gauss_rule(FEW, nodes, weights);
+    taut_gauss_rule(TAUT_CLOTH_FEW, nodes, weights);
     for (int i = 0; i < STEPS; i++) {
         const double a = (double)i / STEPS, b = (double)(i + 1) / STEPS;
         for (int k = 0; k < 2; k++) {
             const double range = parts[k][1] - parts[k][0];
-            sums[k] += fabs(length_between(cloth, pieces[k]->edges[both[k].edge],
-                                           (from + a * (to - from) - parts[k][0]) / range,
-                                           (from + b * (to - from) - parts[k][0]) / range, nodes,
-                                           weights));
+            sums[k] += fabs(taut_cloth_length_between(
+                cloth, pieces[k]->edges[both[k].edge],
+                (from + a * (to - from) - parts[k][0]) / range,
+                (from + b * (to - from) - parts[k][0]) / range, nodes, weights));
         }
         if (!(fabs(sums[0] - sums[1]) <= apart)) {
             apart = fabs(sums[0] - sums[1]);
@@ -474,7 +452,7 @@ static void measure(const taut_cloth *cloth, const sewn *one, taut_worst *w)
     if (cloth->problem != NULL && cloth->problem->compensation.has_seam) {
         share = 1 - cloth->problem->compensation.seam;
     }
-    const double flat = taut_cloth_length(cloth, piece->edges[one->edge]);
+    const double flat = piece->flat_lengths[one->edge];
     taut_worst_take(w, fabs(flat / (share * (part[1] - part[0]) * side->length) - 1), side->seam,
                     1);
 }
@@ -492,22 +470,22 @@ static void measure_held(const taut_cloth *cloth, const taut_cloth_piece *piece,
 {
     const int is_across = e == TAUT_CLOTH_START || e == TAUT_CLOTH_END;
     const double fixed = e == TAUT_CLOTH_END || e == TAUT_CLOTH_LEFT;
-    double nodes[FEW], weights[FEW];
+    double nodes[TAUT_CLOTH_FEW], weights[TAUT_CLOTH_FEW];
     double share = cloth->warp == 0 && cloth->weft == 0 ? 1 : piece->held[e];
     double sums[2] = {0, 0}, apart = 0;
     if (cloth->problem != NULL && cloth->problem->compensation.has_seam) {
         share = 1 - cloth->problem->compensation.seam;
     }
-    taut_gauss_rule(FEW, nodes, weights);
+    taut_gauss_rule(TAUT_CLOTH_FEW, nodes, weights);
     for (int i = 0; i < STEPS; i++) {
         const double a = (double)i / STEPS, b = (double)(i + 1) / STEPS;
-        for (int q = 0; q < FEW; q++) {
+        for (int q = 0; q < TAUT_CLOTH_FEW; q++) {
             const double x = a + (b - a) * (1 + nodes[q]) / 2;
             double g[3] = {NAN, NAN, NAN};
             taut_cloth_metric(cloth, piece, is_across ? fixed : x, is_across ? x : fixed, g);
             sums[0] += weights[q] * (b - a) / 2 * share * sqrt(g[is_across ? 2 : 0]);
         }
-        sums[1] += length_between(cloth, piece->edges[e], a, b, nodes, weights);
+        sums[1] += taut_cloth_length_between(cloth, piece->edges[e], a, b, nodes, weights);
         apart = taut_certify_max(apart, fabs(sums[0] - sums[1]));
     }
     taut_worst_take(w, apart / sums[0], piece->name, e);
@@ -524,7 +502,7 @@ static int measure_all_held(const taut_cloth *cloth, taut_worst *w)
             measure_held(cloth, piece, e, w);
         }
         if (cloth->problem != NULL && is_held != is_asked(&cloth->problem->held, piece, e) &&
-            taut_cloth_length(cloth, piece->edges[e]) > 0) {
+            piece->flat_lengths[e] > 0) {
             taut_worst_take(w, INFINITY, piece->name, e);
             any = 1;
         }

@@ -6,7 +6,5 @@
 
 /* docs/pattern.md says what each residual is. TAUT_NO_MEMORY. */
 taut_status taut_cloth_add_lines(const taut_cloth *cloth, taut_certificate *certificate);
-/* The length of a flat line, times 2^-unit. */
-double taut_cloth_length(const taut_cloth *cloth, const taut_curve *line);
 
 #endif /* TAUT_CERTIFY_PATTERN_SEAMS_H */
