@@ -73,7 +73,7 @@ for name in $(names src/problem/construct_list.h); do
     elif ! grep -q "\"construct\": *\"$name\"" "$page"; then
         complain "$page shows no document of $name"
     else
-        for part in 'The problem' 'A worked document' 'What can go wrong'; do
+        for part in 'The problem' 'A worked document' Options Certificate 'What can go wrong' 'Accuracy and cost' Source; do
             grep -qx "## $part" "$page" || complain "$page has no section \"$part\""
         done
     fi
