@@ -137,8 +137,7 @@ typedef struct cli_command {
 #define CLI_THREADS                                                                                \
     {                                                                                              \
         "--threads", CLI_INTEGER, offsetof(cli_options, threads), 0, 1, TAUT_THREADS_MAX, "N",     \
-            "use N threads; else one, or for large nets as many as there are processors "          \
-            "(the result is the same for any number)"                                              \
+            "use N threads, not one, or all for large nets; the result is the same"                \
     }
 #define CLI_SOLID                                                                                  \
     {                                                                                              \
@@ -183,8 +182,8 @@ typedef struct cli_command {
      0,                                                                                            \
      0,                                                                                            \
      0,                                                                                            \
-     "H|K|I|gap|warp|weft",                                                                        \
-     "figures, GLB (not gap): colour by curvature, isothermality or gap"},                         \
+     "H|K|I|gap|warp|weft|strain",                                                                 \
+     "figures, GLB: colour by curvature, isothermality, gap, forces or strain"},                   \
         {"--isolines",                                                                             \
          CLI_INTEGER,                                                                              \
          offsetof(cli_options, isolines),                                                          \
@@ -310,6 +309,8 @@ int cli_reason_help(const char *word);
 /* The same of a construction, a claim, a word of the report or of the glossary; blanks and hyphens are as underscores.
  * `after`: nonzero where something was printed before. How many it is. */
 int cli_term_help(const char *word, int after);
+/* The file of the shortest worked problem of a construction; NULL where there is none. */
+const char *cli_example_of(const char *construct);
 /* Word i = 0, 1, ... of these, in `room`; 0 at the end. */
 int cli_term_at(int i, char room[CLI_TERM_ROOM]);
 /* All reasons, i = 0, 1, ..., some twice; NULL at the end. */

@@ -45,6 +45,17 @@ static int asks_for(const taut_embedded *file, const char *construct)
     return asks;
 }
 
+const char *cli_example_of(const char *construct)
+{
+    const taut_embedded *shortest = NULL;
+    for (const taut_embedded *file = taut_examples; file->name != NULL; file++) {
+        if ((shortest == NULL || file->length < shortest->length) && asks_for(file, construct)) {
+            shortest = file;
+        }
+    }
+    return shortest != NULL ? shortest->name : NULL;
+}
+
 /* Bare names for a program; for a person at a terminal a title beside each. */
 static int list(const char *construct)
 {

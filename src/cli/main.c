@@ -37,6 +37,7 @@ static int print_help(void)
 
 static int print_command_help(const cli_command *command)
 {
+    enum { COLUMN = 18 };
     int prints_json = 0;
     printf("taut %s %s\n\n%s\n", command->name, command->usage, command->text);
     for (const cli_option *o = command->options; o->kind != CLI_END; o++) {
@@ -44,10 +45,14 @@ static int print_command_help(const cli_command *command)
         prints_json |= strcmp(o->name, "--json") == 0;
         snprintf(left, sizeof left, "%s%s%s", o->name, o->value != NULL ? " " : "",
                  o->value != NULL ? o->value : "");
-        printf("  %-18s %s\n", left, o->help);
+        if (strlen(left) > COLUMN) {
+            printf("  %s\n  %-*s %s\n", left, COLUMN, "", o->help);
+        } else {
+            printf("  %-*s %s\n", COLUMN, left, o->help);
+        }
     }
     if (!prints_json) {
-        printf("  %-18s %s\n", "--json", "tell what goes wrong as JSON, for programs");
+        printf("  %-*s %s\n", COLUMN, "--json", "errors as JSON on standard error, for programs");
     }
     printf("\nExample:\n");
     for (const char *line = command->example; *line != '\0'; line += strcspn(line, "\n") + 1) {

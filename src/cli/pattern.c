@@ -265,7 +265,7 @@ static const cli_option options_of_pattern[] = {
     CLI_THREADS,
     CLI_FIGURE_BUT_WIDTH,
     {"--json", CLI_FLAG, offsetof(cli_options, json), 0, 0, 0, NULL,
-     "report, and tell what goes wrong, as JSON on standard error"},
+     "report and errors as JSON on standard error"},
     {"--quiet", CLI_FLAG, offsetof(cli_options, quiet), 0, 0, 0, NULL, "no report"},
     CLI_LAST};
 

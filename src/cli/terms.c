@@ -37,6 +37,14 @@ static const table tables[] = {
      {"What it says:", "How it is known:"},
      "docs/certificate.md"},
     {"certificate.md",
+     "## Three kinds",
+     0,
+     1,
+     "a kind of claims",
+     {1, 2},
+     {"What it is:", "Proved:"},
+     "docs/certificate.md"},
+    {"certificate.md",
      "## Words of the report",
      0,
      1,
@@ -205,7 +213,13 @@ static int print_row(void *context, const row *r)
         printf(".\n");
     }
     if (t->page[0] == '\0') {
-        printf("  %-17staut example --construct %s\n  %-17s", "Documents:", r->word, "More:");
+        const char *example = cli_example_of(r->word);
+        printf("  %-17staut example --construct %s\n", "Documents:", r->word);
+        if (example != NULL) {
+            printf("  %-17staut example %.*s | taut make - -o model.json -o model.png\n",
+                   "Example:", (int)strcspn(example, "."), example);
+        }
+        printf("  %-17s", "More:");
         print_link(r->cell[t->word]);
     } else {
         printf("  %-17s%s", "More:", t->page);
