@@ -49,6 +49,7 @@ film 4 'cable-too-weak /edges/u0/cable found 1\.4 expected 1\.414213562[0-9]*' "
 contains err.txt 'too weak'
 film 3 'value /edges/u0/cable/force found 0 expected a positive number' "\"edges\": { $(cables 0) }"
 film 3 'type /edges/u0/cable/force' "\"edges\": { $(cables '"strong"') }"
+film 3 'type /edges/u0/cable found 2 expected a law, such as' '"edges": { "u0": { "cable": 2 } }'
 film 3 'missing /edges/u0/cable found 0 expected 1' '"edges": { "u0": { "cable": {} } }'
 film 3 'conflict /edges/u0/cable found 2 expected 1' '"edges": { "u0": { "cable": { "force": 2, "sag": 0.1 } } }'
 film 3 'missing /edges/u0/cable/stiffness' '"edges": { "u0": { "cable": { "unstressed": 2 } } }'

@@ -386,6 +386,9 @@ static void read_pole(taut_reader *in, taut_film_edge *edge)
 static void read_cable(taut_reader *in, taut_film_edge *edge)
 {
     const taut_json at = taut_json_member(in->object, "cable");
+    if (in->status == TAUT_OK && taut_json_kind_at(&at) != TAUT_JSON_OBJECT) {
+        in->status = taut_json_refuse(&at, in->error, "type", "a law, such as { \"force\": 2 }");
+    }
     taut_reader law = taut_reader_inside(in, &at, law_members);
 
     edge->has_plane = (unsigned char)taut_reader_has(in, "plane");
