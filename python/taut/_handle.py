@@ -120,6 +120,12 @@ def text_of(function: Any, *arguments: Any) -> bytes:
         library.taut_text_free(pointer)
 
 
+class Referable:
+    """What weak references may be to: keys of a WeakKeyDictionary, as objects are hashable."""
+
+    __slots__ = ("__weakref__",)
+
+
 def expect(value: Any, *kinds: type) -> None:
     """Refuses what is none of these."""
     if not isinstance(value, kinds):

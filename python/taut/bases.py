@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _library as c
-from ._handle import Array, Handle, library, made, view
+from ._handle import Array, Handle, Referable, library, made, view
 from .errors import InputError, raise_for
 
 _MEMBERS = {"bezier": ("degree",), "bspline": ("degree", "knots"), "c-bezier": ("alpha",), "h-bezier": ("beta",),
@@ -17,7 +17,7 @@ _MEMBERS = {"bezier": ("degree",), "bspline": ("degree", "knots"), "c-bezier": (
 _KNOWN = {"type", "degree", "count", "knots", "alpha", "beta", "gamma", "segments", "range"}
 
 
-class Basis:
+class Basis(Referable):
     """`count` functions over a range [lo, hi] that is cut into spans; immutable.
 
     Made by `bezier`, `bspline`, `c_bezier`, ... or from a document's object: `Basis({"type": "bezier", "degree": 3})`.
@@ -104,7 +104,9 @@ class Basis:
         return view(self._owner, spec.knots, (spec.knot_count,)) if spec.knot_count > 0 else self.breaks
 
     def __call__(self, t: npt.ArrayLike, derivatives: int = 0) -> Array:
-        """The functions at t: shape t.shape + (count,), with derivatives (0 to 3) first: (derivatives + 1,) + that."""
+        """The functions at t: shape t.shape + (count,), with derivatives (0 to 3) first: (derivatives + 1,) + that.
+
+        Errors: InputError, `parameter`: a t outside the range."""
         parameters = np.asarray(t, dtype=np.float64)
         count, local = self.count, int(library.taut_basis_local(self._pointer))
         values = np.zeros((derivatives + 1, parameters.size, count))
@@ -161,12 +163,16 @@ def _spec(kind: str, range: Sequence[float] | None, **members: Any) -> Basis:
 
 
 def bezier(degree: int, range: Sequence[float] | None = None) -> Basis:
-    """Bernstein polynomials: degree + 1 functions on [0, 1], or on `range` = (lo, hi)."""
+    """Bernstein polynomials: degree + 1 functions on [0, 1], or on `range` = (lo, hi).
+
+    Errors: InputError: a degree other than 1 to 128, or a range that does not increase."""
     return _spec("bezier", range, degree=degree)
 
 
 def bspline(degree: int, knots: npt.ArrayLike | None = None, count: int | None = None) -> Basis:
-    """B-splines on clamped `knots`, or `count` of them on uniform knots over [0, 1]."""
+    """B-splines on clamped `knots`, or `count` of them on uniform knots over [0, 1].
+
+    Errors: InputError: a degree other than 1 to 128, knots that decrease, are not clamped or too few, or neither or both of knots and count."""
     if (knots is None) == (count is None):
         raise InputError("bspline: give knots or count, one of them", "", "conflict")
     if knots is None:
@@ -175,27 +181,37 @@ def bspline(degree: int, knots: npt.ArrayLike | None = None, count: int | None =
 
 
 def c_bezier(alpha: float, range: Sequence[float] | None = None) -> Basis:
-    """4 functions over {1, t, sin t, cos t} on [0, alpha], 0 < alpha <= pi."""
+    """4 functions over {1, t, sin t, cos t} on [0, alpha], 0 < alpha <= pi.
+
+    Errors: InputError: another alpha, or a range that does not increase."""
     return _spec("c-bezier", range, alpha=alpha)
 
 
 def h_bezier(beta: float, range: Sequence[float] | None = None) -> Basis:
-    """4 functions over {1, t, sinh t, cosh t} on [0, beta]."""
+    """4 functions over {1, t, sinh t, cosh t} on [0, beta].
+
+    Errors: InputError: beta not above 0 or too large, or a range that does not increase."""
     return _spec("h-bezier", range, beta=beta)
 
 
 def c_bspline(alpha: float, segments: int, range: Sequence[float] | None = None) -> Basis:
-    """segments + 3 functions, C^2, over {1, t, sin t, cos t} on segments of length alpha < pi."""
+    """segments + 3 functions, C^2, over {1, t, sin t, cos t} on segments of length alpha < pi.
+
+    Errors: InputError: another alpha, no segment, or a range that does not increase."""
     return _spec("c-bspline", range, alpha=alpha, segments=segments)
 
 
 def h_bspline(beta: float, segments: int, range: Sequence[float] | None = None) -> Basis:
-    """segments + 3 functions, C^2, over {1, t, sinh t, cosh t} on segments of length beta."""
+    """segments + 3 functions, C^2, over {1, t, sinh t, cosh t} on segments of length beta.
+
+    Errors: InputError: beta not above 0 or too large, no segment, or a range that does not increase."""
     return _spec("h-bspline", range, beta=beta, segments=segments)
 
 
 def ce_bezier(alpha: float, beta: float, gamma: float) -> Basis:
-    """4 quartic polynomials with three shape numbers on [0, 1]; for curves."""
+    """4 quartic polynomials with three shape numbers on [0, 1]; for curves.
+
+    Errors: InputError: a number that is not finite."""
     return _spec("ce-bezier", None, alpha=alpha, beta=beta, gamma=gamma)
 
 

@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _library as c
-from ._handle import Array, Handle, encoded, library, made, numbers, real, thread_count, view, whole
+from ._handle import Array, Handle, Referable, encoded, library, made, numbers, real, thread_count, view, whole
 from .bases import Basis, BasisLike, basis_of
 from .errors import InputError
 
@@ -66,7 +66,7 @@ def _matrix(matrix: npt.ArrayLike) -> Array:
     return rows
 
 
-class _Geometry:
+class _Geometry(Referable):
     """What curves and surfaces share."""
 
     __slots__ = ("_pointer", "_owner", "_points", "_weights")
@@ -98,6 +98,8 @@ class Curve(_Geometry):
     t        its basis
     points   (n, 3): control points, Euclidean
     weights  (n,), positive, or None
+
+    Errors: InputError where points, weights and functions are not as many, or a number is not finite or a weight not above 0.
     """
 
     __slots__ = ()
@@ -119,10 +121,12 @@ class Curve(_Geometry):
 
     @property
     def name(self) -> str:
+        """What it is called; "" if nothing."""
         return str(library.taut_curve_name(self._pointer).decode("utf-8", "surrogateescape"))
 
     @property
     def t(self) -> Basis:
+        """Its basis."""
         return Basis._borrowed(library.taut_curve_t(self._pointer), self._owner)
 
     @property
@@ -139,7 +143,9 @@ class Curve(_Geometry):
         return view(self._owner, address, (self.t.count,)) if address else None
 
     def __call__(self, t: npt.ArrayLike, derivatives: int = 0) -> Array:
-        """Points at t: t.shape + (3,). With derivatives 1 to 3: (derivatives + 1,) + that, positions first."""
+        """Points at t: t.shape + (3,). With derivatives 1 to 3: (derivatives + 1,) + that, positions first.
+
+        Errors: InputError, `parameter`: a t outside the range of the basis."""
         if derivatives == 0 and t.__class__ is float:
             buffer = _three()
             if _curve_eval(self._pointer, t, 0, buffer) == 0:
@@ -162,19 +168,27 @@ class Curve(_Geometry):
         return self._new(library.taut_curve_reverse)
 
     def elevated(self, times: int = 1) -> Curve:
-        """The degree raised, the same curve."""
+        """The degree raised, the same curve.
+
+        Errors: InputError: times below 0, or a degree above 128; NoSolution, `basis`: not a bezier or bspline."""
         return self._new(library.taut_curve_elevate, whole(times, "times"))
 
     def inserted(self, knot: float, times: int = 1) -> Curve:
-        """A knot more, the same curve."""
+        """A knot more, the same curve.
+
+        Errors: InputError: more often than its degree; NoSolution: not inside the range (`parameter`), or not a bezier or bspline (`basis`)."""
         return self._new(library.taut_curve_insert, real(knot, "knot"), whole(times, "times"))
 
     def transformed(self, matrix: npt.ArrayLike) -> Curve:
-        """A x + b for matrix = (A | b), shape (3, 4)."""
+        """A x + b for matrix = (A | b), shape (3, 4).
+
+        Errors: InputError: another shape, or a number that is not finite or does not stay so."""
         return self._new(library.taut_curve_transform, _matrix(matrix).ctypes.data)
 
     def plot(self, ax: Any = None, count: int = 200, **options: Any) -> Any:
-        """Drawn by matplotlib through `count` points, into `ax` or new axes, which come back; options are those of `Axes3D.plot`."""
+        """Drawn by matplotlib through `count` points, into `ax` or new axes, which come back; options are those of `Axes3D.plot`.
+
+        Errors: ImportError where matplotlib is missing (Debian: python3-matplotlib)."""
         from .plotting import plot_curve
         return plot_curve(self, ax, count, **options)
 
@@ -204,6 +218,8 @@ class Surface(_Geometry):
     u, v     its bases
     points   (nu, nv, 3): control points, Euclidean, u slowest
     weights  (nu, nv), positive, or None
+
+    Errors: InputError where points, weights and functions are not as many, or a number is not finite or a weight not above 0.
     """
 
     __slots__ = ()
@@ -227,14 +243,17 @@ class Surface(_Geometry):
 
     @property
     def name(self) -> str:
+        """What it is called; "" if nothing."""
         return str(library.taut_surface_name(self._pointer).decode("utf-8", "surrogateescape"))
 
     @property
     def u(self) -> Basis:
+        """The basis along u, the first index of points."""
         return Basis._borrowed(library.taut_surface_u(self._pointer), self._owner)
 
     @property
     def v(self) -> Basis:
+        """The basis along v, the second index of points."""
         return Basis._borrowed(library.taut_surface_v(self._pointer), self._owner)
 
     @property
@@ -254,6 +273,8 @@ class Surface(_Geometry):
         """Points at pairs (u, v), broadcast against each other: shape + (3,).
 
         derivatives 1 or 2: (3 or 6,) + that: S, S_u, S_v, S_uu, S_uv, S_vv. From the right at inner knots.
+
+        Errors: InputError: a parameter outside the ranges of the bases (`parameter`), or shapes that do not go together (`size`).
         """
         if derivatives == 0 and u.__class__ is float and v.__class__ is float:
             buffer = _three()
@@ -282,6 +303,8 @@ class Surface(_Geometry):
 
         out      an array to fill in place of a new one: float64, C order, of that shape; for derivatives 0 also without the 1
         threads  how many; the numbers are the same
+
+        Errors: InputError: a parameter outside the ranges of the bases (`parameter`), or an `out` of another kind (`argument`).
         """
         along_u, along_v, derivatives = numbers(u, None, "u"), numbers(v, None, "v"), _order(derivatives, 2)
         if along_u.ndim != 1 or along_v.ndim != 1:
@@ -311,7 +334,9 @@ class Surface(_Geometry):
         return result if out is None else out
 
     def normals(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Array:
-        """Unit normals S_u x S_v at pairs (u, v): shape + (3,); NaN where it vanishes."""
+        """Unit normals S_u x S_v at pairs (u, v): shape + (3,); NaN where it vanishes.
+
+        Errors: InputError: as of surface(u, v)."""
         _, along_u, along_v = self(u, v, derivatives=1)
         normal = np.cross(along_u, along_v)
         length = np.linalg.norm(normal, axis=-1, keepdims=True)
@@ -327,23 +352,34 @@ class Surface(_Geometry):
         return self._new(library.taut_surface_transpose)
 
     def reversed(self, direction: str) -> Surface:
-        """"u" or "v" runs the other way."""
+        """"u" or "v" runs the other way.
+
+        Errors: InputError, `name`: another direction."""
         return self._new(library.taut_surface_reverse, _direction(direction))
 
     def elevated(self, direction: str, times: int = 1) -> Surface:
-        """The degree along "u" or "v" raised, the same surface."""
+        """The degree along "u" or "v" raised, the same surface.
+
+        Errors: InputError: another direction, times below 0, or a degree above 128; NoSolution, `basis`: not a bezier or bspline."""
         return self._new(library.taut_surface_elevate, _direction(direction), whole(times, "times"))
 
     def inserted(self, direction: str, knot: float, times: int = 1) -> Surface:
-        """A knot more along "u" or "v", the same surface."""
+        """A knot more along "u" or "v", the same surface.
+
+        Errors: InputError: another direction, or more often than its degree; NoSolution: not inside the range (`parameter`), or not a bezier
+        or bspline (`basis`)."""
         return self._new(library.taut_surface_insert, _direction(direction), real(knot, "knot"), whole(times, "times"))
 
     def transformed(self, matrix: npt.ArrayLike) -> Surface:
-        """A x + b for matrix = (A | b), shape (3, 4)."""
+        """A x + b for matrix = (A | b), shape (3, 4).
+
+        Errors: InputError: another shape, or a number that is not finite or does not stay so."""
         return self._new(library.taut_surface_transform, _matrix(matrix).ctypes.data)
 
     def mesh(self, tolerance: float = 0.0, divide: int = 0, threads: int | None = None, thickness: float = 0.0) -> Mesh:
-        """Vertices, normals and faces: as of `Model.mesh`, tolerance over the surface's size."""
+        """Vertices, normals and faces: as of `Model.mesh`, tolerance over the surface's size.
+
+        Errors: as of `Model.mesh`."""
         from .model import Model
         return Model([self]).mesh(tolerance, divide, None, threads, thickness)
 
@@ -353,6 +389,8 @@ class Surface(_Geometry):
         net         the control net too
         tolerance   of the mesh, over the size; 0: 1e-3
         options     of `Axes3D.plot_trisurf`: color, cmap, alpha ...
+
+        Errors: ImportError where matplotlib is missing (Debian: python3-matplotlib).
         """
         from .plotting import plot_surface
         return plot_surface(self, ax, net, tolerance, **options)

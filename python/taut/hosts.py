@@ -17,6 +17,7 @@ from typing import Any, NamedTuple, Sequence, Union
 import numpy as np
 import numpy.typing as npt
 
+from ._handle import expect
 from .bases import bspline, bezier
 from .errors import Error, InputError
 from .geometry import Curve, Surface
@@ -32,7 +33,9 @@ def between(construct: str, edges: Sequence[Curve], unit: str = "mm", progress: 
     """The model of "dirichlet", "plateau", "harmonic" or "asymptotic" between four curves whose ends meet, in any order and
     direction; the first becomes the edge v0. members are those of the construction's document, such as degree=[3, 3].
 
-    Two straight edges that face each other leave nothing to find: both directions get degree 3 then, unless degree is given."""
+    Two straight edges that face each other leave nothing to find: both directions get degree 3 then, unless degree is given.
+
+    Errors: InputError: not four edges, ends that do not meet, or what else `taut.make` finds in the problem."""
     if construct not in CONSTRUCTS:
         raise InputError(f"the surface is {construct!r}; expected one of {', '.join(CONSTRUCTS)}", "/construct", "value")
     if len(edges) != 4:
@@ -68,6 +71,8 @@ def blend(one: npt.ArrayLike, other: npt.ArrayLike, radius: Union[float, Sequenc
 
     radius    one, or two that differ
     members   of the document of `pipe`, such as joint="g2"
+
+    Errors: InputError: ends that do not differ; NoSolution of `taut.pipe`, such as a radius that is too large.
     """
     first, second = _line(one, "/from"), _line(other, "/to")
     distances = np.linalg.norm(first[:, None] - second[None], axis=-1)
@@ -86,7 +91,9 @@ def _unit(vector: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
 
 
 def nearest(a: Surface, b: Surface) -> tuple[str, str, dict[str, Any]]:
-    """The edge of a and the edge of b with the least gap between them, and what `taut.join` says of the two."""
+    """The edge of a and the edge of b with the least gap between them, and what `taut.join` says of the two.
+
+    Errors: InputError, `type`: not surfaces."""
     names = ("u0", "u1", "v0", "v1")
     found = [(one, other, join(a, one, b, other)) for one in names for other in names]
     return min(found, key=lambda item: (float(item[2]["max_gap"]), float(item[2].get("max_normal_angle") or 0)))
@@ -103,7 +110,10 @@ class Spline(NamedTuple):
 
 
 def spline(what: Union[Curve, Surface], tolerance: float = 1e-9) -> Spline:
-    """Exact where the bases are polynomial; else (c- and h- bases) NURBS within tolerance times the size."""
+    """Exact where the bases are polynomial; else (c- and h- bases) NURBS within tolerance times the size.
+
+    Errors: InputError, `type`: neither a curve nor a surface."""
+    expect(what, Curve, Surface)
     bases = [what.t] if isinstance(what, Curve) else [what.u, what.v]
     if any(one.type not in ("bezier", "bspline") for one in bases):
         nurbs = to_nurbs(Model(curves=[what]) if isinstance(what, Curve) else Model([what]), tolerance)[0]
@@ -121,7 +131,9 @@ def spline(what: Union[Curve, Surface], tolerance: float = 1e-9) -> Spline:
 
 
 def curve(degree: int, knots: Sequence[float], points: npt.ArrayLike, weights: npt.ArrayLike | None = None, name: str = "") -> Curve:
-    """A curve from all its knots, clamped; without the outermost two as well, as Rhino has them."""
+    """A curve from all its knots, clamped; without the outermost two as well, as Rhino has them.
+
+    Errors: InputError, `knots`: not clamped, or not as many as the points want."""
     flat = np.asarray(knots, dtype=np.float64)
     net = np.asarray(points, dtype=np.float64)
     if len(flat) == len(net) + degree - 1:

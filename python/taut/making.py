@@ -241,7 +241,10 @@ def read(path: str | os.PathLike[str]) -> Model:
 def certify(model: Model, problem: Document | None = None, tolerance: float | None = None, threads: int | None = None,
             exact: bool = False, progress: Progress | None = None, strict: bool = False) -> Certificate:
     """Proves a model again from its numbers alone, against its problem where that is given, and apart from what made it. Arguments as
-    of make; with strict CheckFailed.model is the model. What the claims say: docs/certificate.md."""
+    of make; with strict CheckFailed.model is the model. What the claims say: docs/certificate.md.
+
+    Errors: InputError where the model or the problem is wrong, or where there are several problems; else as of make.
+    """
     options = _options(tolerance, threads, exact)[1]
     expect(model, Model)
     problems = None if problem is None else _problems(problem)

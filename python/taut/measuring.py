@@ -47,6 +47,8 @@ def measure(what: Union[Model, Surface, Curve], grid: int = 101, threads: int | 
 
     A model gives {"surfaces": [...], "curves": [...]}; a surface or curve its own object. Extremes are over grid x grid
     parameters; integrals are good to 1e-10 relative, or come with their error. progress as of make.
+
+    Errors: InputError, `type`: another object.
     """
     expect(what, Model, Surface, Curve)
     options = c.MeasureOptions(grid=whole(grid, "grid"), threads=thread_count(threads))
@@ -59,7 +61,9 @@ def measure(what: Union[Model, Surface, Curve], grid: int = 101, threads: int | 
 
 
 def join(a: Surface, edge_a: str, b: Surface, edge_b: str) -> dict[str, Any]:
-    """How two surfaces meet along an edge each ("u0", "u1", "v0", "v1"): max_gap, angles, c_order, g_order, kind."""
+    """How two surfaces meet along an edge each ("u0", "u1", "v0", "v1"): max_gap, angles, c_order, g_order, kind.
+
+    Errors: InputError: another edge (`name`) or object (`type`)."""
     expect(a, Surface)
     expect(b, Surface)
     for edge in (edge_a, edge_b):
@@ -78,7 +82,9 @@ def _changed(function: Any, model: Model, *arguments: Any) -> Model:
 
 
 def split(model: Model, u: float | None = None, v: float | None = None, name: str | None = None) -> Model:
-    """Every surface, or the one named, cut at u or at v: the same points, without details and certificate."""
+    """Every surface, or the one named, cut at u or at v: the same points, without details and certificate.
+
+    Errors: InputError: neither or both of u and v (`conflict`), no surface of that name; NoSolution, `parameter`: not inside a range."""
     if (u is None) == (v is None):
         raise InputError("split: give u or v, one of them", "", "conflict")
     at = real(u, "u") if v is None else real(v, "v")
@@ -86,24 +92,32 @@ def split(model: Model, u: float | None = None, v: float | None = None, name: st
 
 
 def refine(model: Model, along: str = "uv", name: str | None = None) -> Model:
-    """Every span halved along "u", "v" or "uv": the same points on a finer net."""
+    """Every span halved along "u", "v" or "uv": the same points on a finer net.
+
+    Errors: InputError: another direction, no surface of that name, or a net that would be too large."""
     if along not in ("u", "v", "uv"):
         raise InputError(f"along is {along!r}; expected 'u', 'v' or 'uv'", "", "value")
     return _changed(library.taut_model_refine, model, encoded(name), int("u" in along), int("v" in along))
 
 
 def pieces(model: Model, name: str | None = None) -> Model:
-    """Every span on its own, on Bezier bases."""
+    """Every span on its own, on Bezier bases.
+
+    Errors: InputError, `no-such-object`: no surface of that name."""
     return _changed(library.taut_model_pieces, model, encoded(name))
 
 
 def to_unit(model: Model, unit: str) -> Model:
-    """The same model told in "mm", "cm", "m", "in" or "ft"."""
+    """The same model told in "mm", "cm", "m", "in" or "ft".
+
+    Errors: InputError, `argument`: no such unit."""
     return _changed(library.taut_model_to_unit, model, encoded(unit))
 
 
 def to_nurbs(model: Model, tolerance: float = 1e-6) -> tuple[Model, float]:
-    """Every surface and curve as NURBS within tolerance times its size, and the distance that is proved, a length."""
+    """Every surface and curve as NURBS within tolerance times its size, and the distance that is proved, a length.
+
+    Errors: InputError, `tolerance`: not above 0, or less than rounding leaves; the message says how much that is."""
     expect(model, Model)
     bound, error, pointer = c_double(), c.ErrorStruct(), c_void_p()
     status = library.taut_model_to_nurbs(model._pointer, real(tolerance, "tolerance"), byref(pointer), byref(bound), byref(error))

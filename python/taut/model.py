@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _library as c
-from ._handle import Array, Handle, encoded, expect, library, made, numbers, real, text_of, thread_count, view, whole
+from ._handle import Array, Handle, Referable, encoded, expect, library, made, numbers, real, text_of, thread_count, view, whole
 from .errors import InputError, raise_for
 from .geometry import Curve, Surface
 
@@ -38,7 +38,7 @@ class Claim(NamedTuple):
     where: str
 
 
-class Certificate:
+class Certificate(Referable):
     """What was proved of a model: immutable, compares by value. `certificate["stationary"]` is the claim of that name.
 
     construct  the construction, such as "plateau"
@@ -177,7 +177,9 @@ class Model:
 
     @classmethod
     def from_json(cls, text: str | bytes) -> Model:
-        """The model that a document holds."""
+        """The model that a document holds.
+
+        Errors: InputError with the place in the text as `where`."""
         data = text.encode() if isinstance(text, str) else bytes(text)
         return cls._of(made(library.taut_model_read_text, library.taut_model_free, data, len(data), b"<model>"))
 
@@ -246,6 +248,9 @@ class Model:
                     "gaussian", "isothermality", "gap", "warp", "weft", "strain"), no_net (False: the net of pipes too),
                     view (azimuth, elevation in degrees), title, isolines, reflections, combs, reactions, side_by_side, column, width;
                     of flat pieces in .pdf: tiles ("a4" or "a3": 1:1 on sheets of paper), reduction (20: 1:20, on one page)
+
+        Errors: FileError where the file cannot be written; InputError for an ending, an option or a name of a surface that is not there;
+        NoSolution for what the format cannot hold. No file is left behind then, and one that was there stays.
         """
         error, chosen = c.ErrorStruct(), write_options(tolerance, threads, options)
         status = library.taut_model_write(self._pointer, encoded(os.fsdecode(path)), byref(chosen), byref(error))
@@ -253,7 +258,9 @@ class Model:
             raise_for(status, error)
 
     def to_text(self, format: str, tolerance: float = 0.0, threads: int | None = None, **options: Any) -> bytes:
-        """The bytes that `write` would put into a file of this ending, such as "svg"."""
+        """The bytes that `write` would put into a file of this ending, such as "svg".
+
+        Errors: as of `write`; InputError, `not-a-file`, of formats that are written to files alone."""
         return text_of(library.taut_model_write_text, self._pointer, encoded(format), byref(write_options(tolerance, threads, options)))
 
     def mesh(self, tolerance: float = 0.0, divide: int = 0, surface: str | None = None, threads: int | None = None,
@@ -263,16 +270,23 @@ class Model:
         tolerance   largest chord error over the size of the model; 0: 1e-3
         divide      cells for each knot span, in place of a tolerance
         thickness   of sheets, which are closed then, in the model's unit; 0: none
+
+        Errors: InputError: a number below 0, no surface of that name, or too many vertices; NoSolution: a thickness that folds a surface over.
         """
         chosen = {"tolerance": real(tolerance, "tolerance"), "divide": whole(divide, "divide"), "thickness": real(thickness, "thickness")}
         for name, value in chosen.items():
             if not 0 <= value < float("inf"):
                 raise InputError(f"{name} is {value!r}; expected 0 or more", "", "argument", value)
+        if surface is not None and all(one.name != surface for one in self.surfaces):
+            there = ", ".join(repr(one.name) for one in self.surfaces) or "none"
+            raise InputError(f"no surface is called {surface!r}; there are {there}", "", "surface")
         options = c.MeshOptions(threads=thread_count(threads), surface=encoded(surface), **chosen)
         return Mesh(made(library.taut_mesh_new, library.taut_mesh_free, self._pointer, byref(options)))
 
     def plot(self, ax: Any = None, net: bool = False, tolerance: float = 0.0) -> Any:
-        """All surfaces and curves drawn by matplotlib, into `ax` (of projection "3d") or new axes, which come back."""
+        """All surfaces and curves drawn by matplotlib, into `ax` (of projection "3d") or new axes, which come back.
+
+        Errors: ImportError where matplotlib is missing (Debian: python3-matplotlib)."""
         from .plotting import plot_model
         return plot_model(self, ax, net, tolerance)
 
@@ -302,7 +316,7 @@ class Model:
         return model_page(self)
 
 
-class Mesh:
+class Mesh(Referable):
     """Triangles and quads; all arrays are read-only and without a copy. Immutable; compares by value, hashes, pickles and copies.
 
     vertices    (n, 3)          normals   (n, 3)        parameters   (n, 2): u, v

@@ -10,6 +10,7 @@ from typing import Any, Union
 
 import numpy as np
 
+from ._handle import expect
 from .bases import bspline
 from .errors import InputError
 from .geometry import Curve, Surface
@@ -18,10 +19,17 @@ from .model import Model
 
 def _nurbs(what: Union[Curve, Surface], tolerance: float) -> Any:
     """what on bspline bases; exact where its bases are polynomial."""
+    expect(what, Curve, Surface)
     from .measuring import to_nurbs
     model = Model([what]) if isinstance(what, Surface) else Model(curves=[what])
     nurbs = to_nurbs(model, tolerance)[0]
     return (nurbs.surfaces if isinstance(what, Surface) else nurbs.curves)[0]
+
+
+def _expect_members(value: Any, kind: str, *names: str) -> None:
+    """Refuses what is none of another package's objects."""
+    if not all(hasattr(value, name) for name in names):
+        raise InputError(f"found {type(value).__name__}, expected a {kind}", "", "type", expected=kind)
 
 
 def to_scipy(what: Union[Curve, Surface], tolerance: float = 1e-9) -> Any:
@@ -29,6 +37,7 @@ def to_scipy(what: Union[Curve, Surface], tolerance: float = 1e-9) -> Any:
 
     Weights have no place there: a rational curve or surface is an InputError."""
     from scipy import interpolate
+    expect(what, Curve, Surface)
     if what.weights is not None:
         raise InputError("scipy's splines have no weights", "/weights", "value")
     spline = _nurbs(what, tolerance)
@@ -39,7 +48,10 @@ def to_scipy(what: Union[Curve, Surface], tolerance: float = 1e-9) -> Any:
 
 
 def from_scipy(spline: Any, name: str = "") -> Union[Curve, Surface]:
-    """The curve of a BSpline, the surface of an NdBSpline, whose values are points in space and whose knots are clamped."""
+    """The curve of a BSpline, the surface of an NdBSpline, whose values are points in space and whose knots are clamped.
+
+    Errors: InputError: points that are not in space, knots that are not clamped, or another object (`type`)."""
+    _expect_members(spline, "scipy.interpolate.BSpline or NdBSpline", "t", "c", "k")
     if isinstance(spline.t, tuple):
         points = np.asarray(spline.c)
         degrees = np.broadcast_to(np.asarray(spline.k), (2,))
@@ -48,7 +60,11 @@ def from_scipy(spline: Any, name: str = "") -> Union[Curve, Surface]:
 
 
 def from_geomdl(shape: Any, name: str = "") -> Union[Curve, Surface]:
-    """The curve or surface of geomdl's BSpline and NURBS classes."""
+    """The curve or surface of geomdl's BSpline and NURBS classes.
+
+    Errors: InputError: as of Curve and Surface, or another object (`type`)."""
+    _expect_members(shape, "curve or surface of geomdl", "ctrlpts", *(("degree", "knotvector") if hasattr(shape, "degree") else (
+        "degree_u", "degree_v", "knotvector_u", "knotvector_v", "ctrlpts_size_u", "ctrlpts_size_v")))
     weights = np.asarray(shape.weights, dtype=float) if getattr(shape, "rational", False) else None
     points = np.asarray(shape.ctrlpts, dtype=float)
     if points.shape[-1] == 2:
@@ -61,7 +77,9 @@ def from_geomdl(shape: Any, name: str = "") -> Union[Curve, Surface]:
 
 
 def to_geomdl(what: Union[Curve, Surface], tolerance: float = 1e-9) -> Any:
-    """As geomdl's NURBS.Curve or NURBS.Surface."""
+    """As geomdl's NURBS.Curve or NURBS.Surface.
+
+    Errors: ImportError where geomdl is missing."""
     from geomdl import NURBS
     spline = _nurbs(what, tolerance)
     weights = np.ones(spline.points.shape[:-1]) if spline.weights is None else spline.weights
@@ -84,8 +102,11 @@ def to_meshio(model: Model, tolerance: float = 0.0, divide: int = 0) -> Any:
     tolerance, divide    as of Model.mesh
 
     meshio reads VTU files that `Model.write` made with lagrange=True, with curved cells; without it cells are Bezier patches, which
-    VTK, ParaView and pyvista read."""
+    VTK, ParaView and pyvista read.
+
+    Errors: ImportError where meshio is missing (Debian: python3-meshio); else as of Model.mesh."""
     import meshio
+    expect(model, Model)
     mesh = model.mesh(tolerance, divide)
     return meshio.Mesh(np.array(mesh.vertices), [("triangle", np.array(mesh.triangles, dtype=np.int64))],
                        point_data={"normals": np.array(mesh.normals), "parameters": np.array(mesh.parameters)})

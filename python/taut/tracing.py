@@ -39,6 +39,8 @@ def follow(surface: Surface, net: str, at: Sequence[float], way: Sequence[float]
     sink        called with {"s", "at", ...} of the seed and of each step; what is true ends the curve there
 
     Gives arrays s, at, points, tangents, normals, k_n, k_g, tau_g, a row a step; "ended", "edge" or another word; and "length".
+
+    Errors: InputError: another net, family or place; NoSolution where the net has no direction at the place. Source: docs/trace.md.
     """
     expect(surface, Surface)
     if net not in _FAMILIES:

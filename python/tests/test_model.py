@@ -153,6 +153,9 @@ def test_models_are_immutable(net):
         with pytest.raises(AttributeError):
             setattr(one, name, None)
     assert weakref.ref(model)() is model
+    for one in (model.surfaces[0], model.surfaces[0].u, model.certificate, model.mesh()):
+        kept = weakref.WeakKeyDictionary({one: 1})
+        assert weakref.ref(one)() is one and kept[one] == 1
 
 
 def test_mesh_of_a_sheet():
