@@ -29,7 +29,9 @@
 enum { EXPONENT_MOST = 150, MARKS_MOST = 1000 /* along a seam */ };
 /* Edges of exact length leave those of the flat spline by so much of the size at the most, or it gets twice the spans both ways. */
 static const double drift_most = 2e-7;
-enum { REFINEMENTS = 2, DRIFT_PLACES = 64 };
+enum { REFINEMENTS = 2, DRIFT_PLACES = 64, CLAIMED_PLACES = 1024 /* of the certificate */ };
+/* What is claimed of them, over the size; and of their lengths, which are off by what is left at their ends. */
+static const double drift_claimed = 1e-6, closure_claimed = 1e-9;
 /* Strains between the places that are looked at may be larger. */
 static const double strain_room = 0.999;
 /* Corners of surfaces that meet, over the size. */
@@ -441,14 +443,15 @@ static taut_status check_marks(const request *r, const taut_pattern_layout *layo
 }
 
 /* How far the lines to sew are from the edges of a flat piece. */
-static double drift_of(const taut_pattern_piece *piece, const taut_pattern_outline *outline)
+static double drift_of(const taut_pattern_piece *piece, const taut_pattern_outline *outline,
+                       int places)
 {
     double most = 0;
     for (int e = 0; e < TAUT_FLAT_EDGES; e++) {
-        for (int k = 0; outline->edges[e] != piece->edges[e] && k <= DRIFT_PLACES; k++) {
+        for (int k = 0; outline->edges[e] != piece->edges[e] && k <= places; k++) {
             double exact[3], weak[3];
-            taut_curve_eval(outline->edges[e], (double)k / DRIFT_PLACES, 0, exact);
-            taut_curve_eval(piece->edges[e], (double)k / DRIFT_PLACES, 0, weak);
+            taut_curve_eval(outline->edges[e], (double)k / places, 0, exact);
+            taut_curve_eval(piece->edges[e], (double)k / places, 0, weak);
             most = fmax(most, taut_length_between(exact, weak));
         }
     }
@@ -462,13 +465,39 @@ static int refine(made_pieces *made)
     int any = 0;
     for (int k = 0; k < made->layout.piece_count; k++) {
         taut_pattern_piece *piece = &made->layout.pieces[k];
-        if (drift_of(piece, &made->outlines[k]) > drift_most * piece->carrier->size) {
+        if (drift_of(piece, &made->outlines[k], DRIFT_PLACES) > drift_most * piece->carrier->size) {
             piece->spans[0] *= 2;
             piece->spans[1] *= 2;
             any = 1;
         }
     }
     return any;
+}
+
+/* The finest splines have edges that are what is sewn, or what is held near their corners is too far from what the cloth beside them
+ * does: strain is singular there. */
+static taut_status check_drift(const made_pieces *made, taut_error *error)
+{
+    for (int k = 0; k < made->layout.piece_count; k++) {
+        const taut_pattern_piece *piece = &made->layout.pieces[k];
+        const double size = piece->carrier->size;
+        double drift = drift_of(piece, &made->outlines[k], DRIFT_PLACES) / size;
+        if (drift > drift_most) { /* by all places that are looked at then */
+            drift = drift_of(piece, &made->outlines[k], CLAIMED_PLACES) / size;
+        }
+        const double closure = made->outlines[k].closure / size;
+        const int is_open = closure > closure_claimed;
+        if (is_open || drift > drift_claimed) {
+            return taut_fail(error, TAUT_NOT_CONVERGED, "not-converged", "/seams",
+                             is_open ? closure : drift, is_open ? closure_claimed : drift_claimed,
+                             "the lines to sew of piece %s end %.2g of the size from its corners "
+                             "and are %.2g of it off its edges, expected %.2g and %.2g at most: "
+                             "lengths that are held are too far from what the cloth does near its "
+                             "corners; compensate both alike, or hold fewer edges",
+                             piece->name, closure, drift, closure_claimed, drift_claimed);
+        }
+    }
+    return TAUT_OK;
 }
 
 /* All of strips that are cut across as told. */
@@ -489,7 +518,7 @@ static taut_status make_parts(const request *r, const taut_pattern_ground *own, 
         is_rough =
             status == TAUT_OK && round < (r->cut.is_straight ? 0 : REFINEMENTS) && refine(made);
     }
-    return status;
+    return status == TAUT_OK ? check_drift(made, error) : status;
 }
 
 /* More parts of strips whose parts are longer than the cloth, and shorter than before; whether there are any. As parts add up to

@@ -838,6 +838,10 @@ static void test_refusals(void)
         {"\"seams\": [{ \"line\": { \"u\": 0.5 } }], \"decompensate\": [{ \"edge\": \"v0\", "
          "\"length\": 0 }]",
          "value", "/decompensate/0/length", TAUT_BAD_INPUT},
+        /* held so much shorter than the warp beside it that strain near corners is beyond the finest splines */
+        {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 1 }], \"held\": [\"left\", "
+         "\"right\"], \"compensation\": { \"warp\": 0.02, \"weft\": 0.045, \"seam\": 0.15 }",
+         "not-converged", "/seams", TAUT_NOT_CONVERGED},
         {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"width\": true }]", "missing",
          "/cloth/width", TAUT_BAD_INPUT},
         {"\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2, \"width\": 1 }]", "conflict",
