@@ -1,4 +1,5 @@
 """Derivatives against rational numbers, and against makes of moved problems."""
+import copy
 import fractions
 import math
 
@@ -169,6 +170,23 @@ def test_rings():
         assert not any(corner.any() for corner in found.corners.values()) and set(found.cables) == {"v1"}
         terms = (found.points * edge).sum() - 0.5 * found.cables["v1"]
         assert abs(terms - slope([m.certificate.figures[of] for m in moved])) < 3e-8 * (1 + abs(terms))  # all coordinates are at rest to 1e-8
+
+
+def test_energy_of_patches(examples):
+    """A film of two patches has no gradient, but lengths of cables and reactions are those of its energy."""
+    ridge, h = document(examples["film-ridge"]), 1e-2
+    figures = taut.make(ridge).certificate.figures
+
+    def energy(step, **moved):
+        changed = copy.deepcopy(ridge)
+        changed["seams"][0]["cable"]["force"] += step * moved.get("force", 0)
+        changed["patches"][0]["corners"]["u0v0"][2] += step * moved.get("corner", 0)
+        return taut.make(changed).certificate.figures["energy"]
+
+    def slope(**moved):
+        return (8 * (energy(h, **moved) - energy(-h, **moved)) - energy(2 * h, **moved) + energy(-2 * h, **moved)) / (12 * h)
+    assert abs(slope(force=1) - figures["lengths"][-1]) < 1e-8
+    assert abs(slope(corner=1) + figures["reactions"][0][2]) < 1e-4  # as near as this net is to its limit: 2.3e-5
 
 
 def test_films_refused(examples):
