@@ -132,7 +132,7 @@ case $files in
 *frame.step*)
     head -c 1500 beside/frame.step > cut.step
     refuse_boundary 3 'broken /boundary' cut.step
-    contains err.txt 'line [0-9]+: '
+    contains err.txt 'cut\.step:[0-9]+: '
     ;;
 esac
 printf '{ "taut": 1, "construct": "dirichlet", "boundary": "frame.json", "u": { "type": "bezier", "degree": 3 } }\n' > problem.json

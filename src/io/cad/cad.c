@@ -12,6 +12,7 @@
 #include "platform/system.h"
 
 #include <errno.h>
+#include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
 
@@ -119,6 +120,17 @@ static taut_status check_file(const char *path, taut_error *error)
     return TAUT_OK;
 }
 
+/* "line 7" of a text is PATH:7 of the file. */
+static void place_line(const char *path, taut_error *error)
+{
+    static const char line[] = "line ";
+    char where[sizeof error->where];
+    if (error != NULL && strncmp(error->where, line, sizeof line - 1) == 0) {
+        snprintf(where, sizeof where, "%.150s:%.30s", path, error->where + sizeof line - 1);
+        memcpy(error->where, where, sizeof where);
+    }
+}
+
 /* What the file says of itself must hold before the library sees it. */
 static taut_status scan_file(taut_cad_kind kind, const char *path, taut_error *error)
 {
@@ -129,6 +141,9 @@ static taut_status scan_file(taut_cad_kind kind, const char *path, taut_error *e
         return status;
     }
     status = (kind == TAUT_CAD_STEP ? taut_cad_scan_step : taut_cad_scan_iges)(text, length, error);
+    if (status != TAUT_OK) {
+        place_line(path, error);
+    }
     taut_free(text);
     return status;
 }
