@@ -106,7 +106,7 @@ mutants:
 	@tools/mutants.sh
 
 install: build
-	@cmake --install build/release
+	@cmake --install build/release $(if $(PREFIX),--prefix "$(PREFIX)")
 	@[ -z "$(PYTHON_FOLDER)" ] || tools/python.sh install "$(PYTHON_FOLDER)"
 	@echo "ldconfig, as root, lets programs find the library in the folders of the system"
 
