@@ -3,6 +3,7 @@
 #include "core/vec3.h"
 
 #include <math.h>
+#include <string.h>
 
 enum { ROUNDS = 40 };
 /* Of the edge's range: a step that is none. */
@@ -41,6 +42,12 @@ taut_status taut_border_new(taut_arena *arena, const taut_surface *surface, int 
 
 double taut_border_distance(const taut_border *border, const double x[3])
 {
+    double place[3];
+    return taut_border_nearest(border, x, place);
+}
+
+double taut_border_nearest(const taut_border *border, const double x[3], double place[3])
+{
     int nearest = 0;
     for (int k = 1; k <= TAUT_BORDER_CELLS; k++) {
         nearest = taut_length_between(border->places[k], x) <
@@ -52,12 +59,16 @@ double taut_border_distance(const taut_border *border, const double x[3])
     double high = fmin(nearest + 1, TAUT_BORDER_CELLS) / TAUT_BORDER_CELLS;
     double share = (double)nearest / TAUT_BORDER_CELLS,
            best = taut_length_between(border->places[nearest], x);
+    memcpy(place, border->places[nearest], sizeof border->places[nearest]);
     /* the distance falls where `slope` is below 0 */
     for (int round = 0; round < ROUNDS && high - low > no_step; round++) {
         double y[3][3], away[3];
         edge_at(border, share, 2, y);
         taut_difference(y[0], x, away);
-        best = fmin(best, taut_norm(away));
+        if (taut_norm(away) < best) {
+            best = taut_norm(away);
+            memcpy(place, y[0], sizeof y[0]);
+        }
         const double slope = taut_dot(away, y[1]);
         const double bend = taut_dot(y[1], y[1]) + taut_dot(away, y[2]);
         *(slope < 0 ? &low : &high) = share;

@@ -19,5 +19,7 @@ taut_status taut_border_new(taut_arena *arena, const taut_surface *surface, int 
                             taut_border *border);
 /* From the place of the edge that is nearest, in the surface's unit: Newton's method from the nearest of its places. */
 double taut_border_distance(const taut_border *border, const double x[3]);
+/* And that place. */
+double taut_border_nearest(const taut_border *border, const double x[3], double nearest[3]);
 
 #endif /* TAUT_GEOMETRY_BORDER_DISTANCE_H */

@@ -401,8 +401,9 @@ static taut_status add_thread(const taut_cloth *cloth, taut_certificate *certifi
 
 /* ---- compensation of lengths ---- */
 
-/* Flat over mounted along an edge, of warp and weft alone, on the average of its surface. */
-static double share_of(const taut_cloth *cloth, const taut_cloth_piece *piece, int e)
+/* Flat over mounted along an edge, of warp and weft alone, on the average of its surface; where they fade out, `is_faded`, or as if
+ * they did not. */
+static double share_of(const taut_cloth *cloth, const taut_cloth_piece *piece, int e, int is_faded)
 {
     const int is_across = e == TAUT_CLOTH_START || e == TAUT_CLOTH_END;
     const double fixed = e == TAUT_CLOTH_END || e == TAUT_CLOTH_LEFT;
@@ -410,13 +411,13 @@ static double share_of(const taut_cloth *cloth, const taut_cloth_piece *piece, i
     taut_gauss_rule(NODES, nodes, weights);
     for (int i = 0; i < EDGE_CELLS * NODES; i++) {
         const double x = (i / NODES + (1 + nodes[i % NODES]) / 2) / EDGE_CELLS;
-        double y[2][3], w[3][2] = {{0}}, shrink[2];
-        if (cloth->fade_count > 0) {
+        double y[2][3], w[3][2] = {{0}}, shrink[2] = {1 - cloth->warp, 1 - cloth->weft};
+        if (is_faded && cloth->fade_count > 0) {
             taut_cloth_across across;
             taut_cloth_across_at(cloth, piece, is_across ? fixed : x, 1, &across);
             taut_cloth_window_on(cloth, &across, is_across ? x : fixed, w);
+            taut_cloth_shrink(cloth, piece, w[0], shrink);
         }
-        taut_cloth_shrink(cloth, piece, w[0], shrink);
         taut_cloth_line(cloth, piece->edges[e], x, 1, y);
         const double mounted = taut_hypot(y[1][0] / shrink[0], y[1][1] / shrink[1]);
         sum += weights[i % NODES] * taut_hypot(y[1][0], y[1][1]) / mounted;
@@ -435,7 +436,7 @@ static double seam_share(const taut_cloth *cloth, const char *seam)
         if (piece->is_sewn[e] && strcmp(cloth->sides[piece->sides[e]].seam, seam) == 0) {
             const int hand = !taut_cloth_is_first(cloth, piece, e);
             const double part = piece->part[e][1] - piece->part[e][0];
-            sums[hand] += part * share_of(cloth, piece, e);
+            sums[hand] += part * share_of(cloth, piece, e, 0);
             parts[hand] += part;
         }
     }
@@ -445,7 +446,6 @@ static double seam_share(const taut_cloth *cloth, const char *seam)
 static taut_status add_compensation(const taut_cloth *cloth, taut_certificate *certificate)
 {
     const double room = fabs(cloth->warp - cloth->weft);
-    const int is_given = cloth->problem != NULL && cloth->problem->compensation.has_seam;
     /* of equal shares both ways there is one for all, up to rounding */
     const double over = room > 1e-6 ? room : 1e-6;
     taut_worst w = {0, ""};
@@ -454,8 +454,7 @@ static taut_status add_compensation(const taut_cloth *cloth, taut_certificate *c
         const taut_cloth_piece *piece = &cloth->pieces[k / TAUT_CLOTH_EDGES];
         const int e = k % TAUT_CLOTH_EDGES;
         if (!isnan(piece->held[e])) {
-            const double own =
-                is_given ? 1 - cloth->problem->compensation.seam : share_of(cloth, piece, e);
+            const double own = cloth->has_seam ? 1 - cloth->seam : share_of(cloth, piece, e, 1);
             taut_worst_take(&w, fabs(piece->held[e] - own) / over, piece->name, e);
             any = 1;
         }
@@ -463,8 +462,7 @@ static taut_status add_compensation(const taut_cloth *cloth, taut_certificate *c
     for (int k = 0; cloth->is_true && k < cloth->side_count; k++) {
         const taut_cloth_side *side = &cloth->sides[k];
         if (side->seam != NULL) {
-            const double own =
-                is_given ? 1 - cloth->problem->compensation.seam : seam_share(cloth, side->seam);
+            const double own = cloth->has_seam ? 1 - cloth->seam : seam_share(cloth, side->seam);
             taut_worst_take(&w, fabs(side->share - own) / over, side->seam, 0);
             any = 1;
         }

@@ -76,6 +76,8 @@ typedef struct taut_cloth {
     char where[96];
     /* what was asked for */
     int is_true, is_straight, has_law;
+    int has_seam; /* lengths that are held have a compensation of their own, `seam` */
+    double seam;
     double law[4]; /* D11, D22, D12, D33 */
     double warp, weft, thread;
     int fade_count;
@@ -115,6 +117,9 @@ int taut_cloth_metric(const taut_cloth *cloth, const taut_cloth_piece *piece, do
 /* 1 / F0 of warp and weft where the place is `w` of the window. */
 void taut_cloth_shrink(const taut_cloth *cloth, const taut_cloth_piece *piece, const double w[2],
                        double shrink[2]);
+/* What is left there of the compensation of the one that an edge is nearer to. */
+double taut_cloth_left(const taut_cloth *cloth, const taut_cloth_piece *piece, int edge,
+                       const double w[2]);
 /* The place of a side at a share of it. */
 void taut_cloth_side_at(const taut_cloth_side *side, double share, double at[2]);
 /* Of two pieces that are sewn together, those whose lengths are the seam's: to its left, or on the first of two surfaces. */

@@ -121,10 +121,12 @@ static double distance_to(const taut_cloth_fade *fade, const double x[3])
     return least;
 }
 
-void taut_cloth_shrink(const taut_cloth *cloth, const taut_cloth_piece *piece, const double w[2],
-                       double shrink[2])
+/* What is left of the compensation of warp and weft where the place is `w` of the window. */
+static void lefts_at(const taut_cloth *cloth, const taut_cloth_piece *piece, const double w[2],
+                     double left[2])
 {
-    double left[2] = {1, 1}, x[3] = {0, 0, 0};
+    double x[3] = {0, 0, 0};
+    left[0] = left[1] = 1;
     if (cloth->fade_count > 0) {
         taut_surface_eval(piece->on, w[0], w[1], 0, x);
     }
@@ -135,6 +137,26 @@ void taut_cloth_shrink(const taut_cloth *cloth, const taut_cloth_piece *piece, c
             left[d] *= fade->is_faded[d] && z < 1 ? 3 * z * z - 2 * z * z * z : 1;
         }
     }
+}
+
+void taut_cloth_shrink(const taut_cloth *cloth, const taut_cloth_piece *piece, const double w[2],
+                       double shrink[2])
+{
+    double left[2];
+    lefts_at(cloth, piece, w, left);
     shrink[0] = 1 - cloth->warp * left[0];
     shrink[1] = 1 - cloth->weft * left[1];
+}
+
+double taut_cloth_left(const taut_cloth *cloth, const taut_cloth_piece *piece, int edge,
+                       const double w[2])
+{
+    const int is_across = edge == TAUT_CLOTH_START || edge == TAUT_CLOTH_END;
+    /* the angle from the edge to the warp */
+    const double turn = fabs(is_across ? taut_sin(cloth->thread) : taut_cos(cloth->thread));
+    const double other = fabs(is_across ? taut_cos(cloth->thread) : taut_sin(cloth->thread));
+    const int is_weft = is_across ? other >= turn : other > turn;
+    double left[2];
+    lefts_at(cloth, piece, w, left);
+    return left[is_weft];
 }

@@ -442,21 +442,6 @@ static void compare(const taut_cloth *cloth, const char *name, const sewn both[2
     taut_worst_take(w, apart / fmax(sums[0], sums[1]), name, at);
 }
 
-/* Of true length: the flat edge against that of the surface. */
-static void measure(const taut_cloth *cloth, const sewn *one, taut_worst *w)
-{
-    const taut_cloth_piece *piece = &cloth->pieces[one->piece];
-    const taut_cloth_side *side = &cloth->sides[piece->sides[one->edge]];
-    const double *part = piece->part[one->edge];
-    double share = cloth->warp == 0 && cloth->weft == 0 ? 1 : side->share;
-    if (cloth->problem != NULL && cloth->problem->compensation.has_seam) {
-        share = 1 - cloth->problem->compensation.seam;
-    }
-    const double flat = piece->flat_lengths[one->edge];
-    taut_worst_take(w, fabs(flat / (share * (part[1] - part[0]) * side->length) - 1), side->seam,
-                    1);
-}
-
 /* Is it asked that this edge is held? */
 static int is_asked(const taut_pattern_held *held, const taut_cloth_piece *piece, int e)
 {
@@ -464,31 +449,65 @@ static int is_asked(const taut_pattern_held *held, const taut_cloth_piece *piece
            (held->edges[e] || (piece->border[e] >= 0 && held->borders[piece->border[e]]));
 }
 
-/* A held edge to which nothing is sewn: lengths from its beginning to places along it, flat against the surface's less the compensation. */
-static void measure_held(const taut_cloth *cloth, const taut_cloth_piece *piece, int e,
-                         taut_worst *w)
+/* Lengths of an edge from its beginning to places along it, flat against the surface's times a share; or where that fades out, less what
+ * is left of it. */
+static double measure_along(const taut_cloth *cloth, const taut_cloth_piece *piece, int e,
+                            double share, int is_faded)
 {
     const int is_across = e == TAUT_CLOTH_START || e == TAUT_CLOTH_END;
     const double fixed = e == TAUT_CLOTH_END || e == TAUT_CLOTH_LEFT;
     double nodes[TAUT_CLOTH_FEW], weights[TAUT_CLOTH_FEW];
-    double share = cloth->warp == 0 && cloth->weft == 0 ? 1 : piece->held[e];
     double sums[2] = {0, 0}, apart = 0;
-    if (cloth->problem != NULL && cloth->problem->compensation.has_seam) {
-        share = 1 - cloth->problem->compensation.seam;
-    }
     taut_gauss_rule(TAUT_CLOTH_FEW, nodes, weights);
     for (int i = 0; i < STEPS; i++) {
         const double a = (double)i / STEPS, b = (double)(i + 1) / STEPS;
         for (int q = 0; q < TAUT_CLOTH_FEW; q++) {
             const double x = a + (b - a) * (1 + nodes[q]) / 2;
-            double g[3] = {NAN, NAN, NAN};
-            taut_cloth_metric(cloth, piece, is_across ? fixed : x, is_across ? x : fixed, g);
-            sums[0] += weights[q] * (b - a) / 2 * share * sqrt(g[is_across ? 2 : 0]);
+            double g[3] = {NAN, NAN, NAN}, own = share, at[3][2] = {{0}};
+            taut_cloth_across across;
+            taut_cloth_across_at(cloth, piece, is_across ? fixed : x, 1, &across);
+            taut_cloth_metric_on(cloth, &across, is_across ? x : fixed, g);
+            if (is_faded) {
+                taut_cloth_window_on(cloth, &across, is_across ? x : fixed, at);
+                own = 1 - taut_cloth_left(cloth, piece, e, at[0]) * (1 - share);
+            }
+            sums[0] += weights[q] * (b - a) / 2 * own * sqrt(g[is_across ? 2 : 0]);
         }
         sums[1] += taut_cloth_length_between(cloth, piece->edges[e], a, b, nodes, weights);
         apart = taut_certify_max(apart, fabs(sums[0] - sums[1]));
     }
-    taut_worst_take(w, apart / sums[0], piece->name, e);
+    return apart / sums[0];
+}
+
+/* A held edge to which nothing is sewn. */
+static void measure_held(const taut_cloth *cloth, const taut_cloth_piece *piece, int e,
+                         taut_worst *w)
+{
+    const double share = cloth->has_seam                        ? 1 - cloth->seam
+                         : cloth->warp == 0 && cloth->weft == 0 ? 1
+                                                                : piece->held[e];
+    taut_worst_take(w,
+                    measure_along(cloth, piece, e, share, cloth->has_seam && cloth->fade_count > 0),
+                    piece->name, e);
+}
+
+/* Of true length: the flat edge against that of the surface. */
+static void measure(const taut_cloth *cloth, const sewn *one, taut_worst *w)
+{
+    const taut_cloth_piece *piece = &cloth->pieces[one->piece];
+    const taut_cloth_side *side = &cloth->sides[piece->sides[one->edge]];
+    const double *part = piece->part[one->edge];
+    double share = cloth->warp == 0 && cloth->weft == 0 ? 1 : side->share;
+    if (cloth->has_seam) {
+        share = 1 - cloth->seam;
+    }
+    if (cloth->fade_count > 0) {
+        taut_worst_take(w, measure_along(cloth, piece, one->edge, share, 1), side->seam, 1);
+        return;
+    }
+    const double flat = piece->flat_lengths[one->edge];
+    taut_worst_take(w, fabs(flat / (share * (part[1] - part[0]) * side->length) - 1), side->seam,
+                    1);
 }
 
 /* Of all pieces; whether there is any. */

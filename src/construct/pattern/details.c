@@ -344,6 +344,10 @@ static void describe_cloth(const taut_pattern_told *told, taut_record *details)
     taut_record *compensation = taut_record_add_object(details, "compensation");
     taut_record_add_number(compensation, "warp", cut->compensation.warp);
     taut_record_add_number(compensation, "weft", cut->compensation.weft);
+    if (cut->compensation.has_seam &&
+        cut->decompensate_count > 0) { /* it fades out along lengths */
+        taut_record_add_number(compensation, "seam", cut->compensation.seam);
+    }
     if (isfinite(told->bias)) {
         taut_record_add_number(details, "bias", told->bias);
     }

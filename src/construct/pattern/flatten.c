@@ -5,6 +5,7 @@
 #include "core/constants.h"
 #include "core/elementary/elementary.h"
 #include "core/fail.h"
+#include "core/vec3.h"
 #include "geometry/keep.h"
 #include "numeric/quadrature.h"
 
@@ -74,9 +75,10 @@ static void own_speed(const taut_pattern_piece *piece, int edge, double x, doubl
     speed[1] = (y[1][0] * y[2][0] + y[1][1] * y[2][1]) / speed[0];
 }
 
-/* The share by which a piece's edge is cut smaller on the average, of warp and weft and how it runs between them. */
+/* The share by which a piece's edge is cut smaller on the average, of warp and weft and how it runs between them; where they fade
+ * out, `is_faded`, or as if they did not. */
 static double seam_compensation(const taut_pattern_layout *layout, const taut_pattern_cut *cut,
-                                int piece, int edge)
+                                int piece, int edge, int is_faded)
 {
     double nodes[EDGE_NODES], weights[EDGE_NODES], sum = 0;
     const taut_pattern_piece *own = &layout->pieces[piece];
@@ -88,8 +90,10 @@ static double seam_compensation(const taut_pattern_layout *layout, const taut_pa
     taut_gauss_rule(EDGE_NODES, nodes, weights);
     for (int i = 0; i < EDGE_NODES; i++) {
         const double x = (1 + nodes[i]) / 2;
-        double y[2][3], shrink[2];
-        taut_pattern_piece_shrink(own, is_across ? fixed : x, is_across ? x : fixed, shrink);
+        double y[2][3], shrink[2] = {1 - own->shares[0], 1 - own->shares[1]};
+        if (is_faded) {
+            taut_pattern_piece_shrink(own, is_across ? fixed : x, is_across ? x : fixed, shrink);
+        }
         taut_curve_eval(own->alone_edges[edge], x, 1, y[0]);
         /* the direction on the surface is that before the cloth was made smaller */
         const double a = y[1][0] / shrink[0], b = y[1][1] / shrink[1];
@@ -106,7 +110,7 @@ static void set_share(const taut_pattern_layout *layout, const taut_pattern_cut 
     for (int k = 0; k < side->holder_count; k++) {
         const taut_pattern_holder *one = &side->holders[k];
         sums[one->hand] +=
-            fabs(one->to - one->from) * seam_compensation(layout, cut, one->piece, one->edge);
+            fabs(one->to - one->from) * seam_compensation(layout, cut, one->piece, one->edge, 0);
     }
     side->share = 1 - (sums[0] + sums[1]) / 2;
 }
@@ -195,7 +199,45 @@ static void set_seams(taut_pattern_layout *layout, const taut_pattern_cut *cut)
         taut_pattern_piece *piece = &layout->pieces[k / TAUT_FLAT_EDGES];
         const int e = k % TAUT_FLAT_EDGES;
         if (taut_pattern_is_held(cut, piece, e)) {
-            piece->bounds[e].share = 1 - seam_compensation(layout, cut, k / TAUT_FLAT_EDGES, e);
+            piece->bounds[e].share = 1 - seam_compensation(layout, cut, k / TAUT_FLAT_EDGES, e, 1);
+        }
+    }
+}
+
+/* Is it the warp that is nearer to the direction of an edge across strips, or along them? */
+static int is_warp(const taut_pattern_cut *cut, int is_across)
+{
+    const double along = fabs(taut_cos(cut->thread)), across = fabs(taut_sin(cut->thread));
+    return is_across ? across > along : along >= across;
+}
+
+/* Where compensation fades out: what is left of that of an edge, and its derivative along a line of the window, w and w'. */
+static void left_along(const taut_pattern_cut *cut, const taut_pattern_piece *piece, int edge,
+                       const double w[2][2], double left[2])
+{
+    const int d = !is_warp(cut, edge == TAUT_FLAT_START || edge == TAUT_FLAT_END);
+    double x[3][3], at[2], way[3], nearest[3], away[3];
+    left[0] = 1;
+    left[1] = 0;
+    for (int k = 0; k < 2; k++) { /* rounding may leave the window */
+        at[k] = fmin(fmax(w[0][k], piece->carrier->lo[k]), piece->carrier->hi[k]);
+    }
+    if (piece->fade_count > 0) {
+        taut_surface_eval(piece->carrier->surface, at[0], at[1], 1, x[0]);
+        for (int c = 0; c < 3; c++) {
+            way[c] = x[1][c] * w[1][0] + x[2][c] * w[1][1];
+        }
+    }
+    for (int k = 0; k < piece->fade_count; k++) {
+        const taut_pattern_fade *fade = &piece->fades[k];
+        const double far = taut_border_nearest(&fade->border, x[0], nearest),
+                     z = far / fade->length;
+        if (fade->is_faded[d] && z < 1) {
+            taut_difference(x[0], nearest, away);
+            const double grows = far > 0 ? taut_dot(away, way) / (far * fade->length) : 0;
+            const double share = z * z * (3 - 2 * z);
+            left[1] = left[1] * share + left[0] * 6 * z * (1 - z) * grows;
+            left[0] *= share;
         }
     }
 }
@@ -206,8 +248,17 @@ static void side_speed(const taut_pattern_layout *layout, const taut_pattern_cut
 {
     double both[2][2], p[2][TAUT_SIDE_MEAN];
     if (cut->seam_length == TAUT_PATTERN_TRUE) {
+        const taut_pattern_holder *one = &side->holders[0];
+        double w[3][2], left[2];
         speed[0] = side->share * side->length;
         speed[1] = 0;
+        if (layout->pieces[one->piece].fade_count == 0) {
+            return;
+        }
+        taut_pattern_side_at(side, x, w);
+        left_along(cut, &layout->pieces[one->piece], one->edge, (const double(*)[2])w, left);
+        speed[0] = (1 - left[0] * (1 - side->share)) * side->length;
+        speed[1] = -left[1] * (1 - side->share) * side->length;
         return;
     }
     if (side->is_jointed) {
@@ -233,6 +284,19 @@ int taut_pattern_held_speed(const taut_pattern_layout *layout, const taut_patter
     const double range = bound->to - bound->from;
     if (taut_pattern_is_held(cut, &layout->pieces[piece], edge)) {
         taut_pattern_bound_speed(&layout->pieces[piece], edge, x, speed);
+        if (cut->compensation.has_seam && layout->pieces[piece].fade_count > 0) {
+            const int is_across = edge == TAUT_FLAT_START || edge == TAUT_FLAT_END;
+            const double fixed = edge == TAUT_FLAT_END || edge == TAUT_FLAT_LEFT;
+            double w[6][2], left[2];
+            taut_pattern_piece_window(&layout->pieces[piece], is_across ? fixed : x,
+                                      is_across ? x : fixed, w);
+            memcpy(w[1], w[1 + is_across], sizeof w[1]);
+            left_along(cut, &layout->pieces[piece], edge, (const double(*)[2])w, left);
+            const double share = 1 - left[0] * (1 - bound->share);
+            speed[1] = share * speed[1] - left[1] * (1 - bound->share) * speed[0];
+            speed[0] *= share;
+            return 1;
+        }
         speed[0] *= bound->share;
         speed[1] *= bound->share;
         return 1;
@@ -481,10 +545,8 @@ static int runs_across(const taut_pattern_layout *layout, int ground, int border
 static void choose_component(const taut_pattern_cut *cut, taut_pattern_component component,
                              int is_across, int is_faded[2])
 {
-    const double along = fabs(taut_cos(cut->thread)), across = fabs(taut_sin(cut->thread));
-    const int is_warp = is_across ? across > along : along >= across;
-    is_faded[0] = component == TAUT_PATTERN_COMPONENT_BOTH || is_warp;
-    is_faded[1] = component == TAUT_PATTERN_COMPONENT_BOTH || !is_warp;
+    is_faded[0] = component == TAUT_PATTERN_COMPONENT_BOTH || is_warp(cut, is_across);
+    is_faded[1] = component == TAUT_PATTERN_COMPONENT_BOTH || !is_warp(cut, is_across);
 }
 
 static taut_status set_shares(taut_pattern_layout *layout, const taut_pattern_cut *cut)

@@ -253,13 +253,6 @@ static taut_status check_decompensate(const taut_pattern_problem *problem, taut_
         }
         status = check_range(one->length, 1e-300, 1e300, "value", where, error);
     }
-    if (status == TAUT_OK && problem->decompensate_count > 0 &&
-        (problem->seam_length == TAUT_PATTERN_TRUE || problem->compensation.has_seam)) {
-        return taut_fail(error, TAUT_BAD_INPUT, "conflict", "/decompensate", taut_none, taut_none,
-                         "found it beside seams of %s, expected one of them",
-                         problem->compensation.has_seam ? "a compensation of their own"
-                                                        : "the surface's length");
-    }
     return status;
 }
 
@@ -918,6 +911,21 @@ static taut_status choose(const request *r, const taut_model *of, taut_arena *ar
     return find_mates(all, error);
 }
 
+/* A length that fades out along a seam between two surfaces would be another one on each. */
+static taut_status check_fades(const request *r, const cut_surfaces *all, taut_error *error)
+{
+    const taut_pattern_problem *p = r->problem;
+    const int is_held = p->seam_length == TAUT_PATTERN_TRUE || p->compensation.has_seam;
+    return p->decompensate_count > 0 && is_held && all->count > 1
+               ? taut_fail(error, TAUT_BAD_INPUT, "conflict", "/decompensate", all->count, 1,
+                           "found it beside seams of %s on %d surfaces, expected it on one, or one "
+                           "of them",
+                           p->compensation.has_seam ? "a compensation of their own"
+                                                    : "the surface's length",
+                           all->count)
+               : TAUT_OK;
+}
+
 /* Rules for one surface name one that there is. */
 static taut_status check_named(const request *r, const cut_surfaces *all, taut_error *error)
 {
@@ -951,6 +959,9 @@ static taut_status build(void *context, taut_arena *arena, taut_model *model, ta
     }
     if (status == TAUT_OK) {
         status = check_named(r, &all, error);
+    }
+    if (status == TAUT_OK) {
+        status = check_fades(r, &all, error);
     }
     if (status == TAUT_OK) {
         status = cut_pieces(r, &all, &made, error);

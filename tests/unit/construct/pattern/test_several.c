@@ -195,6 +195,13 @@ static void test_refusals(void)
               strcmp(made.error.where, "/seams/0/surface") == 0,
           "%s at %s", made.error.reason, made.error.where);
     cloth_free(&made);
+    made = cloth_make(text, "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }], "
+                            "\"seam_length\": \"true\", \"decompensate\": [{ \"edge\": \"v0\", "
+                            "\"length\": 1 }]");
+    CHECK(made.status == TAUT_BAD_INPUT && strcmp(made.error.reason, "conflict") == 0 &&
+              strcmp(made.error.where, "/decompensate") == 0,
+          "%s at %s", made.error.reason, made.error.where);
+    cloth_free(&made);
     made = cloth_make(text, "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }, { "
                             "\"butt\": \"P5\", \"at\": 0.5 }]");
     CHECK(made.status == TAUT_BAD_INPUT && strcmp(made.error.reason, "rule") == 0, "%s",
