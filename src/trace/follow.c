@@ -16,7 +16,7 @@ static const struct {
     double turn;                  /* least cosine between tangents within a step */
     double corner;                /* over the size: two borders at once */
     double closing;               /* over the size: the seed again */
-    double crease, kink;          /* angles of normals and of tangents */
+    double crease;                /* angle of normals */
     double along;                 /* over a range: it runs on a break */
     double entering;              /* sine: the way into a cell */
     double rounding;              /* over the size: of the place of an event */
@@ -31,7 +31,6 @@ static const struct {
             .corner = 1e-9,
             .closing = 1e-9,
             .crease = 1e-9,
-            .kink = 1e-8,
             .along = 1e-12,
             .entering = 1e-9,
             .rounding = 2e-16,
@@ -530,7 +529,7 @@ static void add_kink(follower *f, const taut_walk_state *state, const double bef
     double across[3];
     taut_cross(before, behind, across);
     const double angle = taut_atan2(taut_length(across), taut_dot(before, behind));
-    if (angle > limits.kink && f->walk->kink_count < TAUT_KINKS_MAX) {
+    if (angle > TAUT_LEAST_KINK && f->walk->kink_count < TAUT_KINKS_MAX) {
         f->walk->kinks[f->walk->kink_count++] =
             (taut_kink){state->on, {state->y[TAUT_WALK_U], state->y[TAUT_WALK_V]}, angle};
     }

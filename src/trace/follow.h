@@ -65,6 +65,8 @@ typedef struct taut_piece {
     int near_parabolic; /* it was not stepped by arc length */
 } taut_piece;
 
+/* A corner of a curve, from this angle on. */
+#define TAUT_LEAST_KINK 1e-8
 typedef struct taut_kink {
     const taut_carrier *on;
     double at[2], angle; /* radians */

@@ -1,5 +1,6 @@
 #include "trace/lath.h"
 
+#include "core/elementary/elementary.h"
 #include "core/vec3.h"
 #include "trace/straight.h"
 
@@ -16,6 +17,8 @@ static const double short_enough = 1e-6, short_geodesic = 1e-4;
 static const double uneven = 1e-9;
 /* Below this angle with a border (sine), a curve that starts on it runs along it. */
 static const double along_border = 1e-9;
+/* Over the window's side: a corner of a curve that is its end. */
+static const double same_end = 1e-9;
 
 /* ---- quintics ---- */
 
@@ -346,10 +349,54 @@ static void take_end(taut_lath *lath, int end, const taut_walk *walk)
     lath->drift += walk->drift;
 }
 
-static taut_status take_kinks(taut_lath *lath, const taut_walk *a, const taut_walk *b,
-                              taut_arena *arena)
+/* Where a seed lies on a knot line at which curvatures jump the two ways from it make a corner: the one between segments
+ * k - 1 and k. */
+static int seed_kink(const taut_lath *lath, const taut_carrier *carrier, int k, taut_kink *kink)
 {
-    const int count = a->kink_count + b->kink_count;
+    double across[3];
+    if (k == 0 || k == lath->count) {
+        return 0;
+    }
+    const double *before = lath->segments[k - 1].to.tangent;
+    const double *behind = lath->segments[k].from.tangent;
+    taut_cross(before, behind, across);
+    *kink = (taut_kink){carrier,
+                        {lath->seed[0], lath->seed[1]},
+                        taut_atan2(taut_length(across), taut_dot(before, behind))};
+    return kink->angle > TAUT_LEAST_KINK;
+}
+
+/* Is it where the curve begins or ends? Then the curve leaves the window there, or comes in, and has no corner. */
+static int is_at_end(const taut_lath *lath, const taut_kink *kink)
+{
+    int is_there = 0;
+    for (int end = 0; end < 2; end++) {
+        int is_near = kink->on == lath->end_on[end];
+        for (int d = 0; is_near && d < 2; d++) {
+            const double range = kink->on->hi[d] - kink->on->lo[d];
+            is_near = fabs(kink->at[d] - lath->ends[end][d]) <= same_end * range;
+        }
+        is_there |= is_near;
+    }
+    return is_there;
+}
+
+static void add_kinks(taut_lath *lath, const taut_kink *kinks, int count)
+{
+    for (int k = 0; k < count; k++) {
+        if (!is_at_end(lath, &kinks[k])) {
+            lath->kinks[lath->kink_count++] = kinks[k];
+        }
+    }
+}
+
+/* Of the way back, at the seed, before segment `seed`, and of the way on. */
+static taut_status take_kinks(taut_lath *lath, const taut_carrier *carrier, const taut_walk *back,
+                              int seed, const taut_walk *on, taut_arena *arena)
+{
+    taut_kink corner;
+    const int has_corner = seed_kink(lath, carrier, seed, &corner);
+    const int count = back->kink_count + has_corner + on->kink_count;
     if (count == 0) {
         return TAUT_OK;
     }
@@ -357,9 +404,9 @@ static taut_status take_kinks(taut_lath *lath, const taut_walk *a, const taut_wa
     if (lath->kinks == NULL) {
         return TAUT_NO_MEMORY;
     }
-    memcpy(lath->kinks, a->kinks, (size_t)a->kink_count * sizeof(taut_kink));
-    memcpy(lath->kinks + a->kink_count, b->kinks, (size_t)b->kink_count * sizeof(taut_kink));
-    lath->kink_count = count;
+    add_kinks(lath, back->kinks, back->kink_count);
+    add_kinks(lath, &corner, has_corner);
+    add_kinks(lath, on->kinks, on->kink_count);
     return TAUT_OK;
 }
 
@@ -406,7 +453,7 @@ taut_status taut_lath_trace(const taut_carrier *carrier, taut_linefield_kind kin
     memcpy(lath->seed_tangent, state.tangent, sizeof lath->seed_tangent);
     taut_walk_station(kind, &state, &lath->at_seed);
     lath->at_seed.s = lath->seed_s;
-    return take_kinks(lath, &walks[0], &walks[1], arena);
+    return take_kinks(lath, carrier, &walks[0], behind.count, &walks[1], arena);
 }
 
 void taut_segment_station(taut_linefield_kind kind, const taut_segment *segment,

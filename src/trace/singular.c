@@ -20,6 +20,8 @@ static const double largest_turn = 2 * TAUT_PI / 3;
 static const double aside = 0.137;
 /* Newton's differences, when it stops, and the circle, over the window's sides. */
 static const double difference = 1e-6, settled = 1e-14, radius = 1e-3;
+/* Over the window's sides: two that are one. */
+static const double one_point = 1e-6;
 /* The mean curvature below which a point is flat, over the largest R. */
 static const double flat_enough = 1e-6;
 
@@ -122,6 +124,16 @@ static void take(const taut_carrier *carrier, int flat, const double low[2], con
 
     if (*count == TAUT_SINGULAR_MAX || !solve(carrier, room, found.at)) {
         return;
+    }
+    for (int k = 0; k < *count; k++) { /* the steps from two cells may lead to one */
+        int is_known = 1;
+        for (int d = 0; d < 2; d++) {
+            const double range = carrier->hi[d] - carrier->lo[d];
+            is_known &= fabs(list[k].at[d] - found.at[d]) <= one_point * range;
+        }
+        if (is_known) {
+            return;
+        }
     }
     vector_at(carrier, found.at, w, &mean);
     found.index = index_of(carrier, found.at);
