@@ -3,6 +3,7 @@
 #define TAUT_CERTIFY_TRACE_AUDIT_H
 
 #include "certify/trace/course.h"
+#include "certify/trace/seams.h"
 
 /* The figure that is farthest off, relative to what it is of. INFINITY where one is missing or cannot be found again. */
 typedef struct taut_net_off {
@@ -27,6 +28,9 @@ typedef struct taut_net_audit {
     int unit;
     double size;      /* times 2^-unit */
     double tolerance; /* of what is drawn, over the size */
+    double roundest;  /* the largest R of a grid */
+    int is_minimal;   /* by its coefficients: K < 0 everywhere */
+    const taut_net_seams *seams;
 } taut_net_audit;
 
 /* A member of a record of details; NaN, or "", where it is not there. */

@@ -52,6 +52,7 @@
 #include "certify/trace/side.h"
 #include "certify/trace/spacing.h"
 #include "certify/trace/straight.h"
+#include "certify/trace/told.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 #include "geometry/keep.h"
@@ -367,8 +368,8 @@ static void prove_straight(const request *r, const taut_net_line *line, found *f
 
 static taut_net_audit audit_of(const request *r)
 {
-    return (taut_net_audit){&r->lines, r->cells, r->rule,     r->problem,
-                            r->unit,   r->size,  r->tolerance};
+    return (taut_net_audit){&r->lines, r->cells,     r->rule,     r->problem,           r->unit,
+                            r->size,   r->tolerance, r->roundest, r->straight.is_known, &r->seams};
 }
 
 static void look_at_line(const request *r, const taut_net_line *line, found *f)
@@ -876,7 +877,8 @@ static taut_status prove(const request *r, taut_arena *arena, taut_certificate *
     }
     const taut_net_audit audit = audit_of(r);
     taut_net_crossings_look(&audit, &f.figures);
-    if (taut_net_panels_look(&audit, arena, &f.figures) != TAUT_OK) {
+    if (taut_net_panels_look(&audit, arena, &f.figures) != TAUT_OK ||
+        taut_net_told_look(&audit, arena, &f.figures) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
     status = add(certificate, "on-surface", f.is_bounded ? TAUT_BOUND : TAUT_CHECK, &f.distance,

@@ -70,7 +70,9 @@ static taut_record *details_changed(const taut_record *old, change *c)
         const char *key = taut_record_key(old, k);
         const int inside = strcmp(key, "laths") == 0 || strcmp(key, "nodes") == 0 ||
                            strcmp(key, "panels") == 0 || strcmp(key, "panel_count") == 0 ||
-                           strcmp(key, "max_planarity") == 0;
+                           strcmp(key, "max_planarity") == 0 || strcmp(key, "kinks") == 0 ||
+                           strcmp(key, "singular_points") == 0 ||
+                           strcmp(key, "hyperbolic_share") == 0;
         if (strcmp(key, "pieces") == 0) {
             copy_pieces(taut_record_at(old, k), details, c);
         } else {
@@ -151,8 +153,166 @@ static void check_fewer(const made_net *made)
     taut_model_free(model);
 }
 
+/* Another list in the place of one of details. */
+static int holds_with(const made_net *made, const char *key, const taut_record *list)
+{
+    const taut_record *old = taut_model_details(made->model);
+    taut_record *details = taut_record_new();
+    taut_model *model = NULL;
+    taut_certificate *proof = NULL;
+
+    for (size_t k = 0; k < taut_record_count(old); k++) {
+        const char *member = taut_record_key(old, k);
+        taut_record_add_record(details, member,
+                               strcmp(member, key) == 0 ? list : taut_record_at(old, k));
+    }
+    CHECK(taut_model_copy(made->model, &model) == TAUT_OK, "copy");
+    taut_model_set_details(model, details);
+    CHECK(taut_certify(model, made->problem, NULL, &proof, NULL) == TAUT_OK, "%s", key);
+    const int holds = taut_certificate_holds(proof) != TAUT_FALSE;
+    taut_certificate_free(proof);
+    taut_model_free(model);
+    return holds;
+}
+
+/* What is in a list of details twice, or is no longer in it, is not believed. */
+static void check_counts(const char *what, const made_net *made, const char *key, int may_lack)
+{
+    const taut_record *old = taut_record_get(taut_model_details(made->model), key);
+    const size_t count = taut_record_count(old);
+    taut_record *twice = taut_record_new(), *fewer = taut_record_new();
+    taut_record *longer = taut_record_add_list(twice, key),
+                *shorter = taut_record_add_list(fewer, key);
+
+    CHECK(count > 0, "%s has %s", what, key);
+    for (size_t k = 0; k <= count; k++) {
+        taut_record_add_record(longer, NULL, taut_record_at(old, k < count ? k : 0));
+        if (k > 0 && k < count) {
+            taut_record_add_record(shorter, NULL, taut_record_at(old, k));
+        }
+    }
+    CHECK(may_lack || !holds_with(made, key, shorter), "%s: fewer %s", what, key);
+    CHECK(!holds_with(made, key, longer), "%s: one of %s twice", what, key);
+    taut_record_free(twice);
+    taut_record_free(fewer);
+}
+
+/* A node of the border that is told to be none, and one that is none and told to be. */
+static void check_borders(const made_net *made)
+{
+    const taut_record *nodes = taut_record_get(taut_model_details(made->model), "nodes");
+    int kinds[2] = {0, 0};
+    for (size_t k = 0; k < taut_record_count(nodes); k++) {
+        const int was = taut_record_bool(taut_record_get(taut_record_at(nodes, k), "border"));
+        taut_record *whole = taut_record_new(), *list = taut_record_add_list(whole, "nodes");
+        for (size_t i = 0; i < taut_record_count(nodes); i++) {
+            const taut_record *node = taut_record_at(nodes, i);
+            taut_record *to = taut_record_add_object(list, NULL);
+            for (size_t j = 0; j < taut_record_count(node); j++) {
+                if (i != k || strcmp(taut_record_key(node, j), "border") != 0) {
+                    taut_record_add_record(to, taut_record_key(node, j), taut_record_at(node, j));
+                }
+            }
+            if (i == k && !was) {
+                taut_record_add_bool(to, "border", 1);
+            }
+        }
+        CHECK(!holds_with(made, "nodes", list), "border of node %zu", k);
+        kinds[was]++;
+        taut_record_free(whole);
+    }
+    CHECK(kinds[0] > 0 && kinds[1] > 0, "%d inside, %d on the border", kinds[0], kinds[1]);
+}
+
+/* Another reason, another family, a place beside the edge of its seed. */
+static void check_left_out(const made_net *made)
+{
+    static const char *const words[] = {"along", "flat", "singular", "crease", "moved", "max"};
+    const taut_record *old = taut_record_get(taut_model_details(made->model), "left_out");
+
+    CHECK(taut_record_count(old) > 0, "left out");
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
+        taut_record *whole = taut_record_new(), *list = taut_record_add_list(whole, "left_out");
+        for (size_t k = 0; k < taut_record_count(old); k++) {
+            const taut_record *item = taut_record_at(old, k);
+            const taut_record *at = taut_record_get(item, "at");
+            const double place[2] = {taut_record_number(taut_record_at(at, 0)) +
+                                         (i == 4 ? 0.01 : 0),
+                                     taut_record_number(taut_record_at(at, 1))};
+            taut_record *to = taut_record_add_object(list, NULL);
+            if (i == 5) {
+                taut_record_add_text(to, "family", words[i]);
+            } else {
+                taut_record_add_record(to, "family", taut_record_get(item, "family"));
+            }
+            taut_record_add_numbers(to, "at", 2, place);
+            if (i < 4) {
+                taut_record_add_text(to, "reason", words[i]);
+            } else {
+                taut_record_add_record(to, "reason", taut_record_get(item, "reason"));
+            }
+        }
+        CHECK(!holds_with(made, "left_out", list), "left out: %s", words[i]);
+        taut_record_free(whole);
+    }
+}
+
+/* Flat points and umbilics, corners at knots, seeds where there is no net. */
+static void check_told(void)
+{
+    static const int cubic[2] = {3, 3}, quadratic[2] = {2, 2}, four[2] = {4, 4};
+    double heights[16];
+    char surface[4000];
+
+    for (int i = 0; i < 4; i++) { /* x^3 - 3 x y^2 about a place that is no node of a grid */
+        for (int j = 0; j < 4; j++) {
+            const double x[4] = {-0.9, -0.9 + 2.0 / 3, -0.9 + 4.0 / 3, 1.1};
+            const double y2[4] = {1.21, 1.21 - 4.4 / 3, 1.21 - 8.8 / 3 + 4.0 / 3, 0.81};
+            const double x3[4] = {-0.729, -0.729 + 2 * 0.81, -0.729 + 4 * 0.81 - 4 * 0.9, 1.331};
+            heights[4 * i + j] = 0.3 * (x3[i] - 3 * x[i] * y2[j]);
+        }
+    }
+    net_heights(cubic, four, heights, surface, sizeof surface);
+    made_net monkey = net_make("asymptotic", surface, "\"seeds\": [{ \"at\": [0.3, 0.4] }]");
+    check_counts("monkey saddle", &monkey, "singular_points", 0);
+    check_counts("monkey saddle", &monkey, "laths", 0);
+    check_counts("monkey saddle", &monkey, "nodes", 0);
+    check_all("monkey saddle", &monkey);
+    made_net umbilic = net_make("principal", surface, "\"seeds\": [{ \"at\": [0.3, 0.4] }]");
+    check_counts("umbilic", &umbilic, "singular_points", 0);
+    check_all("umbilic", &umbilic);
+    for (int k = 0; k < 16; k++) {
+        heights[k] = 0.5 * (k / 4 - 1.4) * (k % 4 - 1.7) + 0.1 * (k % 3);
+    }
+    net_heights(quadratic, four, heights, surface, sizeof surface);
+    made_net seeded = net_make("asymptotic", surface, "\"seeds\": [{ \"at\": [0.3, 0.5] }]");
+    check_counts("seed on a knot", &seeded, "kinks", 0);
+    CHECK(net_count(&seeded, "kinks") >= 2, "a corner of each curve at the seed");
+    net_free(&seeded);
+    made_net knots = net_make("asymptotic", surface, "\"seeds\": [{ \"at\": [0.3, 0.55] }]");
+    check_counts("knots", &knots, "kinks", 0);
+    check_all("knots", &knots);
+    made_net edges =
+        net_make("principal", BILINEAR, "\"seeds\": [{ \"edge\": \"v0\", \"count\": 2 }]");
+    check_borders(&edges);
+    net_free(&edges);
+    for (int k = 0; k < 16; k++) { /* K < 0 for one half of the edge u0 alone */
+        const double y[4] = {-1, -1 + 2.0 / 3, -1 + 4.0 / 3, 1}, y3[4] = {-1, 1, -1, 1};
+        const double x2[4] = {1, -1.0 / 3, -1.0 / 3, 1};
+        heights[k] = 0.4 * x2[k / 4] + 0.25 * y3[k % 4] + 0.02 * y[k % 4];
+    }
+    net_heights(cubic, four, heights, surface, sizeof surface);
+    made_net half = net_make("asymptotic", surface,
+                             "\"seeds\": [{ \"edge\": \"u0\", \"count\": 4, \"by\": "
+                             "\"parameter\" }]");
+    CHECK(half.status == TAUT_OK, "%s", half.error.message);
+    check_left_out(&half);
+    net_free(&half);
+}
+
 int main(void)
 {
+    check_told();
     made_net standing = net_make(
         "asymptotic", BONNET("0"),
         "\"seeds\": [{ \"edge\": \"v0\", \"family\": \"+\", \"count\": 2 }, { \"edge\": \"u0\", "
