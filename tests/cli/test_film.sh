@@ -126,9 +126,17 @@ def circle(name, radius, centre, start, sense=1, ratio=1):
     return {"name": name, "t": {"type": "bspline", "degree": 2, "knots": [0, 0, 0, 1, 1, 2, 2, 3, 3, 3]}, "points": points, "weights": weights}
 square = {"name": "square", "t": {"type": "bspline", "degree": 1, "knots": [0, 0, 1, 2, 3, 4, 4]},
           "points": [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 0]]}
+def polygon(name, points, degree=1):
+    return {"name": name, "t": {"type": "bspline", "degree": degree, "knots": [0, *range(len(points)), len(points) - 1]},
+            "points": [[*p, 0] for p in points]}
+house = polygon("house", [(0, 0), (1, 0), (3, 0), (3, 2), (1.5, 3), (0, 2), (0, 0)])
+many = polygon("many", [(math.cos(k * math.pi / 7), math.sin(k * math.pi / 7)) for k in range(14)] + [(1, 0)])
+begun = polygon("begun", [(1, 0), (2, 0), (2, 2), (0, 2), (0, 0), (1, 0)])  # in the middle of an edge
+lens = {"name": "lens", "t": {"type": "bspline", "degree": 2, "knots": [0, 0, 0, 1, 1, 2, 2, 2]},
+        "points": [[0, 0, 0], [1, 1, 0], [2, 0, 0], [1, -1, 0], [0, 0, 0]]}
 open_one = {"name": "open", "t": {"type": "bezier", "degree": 1}, "points": [[0, 0, 0], [1, 0, 0]]}
 json.dump({"taut": 1, "curves": [circle("low", 1, (0, 0, 0), 0.3), circle("high", 1, (0, 0, 1), 2.5, -1),
-           circle("oval", 2, (0, 0, 0), 0, 1, 0.5), square, open_one], "surfaces": []}, open("closed.json", "w"))
+           circle("oval", 2, (0, 0, 0), 0, 1, 0.5), square, house, many, begun, lens, open_one], "surfaces": []}, open("closed.json", "w"))
 END
 area_of() { sed -n 's/^ *area  *\([0-9.e+-]*\).*/\1/p' err.txt | head -n 1; }
 near() { # near AREA EXACT TOLERANCE WHAT
@@ -152,7 +160,17 @@ near "$(area_of)" 6.28318530717959 4e-6 'an ellipse' # 2.4e-6: 24 points of degr
 around 0 '["oval", "high"]'
 contains err.txt 'one of the curves is a circle'
 run 0 certify around-model.json around.json
-for picked in '["square"]' '["low", "open"]' '["open"]'; do
+# a curve that closes in a corner is cut at all: four edges of a sheet, else patches about a centre
+around 0 '["square"]'
+contains err.txt 'one closed curve, cut at its 4 corners'
+contains err.txt 'surface +film: 12 x 12 points'
+near "$(area_of)" 1 1e-12 'a square'
+run 0 certify around-model.json around.json
+around 0 '["house"]'
+contains err.txt 'one closed curve, cut at its 5 corners'
+near "$(area_of)" 7.5 1e-9 'a house of five corners, one edge with a knot within'
+run 0 certify around-model.json around.json
+for picked in '["lens"]' '["many"]' '["begun"]' '["low", "open"]' '["open"]'; do
     around 3 "$picked"
     contains err.txt '/boundary/edges: found [12] curves, expected 3 to 12 that go round, or one or two that are closed'
 done

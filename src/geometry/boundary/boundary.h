@@ -23,7 +23,10 @@ taut_status taut_boundary_order(const taut_curve *const curves[TAUT_SIDES], doub
 taut_status taut_boundary_join(int count, const taut_curve *const *curves, double tolerance,
                                taut_curve *joined[TAUT_SIDES], taut_error *error);
 
-/* Does a closed curve turn by no more than an angle, in radians, at its knots and where it closes? */
+/* The first inner knot at which a spline turns by more than an angle, in radians; NaN where there is none. */
+double taut_boundary_first_kink(const taut_curve *curve, double angle);
+/* Does a closed curve turn by no more than an angle where it closes, and at its knots as well? */
+int taut_boundary_closes_smoothly(const taut_curve *closed, double angle);
 int taut_boundary_is_smooth(const taut_curve *closed, double angle);
 
 /* The same sides with u0 and u1 on one basis, and v0 and v1: exactly, by raising degrees and

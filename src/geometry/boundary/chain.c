@@ -99,13 +99,12 @@ static int turns_at(const taut_curve *curve, int i, double angle)
     return angle_between(before, after) > angle;
 }
 
-/* The first inner knot at which a spline turns by more than an angle; NaN. */
-static double first_kink(const taut_curve *curve, double angle)
+double taut_boundary_first_kink(const taut_curve *curve, double angle)
 {
     const taut_basis *t = taut_curve_t(curve);
     taut_basis_spec spec;
     taut_basis_spec_of(t, &spec);
-    const int p = spec.degree, n = taut_basis_count(t);
+    const int p = spec.degree, n = strcmp(spec.type, "bspline") == 0 ? taut_basis_count(t) : 0;
     for (int i = p + 1; i + p - 1 < n; i++) {
         if (spec.knots[i] == spec.knots[i + p - 1] && turns_at(curve, i - 1, angle)) {
             return spec.knots[i];
@@ -114,14 +113,17 @@ static double first_kink(const taut_curve *curve, double angle)
     return nan("");
 }
 
-int taut_boundary_is_smooth(const taut_curve *closed, double angle)
+int taut_boundary_closes_smoothly(const taut_curve *closed, double angle)
 {
     piece whole = {.curve = closed};
-    taut_basis_spec spec;
-    taut_basis_spec_of(taut_curve_t(closed), &spec);
     find_ends(&whole);
-    return angle_between(whole.along[1], whole.along[0]) <= angle &&
-           (strcmp(spec.type, "bspline") != 0 || isnan(first_kink(closed, angle)));
+    return angle_between(whole.along[1], whole.along[0]) <= angle;
+}
+
+int taut_boundary_is_smooth(const taut_curve *closed, double angle)
+{
+    return taut_boundary_closes_smoothly(closed, angle) &&
+           isnan(taut_boundary_first_kink(closed, angle));
 }
 
 /* A half of a curve, under the curve's own name. */
@@ -137,7 +139,7 @@ static taut_status copy_half(const taut_model *halves, int which, const char *na
 static taut_status add_spline(chain *c, const char *name, taut_curve *spline, taut_error *error)
 {
     for (;;) {
-        const double t = first_kink(spline, kink);
+        const double t = taut_boundary_first_kink(spline, kink);
         taut_model *halves = NULL;
         taut_curve *low = NULL, *high = NULL;
         if (isnan(t)) {

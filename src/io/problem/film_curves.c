@@ -245,6 +245,25 @@ static taut_status make_round(reading *r, const taut_basis *basis, taut_film_pro
     return status;
 }
 
+/* One curve with three corners or more gives way to its pieces between them. */
+static void cut_closed(reading *r)
+{
+    const taut_curve *pieces[TAUT_FILM_CURVES_MAX];
+    char note[64];
+    int count = 0;
+    r->document->status = taut_film_curve_cut(r->problem->arena, r->curves[0], TAUT_FILM_CURVES_MAX,
+                                              pieces, &count, r->document->error);
+    if (r->document->status != TAUT_OK || count < 3) {
+        return;
+    }
+    memcpy(r->curves, pieces, (size_t)count * sizeof(const taut_curve *));
+    r->count = count;
+    snprintf(note, sizeof note, "one closed curve, cut at its %d corners", count);
+    if (taut_problem_note(r->problem, note) != TAUT_OK) {
+        r->document->status = taut_fail_memory(r->document->error);
+    }
+}
+
 /* Fewer than three curves are a boundary where each is closed. */
 static void take_around(reading *r, const taut_basis_spec *spec, taut_film_problem *data)
 {
@@ -291,6 +310,9 @@ void taut_film_document_curves(taut_reader *document, taut_problem *problem,
     taut_reader_optional_integer(document, "count", spec.degree + 1, COUNT_MOST, &spec.count);
     if (is_file) {
         taut_boundary_file_curves(document, problem, 1, TAUT_FILM_CURVES_MAX, r.curves, &r.count);
+        if (document->status == TAUT_OK && r.count == 1) {
+            cut_closed(&r);
+        }
         if (document->status == TAUT_OK && r.count < 3) {
             take_around(&r, &spec, data);
             return;

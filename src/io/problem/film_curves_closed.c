@@ -53,14 +53,59 @@ static void sample(around *a)
     memcpy(a->points[SAMPLES], a->points[0], sizeof a->points[0]);
 }
 
-int taut_film_curve_is_closed(const taut_curve *curve)
+static int ends_meet(const taut_curve *curve)
 {
     const taut_basis *t = taut_curve_t(curve);
     double first[3], last[3];
     (void)taut_curve_eval(curve, taut_basis_lo(t), 0, first);
     (void)taut_curve_eval(curve, taut_basis_hi(t), 0, last);
-    return taut_distance(first, last) <= closed * size_of(curve) &&
-           taut_boundary_is_smooth(curve, smooth);
+    return taut_distance(first, last) <= closed * size_of(curve);
+}
+
+int taut_film_curve_is_closed(const taut_curve *curve)
+{
+    return ends_meet(curve) && taut_boundary_is_smooth(curve, smooth);
+}
+
+/* The part of a curve before t, and what is left; the arena owns both. */
+static taut_status cut_off(taut_arena *arena, double t, const taut_curve **part,
+                           const taut_curve **left, taut_error *error)
+{
+    taut_model *halves = NULL;
+    const taut_status status = taut_curve_split(*left, t, &halves, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    if (!taut_keep_model(arena, halves)) {
+        return taut_fail_memory(error);
+    }
+    *part = taut_model_curve(halves, 0);
+    *left = taut_model_curve(halves, 1);
+    return TAUT_OK;
+}
+
+taut_status taut_film_curve_cut(taut_arena *arena, const taut_curve *curve, int most,
+                                const taut_curve **pieces, int *count, taut_error *error)
+{
+    const taut_curve *left = curve;
+    taut_status status = TAUT_OK;
+    double kink = taut_boundary_first_kink(left, smooth);
+    int n = 0;
+
+    *count = 0;
+    if (!ends_meet(curve) || taut_boundary_closes_smoothly(curve, smooth)) {
+        return TAUT_OK;
+    }
+    while (status == TAUT_OK && !isnan(kink) && n < most) {
+        status = cut_off(arena, kink, &pieces[n++], &left, error);
+        kink = taut_boundary_first_kink(left, smooth);
+    }
+    if (status != TAUT_OK || n + 1 > most) {
+        return status;
+    }
+    pieces[n++] = left;
+    *count = n;
+    return TAUT_OK;
 }
 
 /* The circle through three points; 0 where they are on a line. */

@@ -8,6 +8,11 @@
 /* Is it closed, and smooth all round? */
 int taut_film_curve_is_closed(const taut_curve *curve);
 
+/* The pieces, at most `most`, of a curve that closes in a corner, cut at all its corners; *count is 0 where it does not, or has
+ * more. They go on from each other, as the curve runs. The arena owns them. */
+taut_status taut_film_curve_cut(taut_arena *arena, const taut_curve *curve, int most,
+                                const taut_curve **pieces, int *count, taut_error *error);
+
 /* Of closed curves, one or two: a film around, u0 and u1 one curve inside it. v0 is the first one; v1 the second, or of one a
  * pole. Both run about the same way round. Those that are circles become circles with equal angles, which begin beside
  * each other; that is noted, and so is a pole. The bases have the degree and the count of `spec` along v, twice as many functions along u.
