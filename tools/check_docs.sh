@@ -94,7 +94,7 @@ if [ -e include/taut/taut.h ]; then
 fi
 
 # Links of the pages, but those to the web: the file, and in pages the place, a heading in lower case without marks or an id.
-pages=$(ls README.md CONTRIBUTING.md docs/*.md docs/*/*.md 2> /dev/null || true)
+pages=$(ls README.md CONTRIBUTING.md CHANGELOG.md docs/*.md docs/*/*.md 2> /dev/null || true)
 # shellcheck disable=SC2086
 [ -z "$pages" ] || awk '
     function resolve(path,    folder) { # from the folder of this page
