@@ -14,13 +14,13 @@ int taut_film_has_draft(const taut_film_problem *problem)
 
     for (int e = 0; e < 4; e++) {
         const taut_film_edge *edge = &problem->edges[e];
-        has = has && problem->corner_kinds[e] == TAUT_FILM_HELD && !taut_film_has_plane(edge) &&
+        has = has && problem->corner_kinds[e] != TAUT_FILM_FREE && !taut_film_has_plane(edge) &&
               edge->kind != TAUT_FILM_POLE;
     }
     return has;
 }
 
-/* What is held at edge e stands where the problem puts it. */
+/* What is held at edge e stands where the problem puts it; a corner that glides goes on from where it was. */
 static void leave_out(const taut_film_problem *problem, int e, int nu, int nv, double *start)
 {
     size_t first = 0, step = 0;
@@ -28,12 +28,12 @@ static void leave_out(const taut_film_problem *problem, int e, int nu, int nv, d
 
     taut_film_edge_points(nu, nv, e, &first, &step, &count);
     for (int k = 0; k < count; k++) {
-        const int is_corner = k == 0 || k == count - 1;
-        if (problem->edges[e].kind == TAUT_FILM_FIXED ||
-            (is_corner && problem->ring == TAUT_FILM_OPEN)) {
-            for (int c = 0; c < 3; c++) {
-                start[3 * (first + (size_t)k * step) + (size_t)c] = NAN;
-            }
+        const int is_corner = (k == 0 || k == count - 1) && problem->ring == TAUT_FILM_OPEN;
+        const int corner = taut_film_corner_of(e, k > 0);
+        double *x = start + 3 * (first + (size_t)k * step);
+        if (is_corner ? problem->corner_kinds[corner] == TAUT_FILM_HELD
+                      : problem->edges[e].kind == TAUT_FILM_FIXED) {
+            x[0] = x[1] = x[2] = NAN;
         }
     }
 }
@@ -75,11 +75,13 @@ static void take_forces(taut_film_work *w, const double forces[4])
     }
 }
 
-/* Held points of an open film stand where they did in the film before: they move with the first step. */
+/* Held points of an open film, and its corners, stand where they did in the film before: they move with the first step. */
 static void take_net(const taut_film_space *space, const taut_surface *before, double *net)
 {
     for (size_t i = 0; space->around == NULL && i < space->count; i++) {
-        if (space->known[i]) {
+        const size_t row = i / (size_t)space->nv, column = i % (size_t)space->nv;
+        if (space->known[i] || ((row == 0 || row == (size_t)space->nu - 1) &&
+                                (column == 0 || column == (size_t)space->nv - 1))) {
             taut_scaling_apply(&space->scaling, 1, taut_surface_points(before) + 3 * i, NULL,
                                net + 3 * i);
         }

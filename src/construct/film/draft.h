@@ -4,7 +4,7 @@
 
 #include "construct/film/solve.h"
 
-/* Has this film drafts? Not where edges slide, corners move, a film becomes its own reference, or patches and images are
+/* Has this film drafts? Not where edges slide, corners are free, a film becomes its own reference, or patches and images are
  * joined. */
 int taut_film_has_draft(const taut_film_problem *problem);
 

@@ -9,6 +9,8 @@
 
 static const double moved_enough = 1e-9; /* in a unit in which the boundary lies in [-1, 1] */
 
+enum { KEPT_MAX = 4, SWEEPS = 16 };
+
 typedef struct work {
     taut_area_functional *functional;
     const taut_mask *mask;
@@ -20,6 +22,10 @@ typedef struct work {
     double *gradient, *delta, *product, *right;  /* [nu][nv][3], the last [unknowns][3] */
     double *tiles;
     taut_band metric;
+    const double *held;
+    size_t kept[KEPT_MAX]; /* points in planes and on lines */
+    int kept_count;
+    double *column; /* [unknowns][KEPT_MAX]: L_g^-1 of one at each */
 } work;
 
 static taut_status prepare(work *w, taut_arena *arena)
@@ -39,6 +45,7 @@ static taut_status prepare(work *w, taut_arena *arena)
     w->delta = taut_arena_take(arena, net, vector);
     w->product = taut_arena_take(arena, net, vector);
     w->right = taut_arena_take(arena, w->mask->unknowns, vector);
+    w->column = taut_arena_take(arena, w->mask->unknowns, KEPT_MAX * sizeof(double));
     if (taut_arena_status(arena) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
@@ -152,6 +159,66 @@ static void lead_multipliers(taut_area_functional *f)
     }
 }
 
+/* The unknown points that are not free; TAUT_NO_SOLUTION: more than there is room for. */
+static taut_status find_kept(work *w)
+{
+    const taut_mask *mask = w->mask;
+    for (size_t i = 0; mask->allowed != NULL && i < (size_t)mask->nu * (size_t)mask->nv; i++) {
+        const double *p = mask->allowed + 6 * i;
+        if (w->index[i] >= 0 && p[0] + p[2] + p[5] < 2.5) { /* the trace is its rank */
+            if (w->kept_count == KEPT_MAX) {
+                return TAUT_NO_SOLUTION;
+            }
+            w->kept[w->kept_count++] = i;
+        }
+    }
+    return TAUT_OK;
+}
+
+/* What is across the way of kept point k of x. */
+static void take_across(const work *w, int k, double x[3])
+{
+    double along[3] = {x[0], x[1], x[2]};
+    taut_mask_project(w->mask->allowed + 6 * w->kept[k], along);
+    taut_add_scaled(-1, along, x);
+}
+
+/* The least of the quadratic form among the moves that bring kept points to their planes and lines: forces across these that
+ * hold them, one point after the other. What is left of rounding and sweeps is taken off. */
+static void keep(work *w, const double *net)
+{
+    const int count = w->metric.n, kept = w->kept_count;
+
+    if (kept == 0) {
+        return;
+    }
+    memset(w->column, 0, (size_t)count * KEPT_MAX * sizeof(double));
+    for (int k = 0; k < kept; k++) {
+        w->column[w->index[w->kept[k]] * KEPT_MAX + k] = 1;
+    }
+    taut_band_solve(&w->metric, KEPT_MAX, w->column);
+    for (int sweep = 0; sweep <= SWEEPS; sweep++) {
+        for (int k = 0; k < kept; k++) {
+            const size_t at = w->kept[k];
+            const int own = w->index[at];
+            double lack[3];
+            for (int c = 0; c < 3; c++) {
+                lack[c] =
+                    w->held[3 * at + (size_t)c] - net[3 * at + (size_t)c] - w->right[3 * own + c];
+            }
+            take_across(w, k, lack);
+            if (sweep == SWEEPS) {
+                taut_add_scaled(1, lack, w->right + 3 * own);
+                continue;
+            }
+            for (int i = 0; i < count; i++) {
+                taut_add_scaled(w->column[i * KEPT_MAX + k] / w->column[own * KEPT_MAX + k], lack,
+                                w->right + 3 * i);
+            }
+        }
+    }
+}
+
 /* One step; *moved: how far its farthest point went. moves_known: `delta` holds what known points do, else they do nothing. */
 static taut_status step(work *w, int moves_known, double *net, double *moved)
 {
@@ -175,6 +242,7 @@ static taut_status step(work *w, int moves_known, double *net, double *moved)
         }
     }
     taut_band_solve(&w->metric, 3, w->right);
+    keep(w, net);
     *moved = 0;
     for (size_t i = 0; i < count; i++) {
         const double *d = w->index[i] >= 0 ? w->right + 3 * (size_t)w->index[i] : w->delta + 3 * i;
@@ -191,10 +259,13 @@ taut_status taut_area_draft(taut_area_functional *functional, const taut_mask *m
 {
     const size_t count = (size_t)mask->nu * (size_t)mask->nv;
     taut_arena *arena = taut_arena_new();
-    work w = {.functional = functional, .mask = mask};
+    work w = {.functional = functional, .mask = mask, .held = held};
     double moved = INFINITY;
     taut_status status = prepare(&w, arena);
 
+    if (status == TAUT_OK) {
+        status = find_kept(&w);
+    }
     for (size_t i = 0; status == TAUT_OK && i < 3 * count; i++) {
         w.delta[i] = mask->known[i / 3] && w.index[i / 3] < 0 ? held[i] - net[i] : 0;
     }

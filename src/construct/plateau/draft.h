@@ -18,7 +18,7 @@
 enum { TAUT_AREA_DRAFT_EXTRA = 0 };
 
 /* So many steps of net double[nu][nv][3]; held double[nu][nv][3]: where known points belong. Ends where a step moves nothing by
- * more than 1e-9. Masks with points that are kept on something are not for it. Cables that give way lead their multiplier. TAUT_NO_SOLUTION: the metric is not safely positive definite; TAUT_NO_MEMORY. */
+ * more than 1e-9. Of points that are kept in a plane or on a line, at most four, `held` has a place there. Cables that give way lead their multiplier. TAUT_NO_SOLUTION: the metric is not safely positive definite; TAUT_NO_MEMORY. */
 taut_status taut_area_draft(taut_area_functional *functional, const taut_mask *mask,
                             const double *held, int steps, double *net);
 

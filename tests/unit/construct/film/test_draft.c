@@ -84,6 +84,23 @@ static void test_film(const char *format, double to, double close)
     "\"u1v1\":[1,1,0.5]},\"edges\":{\"u0\":{\"cable\":{" cable "}},\"u1\":{\"cable\":{" cable      \
     "}},\"v0\":{\"cable\":{" cable "}},\"v1\":{\"cable\":{" cable "}}}}"
 
+/* Two corners on masts that lean. */
+static const char masts[] =
+    "{\"taut\":1,\"construct\":\"film\",\"least\":false,"
+    "\"corners\":{\"u0v0\":[-1,-1,%.17g],\"u1v0\":{\"line\":{\"point\":[1,-1,0],"
+    "\"direction\":[0.3,-0.2,1]},\"near\":[1,-1,-0.2]},\"u0v1\":{\"plane\":{\"point\":[-1,1,0],"
+    "\"normal\":[1,-1,0.2]},\"near\":[-1,1,-0.5]},\"u1v1\":[1,1,0.5]},"
+    "\"edges\":{\"u0\":{\"cable\":{\"force\":3}},\"u1\":{\"cable\":{\"force\":3}},"
+    "\"v0\":{\"cable\":{\"force\":3}},\"v1\":{\"cable\":{\"force\":3}}}}";
+
+/* One on a beam that is raised. */
+static const char beam[] =
+    "{\"taut\":1,\"construct\":\"film\",\"least\":false,"
+    "\"corners\":{\"u0v0\":[-1,-1,0.5],\"u1v0\":{\"line\":{\"point\":[1,-1,%.17g],"
+    "\"direction\":[1,0.9,0]},\"near\":[1,-1,0]},\"u0v1\":[-1,1,-0.5],\"u1v1\":[1,1,0.5]},"
+    "\"edges\":{\"u0\":{\"cable\":{\"force\":3}},\"u1\":{\"cable\":{\"force\":2.5}},"
+    "\"v0\":{\"cable\":{\"force\":3}},\"v1\":{\"cable\":{\"force\":3}}}}";
+
 static const char ring[] =
     "{\"taut\":1,\"construct\":\"film\",\"seams\":[[\"u0\",\"u1\"]],"
     "\"u\":{\"type\":\"bspline\",\"degree\":3,\"count\":14},"
@@ -121,6 +138,8 @@ int main(void)
     test_film(SAIL("\"force\":2"), 0.65, 1e-4);
     test_film(SAIL("\"length\":2.4"), 0.65, 1e-4);
     test_film(SAIL("\"unstressed\":2.2,\"stiffness\":30"), 0.65, 1e-4);
+    test_film(masts, 0.65, 1e-4);
+    test_film(beam, 0.65, 1e-4);
     test_film(ring, 0.6, 2e-4);
     test_film(held, 0.7, 2e-3);
     test_none();
