@@ -23,6 +23,7 @@ document = FreeCAD.newDocument("cloth")
 settings = "User parameter:BaseApp/Preferences/Mod/Draft"
 FreeCAD.ParamGet(settings).SetBool("dxfUseLegacyImporter", False)
 FreeCAD.ParamGet(settings).SetBool("groupLayers", True)
+FreeCAD.ParamGet(settings).SetBool("dxftext", True)
 Import.readDXF(os.environ["DRAWING"], document.Name, True, settings)
 layers = {o.Label: [Part.Wire(edges) for edges in Part.sortEdges(o.Shape.Edges)] for o in document.Objects if hasattr(o, "Shape")}
 texts = Counter(text for o in document.Objects if o.TypeId == "App::Annotation" for text in o.LabelText)
