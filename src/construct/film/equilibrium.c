@@ -358,6 +358,16 @@ static taut_status polish(taut_film_work *w, double *before, taut_error *error)
     return is_folded(w->functional) ? refuse_fold(w, error) : TAUT_OK;
 }
 
+taut_status taut_film_polish_again(taut_film_work *w, taut_error *error)
+{
+    double before = 0;
+
+    w->enough = residual_settled * w->region.tolerance;
+    const taut_status status = polish(w, &before, error);
+    w->enough = 0;
+    return status;
+}
+
 static taut_status refuse_rules(const taut_film_work *w, taut_error *error)
 {
     return taut_fail(

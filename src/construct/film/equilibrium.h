@@ -62,6 +62,10 @@ taut_status taut_film_report(const taut_film_work *w, taut_error *error);
  * not-converged; TAUT_NO_SOLUTION, TAUT_INTERRUPTED, TAUT_NO_MEMORY. */
 taut_status taut_film_rest(taut_film_work *w, double factor, taut_error *error);
 
+/* A few steps more along the moves, of a film that is nearly at rest: w->region.residual. TAUT_NOT_CONVERGED: folds, not-converged;
+ * TAUT_INTERRUPTED, TAUT_NO_MEMORY. */
+taut_status taut_film_polish_again(taut_film_work *w, taut_error *error);
+
 /* w->net: the film at rest that Newton's steps lead to, at most so many, minimum or not, with the forces that are given.
  * TAUT_NOT_CONVERGED: they lead to none. *at: of it. TAUT_NO_MEMORY. */
 taut_status taut_film_rest_any(taut_film_work *w, int steps, taut_film_rest_point *at,

@@ -4,6 +4,7 @@
  *     failed, and it is a ring: led apart from nearer edges (apart.h)
  *     failed, and there are cables: lowered from larger forces (stronger.h)
  *     so often as is asked: the film becomes the reference of its prestress
+ *     symmetric data: the film becomes symmetric (symmetry.h)
  */
 #include "construct/film/solve.h"
 
@@ -12,6 +13,7 @@
 #include "construct/film/freedom.h"
 #include "construct/film/ring.h"
 #include "construct/film/stronger.h"
+#include "construct/film/symmetry.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 
@@ -371,6 +373,9 @@ taut_status taut_film_solve(const taut_film_space *space, const taut_monitor *mo
     }
     if (status == TAUT_OK && problem->updates > 0) {
         status = update(&w, arena, solution, error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_film_make_symmetric(&w, arena, error);
     }
     if (status == TAUT_OK) {
         status = taut_film_report(&w, error);
