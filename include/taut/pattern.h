@@ -207,7 +207,7 @@ typedef struct taut_pattern_problem {
         strain; /* claim: the largest |principal strain| is no more; 0: that of the rule, or none */
     taut_pattern_held held;
     taut_pattern_ends ends;
-    int decompensate_count; /* at most 4; none with seams of true length */
+    int decompensate_count; /* at most 4; with held lengths on one surface alone */
     const taut_pattern_decompensate *decompensate;
 } taut_pattern_problem;
 
