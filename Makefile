@@ -2,7 +2,7 @@
 # No logic here: what is built is in CMakeLists.txt, what is installed in tools/deps.sh.
 TAUT = build/release/bin/taut
 
-.PHONY: demo test build deps gallery bench bench-dirichlet bench-documents bench-elementary bench-evaluate bench-gaps bench-make bench-plateau bench-web format check mutants reproduction reference site release install deb wasm studio \
+.PHONY: demo test build deps gallery bench bench-dirichlet bench-documents bench-elementary bench-evaluate bench-full bench-gaps bench-make bench-plateau bench-web format check mutants reproduction reference site release install deb wasm studio \
   python bench-python plugins windows clean help
 
 demo: build
@@ -57,7 +57,7 @@ bench-dirichlet bench-documents bench-elementary bench-evaluate bench-make bench
 	@cmake --build --preset bench --target $@
 	@OPENBLAS_NUM_THREADS=1 build/bench/bin/$@
 
-bench-gaps:
+bench-full bench-gaps:
 	@tools/deps.sh build
 	@cmake --preset bench
 	@cmake --build --preset bench --target $@

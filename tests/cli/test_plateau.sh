@@ -121,7 +121,7 @@ contains err.txt 'with 5 by 5 points'
 
 # A film that takes long, stopped with Ctrl-C by who sees its progress on a terminal: nothing is left behind, and the exit
 # code is that of the signal.
-"$TAUT" example plateau-curves | sed 's/"count": [0-9]*/"count": 120/g' > long.json
+"$TAUT" example plateau-curves | sed 's/"count": [0-9]*/"count": 300/g' > long.json
 until grep -q 'least area  [0-9]* s\|Script done' seen.txt 2> /dev/null; do
     sleep 0.05
 done | { cat; printf '\003'; } |

@@ -1,8 +1,8 @@
-/* approach.h -- large nets come near the least area along normals first.
+/* approach.h -- nets come near the least area along normals first.
  *
- * Where banded factors do not pay, steps of the whole net are by conjugate gradients, and moves
- * within the surface make those slow. Along normals there are none ([WuWang2011] 7.2): a few steps
- * bring the area to where the whole net has little left to gain. */
+ * Moves within the surface make steps of the whole net slow, and many. Along normals there are none
+ * ([WuWang2011] 7.2): a few cheap steps bring the area to where the whole net has little left to
+ * gain. */
 #ifndef TAUT_CONSTRUCT_PLATEAU_APPROACH_H
 #define TAUT_CONSTRUCT_PLATEAU_APPROACH_H
 

@@ -5,7 +5,7 @@
  *     rule  = the first number of Gauss nodes that the next one agrees with on the area of net
  *     hardly any area: no solution
  *     net   = the points to start from, if they are given, and a rule for them
- *     net so large that factors do not pay: come near along normals (construct/plateau/approach.h), unless points are passed
+ *     come near along normals (construct/plateau/approach.h), unless the net to start from is given, or an edge is free, or points are passed
  *         through: then steps leave the surface there (construct/plateau/held.h)
  *     repeat
  *         minimise the area from net, by rule (construct/plateau/trust_region.h)
@@ -41,6 +41,11 @@ enum {
     AREAS_MAX = 64, /* areas of iterations that are told */
 };
 static const double tolerance_default = 1e-10;
+/* Of the metric operator in every step in all coordinates: without it the net goes on sliding within the surface,
+ * rougher and rougher, for gains far below what its space misses of the least area. */
+static const double theta_smooth = 0x1p-15;
+static const double rest_step =
+    0.05; /* of the tolerance: a step in all coordinates that gains less is the last */
 /* Nodes on a cell beyond the functions alive there, each rule tried after the one before. */
 static const int extra_nodes[RULES] = {2, 4, 6, 9, 13, 19, 28, 42, 63, 95};
 
@@ -343,11 +348,11 @@ static int has_free_edge(const taut_mask *p)
     return found;
 }
 
-/* Is it worth while to come near along normals first (construct/plateau/approach.h)? */
-static int is_large(const work *w)
+/* May it come near along normals first (construct/plateau/approach.h)? */
+static int has_approach(const work *w)
 {
     return w->directions == NULL && w->problem->start == NULL && !w->region.has_free_edge &&
-           w->held == NULL && !w->is_rough && !taut_area_hessian_pays(w->functional, &w->mask);
+           w->held == NULL && !w->is_rough;
 }
 
 /* Spans over cells. Weights that vary from point to point cut the spans into thousands, and 200
@@ -526,6 +531,26 @@ static taut_status check_rule(const work *w, taut_error *error)
 
 /* ---- the whole ---- */
 
+/* Along normals, to where the whole net has little left to gain. What is left is within the surface: steps by
+ * factors begin with as much of the metric as they keep, those by conjugate gradients, each dearer with less of it, as ever. */
+static taut_status come_near(work *w, taut_error *error)
+{
+    const int before = w->region.iterations;
+
+    w->region.work_max = limits.work_least;
+    const taut_status status =
+        taut_plateau_approach(w->functional, &w->form, &w->mask, w->surface, w->aspect,
+                              &w->options->monitor, &w->region, w->net, &w->products, error);
+    w->region.work_max = 0;
+    if (status == TAUT_OK && w->region.iterations > before) {
+        const int pays = taut_area_hessian_pays(w->functional, &w->mask);
+        w->region.theta = pays ? theta_smooth : 0;
+        w->region.is_minimum = !pays; /* else a look at the factors tells, and costs little */
+        w->region.rest_from = taut_area_functional_value(w->functional, w->net).area;
+    }
+    return status;
+}
+
 /* Fills net. */
 static taut_status find_net(work *w, taut_error *error)
 {
@@ -552,12 +577,8 @@ static taut_status find_net(work *w, taut_error *error)
     }
     w->first_area = w->problem->start != NULL ? area : w->dirichlet_area;
     w->region.has_free_edge = has_free_edge(&w->mask);
-    if (is_large(w)) {
-        w->region.work_max = limits.work_least;
-        status =
-            taut_plateau_approach(w->functional, &w->form, &w->mask, w->surface, w->aspect,
-                                  &w->options->monitor, &w->region, w->net, &w->products, error);
-        w->region.work_max = 0;
+    if (has_approach(w)) {
+        status = come_near(w, error);
         if (status != TAUT_OK) {
             return status;
         }
@@ -719,6 +740,10 @@ taut_status taut_plateau_solve(const taut_plateau_problem *problem,
     w.region.tolerance = problem->tolerance > 0 ? problem->tolerance : tolerance_default;
     w.region.max_iterations =
         problem->max_iterations > 0 ? problem->max_iterations : ITERATIONS_DEFAULT;
+    if (problem->method == TAUT_PLATEAU_FULL) {
+        w.region.theta_least = theta_smooth;
+        w.region.rest_step = rest_step * w.region.tolerance;
+    }
     status = solve(&w, solution, error);
     work_clear(&w);
     return status;

@@ -47,6 +47,7 @@ static const struct {
     double residual_flat; /* residual: only below it a net may count as flat or slow */
     double residual_enough; /* residual: only below it the caller's `gain_enough` ends it */
     double loss_slow;       /* of the tolerance: share that PAST slow steps take at most */
+    double loss_last; /* of what the steps took since `rest_from`: the last one may take so much */
     double loss_creeping;   /* share: PAST steps that take less move the net, hardly the area */
     double theta_small;     /* only steps nearly Newton's may say that nothing is left to gain */
     double theta_first;     /* some of the metric operator to begin with, and behind a saddle */
@@ -73,6 +74,7 @@ static const struct {
     .residual_flat = 1e-6,
     .residual_enough = 8e-7,
     .loss_slow = 0.1,
+    .loss_last = 4e-3,
     .loss_creeping = 1e-7,
     .theta_small = 1e-6,
     .theta_first = 1e-2,
@@ -286,7 +288,8 @@ static int is_along_directions(const state *s)
 /* Below this theta the operator is as good as Newton's own. */
 static double small_theta(const state *s)
 {
-    return fmax(limits.theta_small, taut_newton_step_floor(s->newton));
+    const double given = fmax(taut_newton_step_floor(s->newton), s->region->theta_least);
+    return fmax(limits.theta_small, given);
 }
 
 static void raise_theta(state *s, int tries)
@@ -377,16 +380,24 @@ static int is_folding(const state *s)
     return s->is_barred || s->here.value.least < 1.5 * s->barrier;
 }
 
+/* Does one step tell that the net may rest? */
+static int rests_by_step(const state *s)
+{
+    return s->region->rest_step > 0 && !is_along_directions(s);
+}
+
 /* Has the area come so near its least that steps are not worth making? The net still slides within
  * the surface, each step for less. */
 static int is_slow(const state *s)
 {
+    const int is_one = rests_by_step(s), steps = is_one ? 1 : PAST;
     const double area = s->here.value.area;
-    const double before = s->past[s->steps % PAST];
+    const double before = s->past[(s->steps + PAST - steps) % PAST];
+    const double share = is_one ? s->region->rest_step : limits.loss_slow * s->region->tolerance;
+    const double enough = is_one ? limits.loss_last * (s->region->rest_from - area) : 0;
 
-    return s->steps >= PAST && s->here.residual <= limits.residual_flat &&
-           s->theta <= small_theta(s) &&
-           before - area <= limits.loss_slow * s->region->tolerance * area;
+    return s->steps >= steps && s->here.residual <= limits.residual_flat &&
+           (is_one || s->theta <= small_theta(s)) && before - area <= fmax(enough, share * area);
 }
 
 /* May the net rest here? Its slow sliding ends only where the surface is level as well. */
@@ -484,6 +495,7 @@ static taut_status advance(state *s, int *at_rest)
         }
         const int was_flat = is_flat(s);
         if (!was_flat && stretch_step(s)) {
+            *at_rest = rests_by_step(s) && may_rest(s);
             return TAUT_OK;
         }
         follow_curve(s);
@@ -623,6 +635,9 @@ static taut_status check_minimum(state *s, int *at_rest, taut_error *error)
     taut_status status = TAUT_OK;
 
     *at_rest = 1;
+    if (s->region->is_minimum) {
+        return TAUT_OK;
+    }
     s->theta = normal;
     status = find_definite(s);
     if (status == TAUT_OK && s->theta > normal) {
@@ -735,8 +750,9 @@ static taut_status iterate(state *s, taut_error *error)
             return give_up(s, limit, error);
         }
         const double before = s->here.value.area;
+        const int steps = s->steps;
         status = advance(s, &at_rest);
-        region->iterations += !at_rest;
+        region->iterations += rests_by_step(s) ? s->steps > steps : !at_rest;
         note_area(s);
         const int has_enough = status == TAUT_OK && is_enough(s, before);
         at_rest = at_rest || has_enough;

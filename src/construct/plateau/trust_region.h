@@ -21,7 +21,13 @@ typedef struct taut_trust_region {
     int areas_max;
     double work_max;    /* flops, about: more are not spent on the way */
     double theta_least; /* theta is not lowered below it: moves that the area does not see then
-                         * stay smooth, and symmetric; at most 1e-6 */
+                         * stay smooth, and symmetric */
+    double
+        rest_step; /* share: a step in all coordinates that gains less is the last, where the surface is
+                         * level then; 0: five steps have to gain less than a tenth of the tolerance */
+    double rest_from; /* area: a step that gains less than 1/250 of what there was from here on is
+                         * the last, too; 0: none */
+    int is_minimum;   /* the net given is a minimum along normals: no saddle is looked for */
     double
         gain_enough; /* share: a step that gains less is the last, where the residual is below `residual_enough` (0: 8e-7) and
                          * its theta was at most `theta_enough` (0: any); 0: the area is followed to rounding */
