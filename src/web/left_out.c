@@ -12,6 +12,7 @@
 #include "io/format.h"
 #include "io/mesh/cloth.h"
 #include "io/problem/boundary_file.h"
+#include "io/problem/document_ops.h"
 #include "io/problem/film_along.h"
 #include "io/problem/film_curves.h"
 #include "io/problem/film_patches.h"
@@ -300,6 +301,25 @@ static taut_status certify_cloth(const taut_model *model, const void *data, cons
 
 const taut_construct_ops taut_construct_pattern = {.make = make_cloth};
 const taut_certify_ops taut_certify_pattern = {.certify = certify_cloth};
+
+static void read_cloth(taut_reader *document, taut_problem *problem, void *data)
+{
+    (void)problem;
+    (void)data;
+    document->status = refuse_cloth(document->error);
+}
+
+/* As io/problem/pattern.c has them, so that a member that is none is named here too. */
+static const char *const cloth_members[] = {
+    "pattern",      "of",        "surface",      "seams",     "seam_length", "cloth",
+    "compensation", "prestress", "decompensate", "allowance", "held",        "ends",
+    "hems",         "marks",     "strain",       "untrim",    NULL};
+
+const taut_document_ops taut_document_pattern = {
+    .members = cloth_members,
+    .size = 1,
+    .read = read_cloth,
+};
 
 int taut_flat_is_cloth(const taut_model *model)
 {
