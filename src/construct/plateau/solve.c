@@ -551,6 +551,32 @@ static taut_status come_near(work *w, taut_error *error)
     return status;
 }
 
+/* From the net at hand to rest. */
+static taut_status settle(work *w, taut_error *error)
+{
+    taut_status status = minimise_by_rules(w, error);
+
+    if (status == TAUT_OK && w->directions == NULL) { /* "normal" stops at the tolerance */
+        status = sharpen_residual(w, error);
+    }
+    return status == TAUT_OK ? check_rule(w, error) : status;
+}
+
+/* Are all steps made that are allowed, or all that their work allows? */
+static int is_spent(const work *w)
+{
+    return w->region.iterations >= w->region.max_iterations || w->region.work >= w->region.work_max;
+}
+
+/* What lies near along the normals may fold as it goes on: from the Dirichlet surface in all coordinates, then. */
+static void begin_anew(work *w)
+{
+    scale_points(w, taut_surface_points(w->surface));
+    w->region.theta = 0;
+    w->region.rest_from = 0;
+    w->region.is_minimum = 0;
+}
+
 /* Fills net. */
 static taut_status find_net(work *w, taut_error *error)
 {
@@ -583,17 +609,12 @@ static taut_status find_net(work *w, taut_error *error)
             return status;
         }
     }
-    status = minimise_by_rules(w, error);
-    if (status != TAUT_OK) {
-        return status;
+    status = settle(w, error);
+    if (status == TAUT_NOT_CONVERGED && w->region.rest_from > 0 && !is_spent(w)) {
+        begin_anew(w);
+        status = settle(w, error);
     }
-    if (w->directions == NULL) { /* "normal" stops at the tolerance */
-        status = sharpen_residual(w, error);
-        if (status != TAUT_OK) {
-            return status;
-        }
-    }
-    return check_rule(w, error);
+    return status;
 }
 
 /* Is there a net to show, though the work is not done? */

@@ -211,9 +211,56 @@ static void test_few(void)
     }
 }
 
+static double waves(const double k[6], double u, double v)
+{
+    return k[0] * sin(2 * u + k[1]) * cos(3 * v * k[2]) + 0.5 * k[3] * sin(4 * v + k[4]) * u +
+           k[5] * u * v;
+}
+
+/* Clamped, degree p, on [0, 1]. */
+static double greville_of(int p, int count, int i)
+{
+    double sum = 0;
+    for (int k = i + 1; k <= i + p; k++) {
+        sum += fmin(1, fmax(0, (double)(k - p) / (count - p)));
+    }
+    return sum / p;
+}
+
+/* A boundary whose film folds where it goes on from the one along normals, and not where it begins at the Dirichlet surface. */
+static void test_anew(void)
+{
+    enum { NU = 15, NV = 5 };
+    static const double x[6] = {0.6, 0.37, 0.49, 0.4, -0.6, -0.58},
+                        y[6] = {-0.17, -1.13, -0.27, 0.16, -0.81, 0.15},
+                        z[6] = {0.41, 1.38, 0.23, 1.83, -0.1, -1.85};
+    test_problem net = problem_new(basis_uniform(5, NU), basis_uniform(3, NV));
+    taut_plateau_problem problem = film_problem(&net, TAUT_PLATEAU_FULL);
+    taut_model *model = NULL;
+    taut_error error = {0};
+
+    for (int i = 0; i < NU; i++) {
+        for (int j = 0; j < NV; j++) {
+            const double u = greville_of(5, NU, i), v = greville_of(3, NV, j);
+            if (i % (NU - 1) == 0 || j % (NV - 1) == 0) {
+                problem_know(&net, i, j, u + 0.45 * waves(x, u, v), v + 0.45 * waves(y, u, v),
+                             1.5 * waves(z, u, v));
+            }
+        }
+    }
+    problem.without_least = 1;
+    CHECK(taut_plateau_make(&problem, NULL, &model, &error) == TAUT_OK, "%s", error.message);
+    if (model != NULL) {
+        (void)film_proved_area(model, &problem, "anew");
+    }
+    taut_model_free(model);
+    problem_free(&net);
+}
+
 int main(void)
 {
     test_few();
+    test_anew();
     test_near();
     test_nothing();
     test_stopped();
