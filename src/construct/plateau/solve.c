@@ -5,13 +5,14 @@
  *     rule  = the first number of Gauss nodes that the next one agrees with on the area of net
  *     hardly any area: no solution
  *     net   = the points to start from, if they are given, and a rule for them
- *     come near along normals (construct/plateau/approach.h), unless the net to start from is given, or an edge is free, or points are passed
- *         through: then steps leave the surface there (construct/plateau/held.h)
+ *     come near along normals (construct/plateau/approach.h), unless the net to start from is given, an edge is
+ *         free, or points are passed through: then steps leave the surface there (construct/plateau/held.h)
  *     repeat
  *         minimise the area from net, by rule (construct/plateau/trust_region.h)
  *         rule = the first from here on that the next one agrees with on the area of net
  *     until the rule stays
  *     where it costs little, raise the rule and minimise until the residual stays too
+ *     that leads nowhere from what is near along the normals: the same from the Dirichlet surface
  *     the rules still disagree on the area: the surface folds
  *     points = net in the user's units, between the known ones, which stay bit for bit
  *
@@ -575,6 +576,7 @@ static void begin_anew(work *w)
     w->region.theta = 0;
     w->region.rest_from = 0;
     w->region.is_minimum = 0;
+    w->region.areas_count = 0; /* those told are of the way to the film */
 }
 
 /* Fills net. */

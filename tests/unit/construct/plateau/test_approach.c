@@ -251,7 +251,13 @@ static void test_anew(void)
     problem.without_least = 1;
     CHECK(taut_plateau_make(&problem, NULL, &model, &error) == TAUT_OK, "%s", error.message);
     if (model != NULL) {
+        const taut_record *areas = taut_record_get(taut_model_details(model), "areas");
         (void)film_proved_area(model, &problem, "anew");
+        for (size_t k = 1; k < taut_record_count(areas); k++) { /* those of the fold are not told */
+            CHECK(taut_record_number(taut_record_at(areas, k)) <=
+                      taut_record_number(taut_record_at(areas, k - 1)) * (1 + 1e-15),
+                  "area %zu is more", k);
+        }
     }
     taut_model_free(model);
     problem_free(&net);
