@@ -186,6 +186,12 @@ typedef enum taut_pattern_ends {
     TAUT_PATTERN_ENDS_STRAIGHT /* straight and square to y_1, along which the thread runs */
 } taut_pattern_ends;
 
+/* What pieces are laid flat by. */
+typedef enum taut_pattern_flattening {
+    TAUT_PATTERN_ELASTIC = 0, /* W above */
+    TAUT_PATTERN_CONFORMAL /* angles are kept, seams have the surface's length: for prints, not for cloth */
+} taut_pattern_flattening;
+
 /* Zero means default everywhere. One of `model` and `of`. */
 typedef struct taut_pattern_problem {
     const taut_model *model; /* the surface is in it */
@@ -209,6 +215,8 @@ typedef struct taut_pattern_problem {
     taut_pattern_ends ends;
     int decompensate_count; /* at most 4; with held lengths on one surface alone */
     const taut_pattern_decompensate *decompensate;
+    taut_pattern_flattening
+        flatten; /* conformal: without material, compensation, prestress, held edges and straight ends */
 } taut_pattern_problem;
 
 /* Reasons: word, meaning, remedy. */

@@ -514,8 +514,9 @@ def pattern(*, pattern: Literal["cloth"], of: Union[ModelLike, Surface, str, os.
         prestress: Union[npt.ArrayLike, Literal["film"]] | None = None, decompensate: Sequence[Any] | None = None,
         allowance: Mapping[str, Any] | None = None, held: Sequence[Any] | None = None,
         ends: Literal["free", "straight"] | None = None, hems: Sequence[Any] | None = None,
-        marks: Mapping[str, Any] | None = None, strain: float | None = None, tolerance: float | None = None,
-        threads: int | None = None, progress: Progress | None = None, strict: bool = False) -> Model:
+        marks: Mapping[str, Any] | None = None, strain: float | None = None,
+        flatten: Literal["elastic", "conformal"] | None = None, tolerance: float | None = None, threads: int | None = None,
+        progress: Progress | None = None, strict: bool = False) -> Model:
     """Flat pieces of cloth that are sewn together to a surface.
 
     pattern                what it is cut of
@@ -538,6 +539,8 @@ def pattern(*, pattern: Literal["cloth"], of: Union[ModelLike, Surface, str, os.
     hems                   borders that are folded over
     marks                  marks that meet when a seam is sewn
     strain                 claimed: no principal strain is larger; above 0
+    flatten                so that cloth is strained least, or by angles, which are kept: for prints; one of "elastic",
+                           "conformal"; "elastic" if not given
     tolerance              largest distance from the exact surface over its size, where one is approximated; 1e-6 if not
                            given
     threads                how many, 1 to 256; 1 if not given; the result is the same
@@ -557,7 +560,7 @@ def pattern(*, pattern: Literal["cloth"], of: Union[ModelLike, Surface, str, os.
     said: dict[str, Any] = {"pattern": pattern, "of": of, "seams": seams, "unit": unit, "surface": surface,
         "seam_length": seam_length, "cloth": cloth, "untrim": untrim, "compensation": compensation, "prestress": prestress,
         "decompensate": decompensate, "allowance": allowance, "held": held, "ends": ends, "hems": hems, "marks": marks,
-        "strain": strain}
+        "strain": strain, "flatten": flatten}
     return made_of("pattern", said, None, tolerance=tolerance, threads=threads, progress=progress, strict=strict)
 
 

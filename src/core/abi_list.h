@@ -476,7 +476,8 @@
     X(taut_pattern_problem, held, "taut_pattern_held") \
     X(taut_pattern_problem, ends, "taut_pattern_ends") \
     X(taut_pattern_problem, decompensate_count, "int") \
-    X(taut_pattern_problem, decompensate, "const taut_pattern_decompensate *")
+    X(taut_pattern_problem, decompensate, "const taut_pattern_decompensate *") \
+    X(taut_pattern_problem, flatten, "taut_pattern_flattening")
 
 #define TAUT_ABI_MEMBERS_taut_pattern_rule(X) \
     X(taut_pattern_rule, kind, "taut_pattern_rule_kind") \
@@ -990,6 +991,10 @@
     X(TAUT_PATTERN_ENDS_FREE, "free") \
     X(TAUT_PATTERN_ENDS_STRAIGHT, "straight")
 
+#define TAUT_ABI_VALUES_taut_pattern_flattening(X) \
+    X(TAUT_PATTERN_ELASTIC, "elastic") \
+    X(TAUT_PATTERN_CONFORMAL, "conformal")
+
 #define TAUT_ABI_VALUES_taut_pattern_notch(X) \
     X(TAUT_PATTERN_SLIT, "slit") \
     X(TAUT_PATTERN_V, "v") \
@@ -1133,6 +1138,7 @@
     X(taut_pattern_component) \
     X(taut_pattern_corner) \
     X(taut_pattern_ends) \
+    X(taut_pattern_flattening) \
     X(taut_pattern_notch) \
     X(taut_pattern_place) \
     X(taut_pattern_rule_kind) \

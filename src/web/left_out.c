@@ -313,7 +313,7 @@ static void read_cloth(taut_reader *document, taut_problem *problem, void *data)
 static const char *const cloth_members[] = {
     "pattern",      "of",        "surface",      "seams",     "seam_length", "cloth",
     "compensation", "prestress", "decompensate", "allowance", "held",        "ends",
-    "hems",         "marks",     "strain",       "untrim",    NULL};
+    "hems",         "marks",     "strain",       "flatten",   "untrim",      NULL};
 
 const taut_document_ops taut_document_pattern = {
     .members = cloth_members,

@@ -119,6 +119,16 @@ contains err.txt 'allowance +DOES NOT HOLD'
 sed 's/"S2"/"S9"/' own.json > none-own.json
 refused 3 'allowance /allowance/S9' make none-own.json -o none.json
 
+# For prints: no drawing to cut by.
+"$TAUT" example pattern-sphere | sed 's/"seams"/"flatten": "conformal", "seams"/' > print.json
+run 0 make print.json --quiet -o print-made.json -o print.svg
+run 0 certify print-made.json print.json
+contains err.txt 'conformal +holds'
+run 0 certify print-made.json
+refused 4 'no-drawing /details/flatten' convert print-made.json -o none.dxf
+sed 's/"conformal"/"even"/' print.json > none-print.json
+refused 3 'name /flatten' make none-print.json -o none.json
+
 # Drawings, as another program reads them.
 if python_with ezdxf; then
     for name in made own; do

@@ -310,6 +310,8 @@ static void take_asked(taut_cloth *cloth, const taut_record *details)
     cloth->is_true = strcmp(taut_record_text(taut_record_get(details, "seam_length")), "true") == 0;
     cloth->is_straight =
         strcmp(taut_record_text(taut_record_get(details, "ends")), "straight") == 0;
+    cloth->is_conformal =
+        strcmp(taut_record_text(taut_record_get(details, "flatten")), "conformal") == 0;
     cloth->has_seam = taut_record_get(share, "seam") != NULL;
     cloth->seam = number_of(share, "seam");
     cloth->warp = number_of(share, "warp");
@@ -320,7 +322,8 @@ static void take_asked(taut_cloth *cloth, const taut_record *details)
     if (cloth->problem != NULL) {
         m = cloth->problem->cloth.material;
         cloth->has_law = m.g > 0;
-        cloth->is_true = cloth->problem->seam_length == TAUT_PATTERN_TRUE;
+        cloth->is_conformal = cloth->problem->flatten == TAUT_PATTERN_CONFORMAL;
+        cloth->is_true = cloth->problem->seam_length == TAUT_PATTERN_TRUE || cloth->is_conformal;
         cloth->is_straight = cloth->problem->ends == TAUT_PATTERN_ENDS_STRAIGHT;
         cloth->has_seam = cloth->problem->compensation.has_seam;
         cloth->seam = cloth->problem->compensation.seam;

@@ -76,7 +76,8 @@ typedef struct taut_cloth {
     char where[96];
     /* what was asked for */
     int is_true, is_straight, has_law;
-    int has_seam; /* lengths that are held have a compensation of their own, `seam` */
+    int is_conformal; /* angles are kept, and W is that of nothing that was made least */
+    int has_seam;     /* lengths that are held have a compensation of their own, `seam` */
     double seam;
     double law[4]; /* D11, D22, D12, D33 */
     double warp, weft, thread;

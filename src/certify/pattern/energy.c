@@ -248,6 +248,12 @@ static void principal(const density *d, double strain[2])
     strain[1] = sqrt(half + radius) - 1;
 }
 
+/* How far apart the two are at one place: angles change by that. */
+static void look_at_angle(const double strain[2], taut_cloth_state *state)
+{
+    state->angle = taut_certify_max(state->angle, (1 + strain[1]) / (1 + strain[0]) - 1);
+}
+
 /* Adds a place's second variation to a cell's matrix, its lower triangle: entry (2 x + d, 2 z + e). */
 static void add_second(double weight, const double row[CELL][2], double second[4][4],
                        double cell[2 * CELL][2 * CELL])
@@ -343,6 +349,9 @@ static void integrate(work *w, int solved)
             principal(&d, strain);
             w->state->largest =
                 taut_certify_max(w->state->largest, fmax(fabs(strain[0]), fabs(strain[1])));
+            look_at_angle(strain, w->state);
+            const double apart = 1 / (1 + strain[0]) - 1 / (1 + strain[1]);
+            w->state->conformal += weight * area * apart * apart / 2;
             if (!solved) {
                 continue;
             }
@@ -670,6 +679,7 @@ static void look_around(work *w)
             }
             state->largest =
                 taut_certify_max(state->largest, fmax(fabs(strain[0]), fabs(strain[1])));
+            look_at_angle(strain, state);
         }
     }
 }

@@ -11,9 +11,11 @@ typedef struct taut_cloth_state {
         plain; /* W of the law asked for, and of the one that makes all strains' squares least */
     double
         strain[2]; /* least and largest principal ones of places on a grid, the border among them */
-    double inner[2]; /* of those not within 0.05 of a corner in s and in t */
-    double largest;  /* |strain| of all of them, and of the places of quadrature */
-    double residual; /* gradient of the Lagrangian over the largest that strains of 1 would give */
+    double inner[2];  /* of those not within 0.05 of a corner in s and in t */
+    double largest;   /* |strain| of all of them, and of the places of quadrature */
+    double angle;     /* the largest ratio of the two stretches at one of these places, less 1 */
+    double conformal; /* what angles cost: Dirichlet's integral of the flat piece less its area */
+    double residual;  /* gradient of the Lagrangian over the largest that strains of 1 would give */
     double
         stiffness; /* lowest eigenvalue on the constraints over the largest of the diagonal; NaN: not looked at;
                               * -1: there is none above 0 */

@@ -7,6 +7,7 @@
  *   layout, thread, compensation, details   (certify/pattern/asked.h)
  *   stationary   gradient of the Lagrangian over the largest that strains of 1 would give; of pieces that were solved (check)
  *   stable       the lowest eigenvalue on the constraints over the largest of the diagonal; of these (check)
+ *   conformal    of all pieces that were laid flat by angles: the largest ratio of both stretches, less 1 (check)
  *   isometric    largest strain of pieces that are told to have none (check)
  *   strain       largest principal strain, where one is asked for (check)
  *   exhausts     certify/pattern/area.h
@@ -31,6 +32,8 @@
 #include <string.h>
 
 static const double tolerance_default = 1e-6, stationary_limit = 1e-9, isometric_limit = 1e-11;
+/* Of the ratio of stretches: at corners angles are off by what a spline leaves of r^2 log r. */
+static const double angle_limit = 1e-3;
 /* Of a piece for the pulse: operations, roughly. */
 static const double work_of_piece = 5e7;
 
@@ -48,7 +51,8 @@ static void look(void *context, int worker, int64_t task)
     const states *s = context;
     const taut_cloth_piece *piece = &s->cloth->pieces[task];
     (void)worker;
-    s->status[task] = taut_cloth_look_at(s->cloth, piece, !piece->is_developed, &s->list[task]);
+    s->status[task] = taut_cloth_look_at(
+        s->cloth, piece, !piece->is_developed && !s->cloth->is_conformal, &s->list[task]);
 }
 
 static void find_limit(void *context, int worker, int64_t task)
@@ -86,7 +90,8 @@ static taut_status look_at_all(const taut_cloth *cloth, taut_arena *arena, taut_
 static taut_status add_states(const taut_cloth *cloth, const taut_cloth_state *list,
                               taut_certificate *certificate)
 {
-    taut_worst gradient = {0, ""}, isometric = {0, ""}, stable = {0, ""}, strain = {0, ""};
+    taut_worst gradient = {0, ""}, isometric = {0, ""}, stable = {0, ""}, strain = {0, ""},
+               angle = {0, ""};
     int solved = 0, developed = 0;
     double lowest = INFINITY;
 
@@ -94,9 +99,13 @@ static taut_status add_states(const taut_cloth *cloth, const taut_cloth_state *l
         const taut_cloth_piece *piece = &cloth->pieces[k];
         const taut_cloth_state *one = &list[k];
         taut_worst_take(&strain, one->is_folded ? INFINITY : one->largest, piece->name, 0);
+        taut_worst_take(&angle, one->is_folded ? INFINITY : one->angle, piece->name, 0);
         if (piece->is_developed) {
             developed = 1;
             taut_worst_take(&isometric, one->is_folded ? INFINITY : one->largest, piece->name, 0);
+            continue;
+        }
+        if (cloth->is_conformal) {
             continue;
         }
         solved = 1;
@@ -106,8 +115,10 @@ static taut_status add_states(const taut_cloth *cloth, const taut_cloth_state *l
             snprintf(stable.where, sizeof stable.where, "%.40s", piece->name);
         }
     }
-    taut_status status = TAUT_OK;
-    if (solved) {
+    taut_status status = cloth->is_conformal ? taut_worst_add(&angle, "conformal", TAUT_CHECK,
+                                                              angle_limit, certificate)
+                                             : TAUT_OK;
+    if (status == TAUT_OK && solved) {
         status = taut_worst_add(&gradient, "stationary", TAUT_CHECK, stationary_limit, certificate);
     }
     if (status == TAUT_OK && solved) {
@@ -137,6 +148,7 @@ static taut_status add_figures(const taut_cloth *cloth, const taut_cloth_state *
     taut_record *figures = taut_record_new();
     const taut_record *roll = taut_record_get(taut_model_details(cloth->model), "roll");
     double flat = 0, cut = 0, energy = 0, plain = 0, seams = 0, unavoidable = 0, expected = 0;
+    double conformal = 0;
     double strain[2] = {INFINITY, -INFINITY}, inner[2] = {INFINITY, -INFINITY};
 
     for (int k = 0; k < cloth->piece_count; k++) {
@@ -144,6 +156,7 @@ static taut_status add_figures(const taut_cloth *cloth, const taut_cloth_state *
         cut += taut_cloth_cut_area(cloth, &cloth->pieces[k]);
         energy += list[k].energy;
         plain += list[k].plain;
+        conformal += list[k].conformal;
         strain[0] = taut_certify_min(strain[0], list[k].strain[0]);
         strain[1] = taut_certify_max(strain[1], list[k].strain[1]);
         inner[0] = taut_certify_min(inner[0], list[k].inner[0]);
@@ -177,6 +190,9 @@ static taut_status add_figures(const taut_cloth *cloth, const taut_cloth_state *
     taut_record_add_number(figures, "inner_min_strain", inner[0]);
     taut_record_add_number(figures, "rms_strain", sqrt(2 * plain / area));
     taut_record_add_number(figures, "energy", ldexp(energy, 2 * cloth->unit));
+    if (cloth->is_conformal) {
+        taut_record_add_number(figures, "conformal_energy", ldexp(conformal, 2 * cloth->unit));
+    }
     if (cloth->fade_count > 0) { /* the theorem is of one compensation everywhere */
         taut_record_add_null(figures, "unavoidable_strain");
     } else {

@@ -393,6 +393,9 @@ void taut_pattern_describe(const taut_pattern_told *told, taut_record *details)
     describe_decompensate(told->cut, details);
     taut_record_add_text(details, "seam_length",
                          told->cut->seam_length == TAUT_PATTERN_TRUE ? "true" : "shared");
+    if (told->cut->is_conformal) {
+        taut_record_add_text(details, "flatten", "conformal");
+    }
     double strain = problem->strain;
     for (int k = 0; !(problem->strain > 0) && k < problem->rule_count; k++) {
         strain = fmax(strain, problem->rules[k].strain);

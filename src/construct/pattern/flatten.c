@@ -1,5 +1,6 @@
 #include "construct/pattern/flatten.h"
 
+#include "construct/pattern/conformal.h"
 #include "construct/pattern/develop.h"
 #include "construct/pattern/strains.h"
 #include "core/constants.h"
@@ -325,8 +326,18 @@ typedef struct pass {
 
 static taut_flat_strip strip_of(const taut_pattern_across *across)
 {
-    return (taut_flat_strip){taut_pattern_across_metric, across,
-                             across->piece->fade_count > 0 ? taut_pattern_across_shrink : NULL};
+    return (taut_flat_strip){
+        across->piece->log_scale != NULL ? taut_pattern_scaled_metric : taut_pattern_across_metric,
+        across, across->piece->fade_count > 0 ? taut_pattern_across_shrink : NULL};
+}
+
+/* Areas and energies are those of the cloth: of the piece's own metric. */
+static void measure(const taut_pattern_across *across, taut_flat *flat)
+{
+    const taut_flat_strip own = {taut_pattern_across_metric, across, NULL};
+    if (across->piece->log_scale != NULL) {
+        taut_flat_measure(&own, flat);
+    }
 }
 
 /* What is asked of this piece. */
@@ -346,7 +357,6 @@ static void alone(void *context, int worker, int64_t task)
     taut_pattern_piece *piece = &p->layout->pieces[task];
     taut_pattern_kept kept = {.s = NAN};
     const taut_pattern_across across = {piece, &kept};
-    const taut_flat_strip strip = strip_of(&across);
     const taut_flat_options own = options_of(p, piece, worker);
 
     taut_pattern_look_at_curvature(piece);
@@ -360,9 +370,16 @@ static void alone(void *context, int worker, int64_t task)
     }
     taut_arena *scratch = taut_arena_new();
     taut_flat flat = {.steps = 0};
-    taut_status status =
-        scratch != NULL ? taut_flatten(scratch, &strip, &own, NULL, &flat) : TAUT_NO_MEMORY;
+    taut_status status = scratch != NULL ? TAUT_OK : TAUT_NO_MEMORY;
+    if (status == TAUT_OK && p->cut->is_conformal) {
+        status = taut_pattern_find_scale(piece, p->arenas[task]);
+    }
     if (status == TAUT_OK) {
+        const taut_flat_strip strip = strip_of(&across);
+        status = taut_flatten(scratch, &strip, &own, NULL, &flat);
+    }
+    if (status == TAUT_OK) {
+        measure(&across, &flat);
         status = taut_flat_copy(p->arenas[task], &flat, &piece->alone);
     }
     if (status == TAUT_OK) {
@@ -423,8 +440,12 @@ static taut_status hold_piece(const pass *p, int index, int worker, taut_arena *
         *flat = piece->alone;
         return TAUT_OK;
     }
-    return taut_flatten(scratch, &strip, &own,
-                        piece->is_developable || own.straight ? NULL : &piece->alone, flat);
+    const taut_status status = taut_flatten(
+        scratch, &strip, &own, piece->is_developable || own.straight ? NULL : &piece->alone, flat);
+    if (status == TAUT_OK) {
+        measure(&across, flat);
+    }
+    return status;
 }
 
 static void together(void *context, int worker, int64_t task)

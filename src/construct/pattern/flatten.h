@@ -18,7 +18,8 @@ typedef struct taut_pattern_cut {
     taut_pattern_compensation compensation;
     double thread;
     taut_pattern_held held;
-    int is_straight; /* start and end of pieces are */
+    int is_straight;  /* start and end of pieces are */
+    int is_conformal; /* angles are kept, and seams have the surface's length */
     int decompensate_count;
     const taut_pattern_decompensate *decompensate;
 } taut_pattern_cut;

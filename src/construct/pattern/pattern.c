@@ -256,6 +256,34 @@ static taut_status check_decompensate(const taut_pattern_problem *problem, taut_
     return status;
 }
 
+/* Pieces of which angles are kept have no material, and are not made smaller or held. */
+static taut_status check_flatten(const taut_pattern_problem *problem, taut_error *error)
+{
+    const taut_pattern_compensation *c = &problem->compensation;
+    const char *beside = NULL;
+    int held = 0;
+    for (int k = 0; k < 4; k++) {
+        held |= problem->held.borders[k] || problem->held.edges[k];
+    }
+    beside = problem->cloth.material.g > 0                 ? "/cloth/material"
+             : problem->has_prestress                      ? "/prestress"
+             : c->warp != 0 || c->weft != 0 || c->has_seam ? "/compensation"
+             : problem->decompensate_count > 0             ? "/decompensate"
+             : held                                        ? "/held"
+             : problem->ends == TAUT_PATTERN_ENDS_STRAIGHT ? "/ends"
+                                                           : NULL;
+    if ((unsigned)problem->flatten > TAUT_PATTERN_CONFORMAL) {
+        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", "/flatten", (int)problem->flatten,
+                         TAUT_PATTERN_CONFORMAL, "found a way of flattening that is not known");
+    }
+    return problem->flatten == TAUT_PATTERN_CONFORMAL && beside != NULL
+               ? taut_fail(
+                     error, TAUT_BAD_INPUT, "conflict", beside, taut_none, taut_none,
+                     "found it beside \"flatten\": \"conformal\", which looks at angles alone, "
+                     "expected one of them")
+               : TAUT_OK;
+}
+
 static taut_status check_problem(const taut_pattern_problem *problem, taut_error *error)
 {
     const taut_pattern_compensation *c = problem != NULL ? &problem->compensation : NULL;
@@ -265,6 +293,9 @@ static taut_status check_problem(const taut_pattern_problem *problem, taut_error
                          "a pattern needs a model or a problem of its surface, and a rule");
     }
     taut_status status = check_rules(problem, error);
+    if (status == TAUT_OK) {
+        status = check_flatten(problem, error);
+    }
     if (status == TAUT_OK) {
         status = check_range(problem->cloth.width, 0, 1e300, "value", "/cloth/width", error);
     }
@@ -332,7 +363,10 @@ static taut_status check_problem(const taut_pattern_problem *problem, taut_error
 static void take_cut(request *r)
 {
     const taut_pattern_material *m = &r->problem->cloth.material;
-    r->cut = (taut_pattern_cut){.seam_length = r->problem->seam_length,
+    const int is_conformal = r->problem->flatten == TAUT_PATTERN_CONFORMAL;
+    r->cut = (taut_pattern_cut){.seam_length =
+                                    is_conformal ? TAUT_PATTERN_TRUE : r->problem->seam_length,
+                                .is_conformal = is_conformal,
                                 .has_law = m->g > 0,
                                 .compensation = compensation_of(r->problem),
                                 .thread = r->problem->cloth.thread,

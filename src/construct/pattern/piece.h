@@ -46,7 +46,9 @@ typedef struct taut_pattern_piece {
     double shares[2]; /* by which warp and weft are cut smaller, away from `fades` */
     int fade_count;
     const taut_pattern_fade *fades;
-    int spans[2];     /* of its flat piece */
+    int spans[2]; /* of its flat piece */
+    const double *
+        log_scale; /* coefficients of a spline on these (conformal.h); NULL: what is laid flat is the piece's own metric */
     double curvature; /* iint K dA */
     int is_developable;
     taut_flat alone, flat; /* of pass 1 and 2, in the carrier's unit */

@@ -15,6 +15,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 enum { PANELS, NAMES };
 
@@ -163,6 +164,13 @@ static taut_status write_curves(const taut_model *model, const taut_write_option
     return status;
 }
 
+/* Pieces that keep angles are no cloth. */
+static int is_print(const taut_model *model)
+{
+    const taut_record *way = taut_record_get(taut_model_details(model), "flatten");
+    return strcmp(taut_record_text(way), "conformal") == 0;
+}
+
 static taut_status write_dxf(const taut_model *model, const taut_write_options *options, FILE *out,
                              taut_error *error)
 {
@@ -170,7 +178,12 @@ static taut_status write_dxf(const taut_model *model, const taut_write_options *
         return write_panels(model, options, out, error);
     }
     if (taut_flat_is(model)) {
-        return taut_r12_write(model, out, error);
+        return is_print(model)
+                   ? taut_fail(error, TAUT_NO_SOLUTION, "no-drawing", "/details/flatten", taut_none,
+                               taut_none,
+                               "found pieces that are laid flat by angles, for prints, expected "
+                               "ones to cut cloth by: write .svg or .pdf, or leave out \"flatten\"")
+                   : taut_r12_write(model, out, error);
     }
     if (taut_model_curve_count(model) > 0) {
         return write_curves(model, options, out, error);

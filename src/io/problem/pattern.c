@@ -18,9 +18,10 @@
 static const char *const members[] = {
     "pattern",      "of",        "surface",      "seams",     "seam_length", "cloth",
     "compensation", "prestress", "decompensate", "allowance", "held",        "ends",
-    "hems",         "marks",     "strain",       "untrim",    NULL};
+    "hems",         "marks",     "strain",       "flatten",   "untrim",      NULL};
 static const char *const patterns[] = {"cloth", NULL};
 static const char *const lengths[] = {"shared", "true", NULL};
+static const char *const flattenings[] = {"elastic", "conformal", NULL};
 static const char *const sides[] = {"upper", "lower", NULL};
 static const char *const ends[] = {"free", "straight", NULL};
 static const char *const edges[] = {"u0", "u1", "v0", "v1", NULL};
@@ -747,6 +748,9 @@ static void pattern_read(taut_reader *document, taut_problem *problem, void *int
     word = 0;
     taut_reader_optional_word(document, "seam_length", lengths, &word);
     data->seam_length = (taut_pattern_seam_length)word;
+    word = 0;
+    taut_reader_optional_word(document, "flatten", flattenings, &word);
+    data->flatten = (taut_pattern_flattening)word;
     taut_reader_optional(document, "cloth", read_cloth, &data->cloth);
     taut_reader_optional(document, "compensation", read_compensation, &data->compensation);
     read_prestress(document, data);

@@ -1040,3 +1040,30 @@ double taut_flat_edge_length(const taut_flat *flat, const taut_flat_strip *strip
     }
     return sum;
 }
+
+void taut_flat_measure(const taut_flat_strip *strip, taut_flat *flat)
+{
+    double node[GAUSS], weight[GAUSS];
+    const double all[2] = {1 - flat->warp, 1 - flat->weft};
+    const int count[2] = {flat->spans[0] * GAUSS, flat->spans[1] * GAUSS};
+    taut_gauss_rule(GAUSS, node, weight);
+    flat->area = flat->energy = 0;
+    for (int k = 0; k < count[0] * count[1]; k++) {
+        const int m = k / count[1], n = k % count[1];
+        const double s = (m / GAUSS + 0.5 + 0.5 * node[m % GAUSS]) / flat->spans[0],
+                     t = (n / GAUSS + 0.5 + 0.5 * node[n % GAUSS]) / flat->spans[1];
+        const double part =
+            weight[m % GAUSS] * weight[n % GAUSS] * 0.25 / (flat->spans[0] * flat->spans[1]);
+        double y[3][2], g[3], shrink[2] = {all[0], all[1]};
+        taut_flat_form f = {.w = 0};
+        taut_flat_at(flat, s, t, y);
+        strip->metric(strip->context, s, t, g);
+        if (strip->shrink != NULL) {
+            strip->shrink(strip->context, s, t, shrink);
+        }
+        const double j[2][2] = {{y[1][0], y[2][0]}, {y[1][1], y[2][1]}};
+        taut_flat_density(&flat->law, shrink, j, g, 0, &f);
+        flat->area += part * sqrt(g[0] * g[2] - g[1] * g[1]);
+        flat->energy += part * f.w;
+    }
+}

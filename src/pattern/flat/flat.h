@@ -95,6 +95,8 @@ void taut_flat_at(const taut_flat *flat, double s, double t, double y[3][2]);
  * and weft and the angle by which theirs is less than a right one. */
 void taut_flat_strain(const double shrink[2], const double g[3], const double y[3][2],
                       double strain[2], double cloth[3]);
+/* Of a strip that is not what it was laid flat of: area and energy. */
+void taut_flat_measure(const taut_flat_strip *strip, taut_flat *flat);
 /* The length of an edge, and |y_s| / |X_s| at its Gauss points ([spans][TAUT_FLAT_GAUSS], or NULL). */
 double taut_flat_edge_length(const taut_flat *flat, const taut_flat_strip *strip,
                              taut_flat_edge edge, double *stretch);
