@@ -99,6 +99,9 @@ static void test_against_series(void)
     CHECK(own[0] > 1.01 && own[1] < 0.99, "%g, %g", own[0], own[1]);
     CHECK_NEAR(scale_found(&neck, pi / 8, cosh(middle)), own[0], 1e-7, "neck");
     CHECK_NEAR(scale_found(&ball, pi / 6, 1), own[1], 1e-7, "ball");
+    /* of the surface, by hand */
+    CHECK_NEAR(cloth_number(&neck, "pieces", "P1", "area"), 1.32468097591267802, 1e-10, "area");
+    CHECK_NEAR(cloth_number(&ball, "pieces", "P2", "area"), pi / 6 * sqrt(3), 1e-10, "area");
     /* the sphere is largest stretched in the middle */
     CHECK_NEAR(figure_of(ball.proof, "max_strain"), 1 / own[1] - 1, 1e-7, "most");
     CHECK(figure_of(neck.proof, "conformal_energy") > 0 &&
