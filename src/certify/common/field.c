@@ -407,8 +407,8 @@ static int find_side(const taut_basis *basis, int span, side *s)
 
 /* x = the convex combination of *a and *b with parts b : a = (t - lo) : (hi - t); their errors too.
  * Each part is right to three roundings. */
-static void blend(double lo, double t, double hi, const double *a, const double *ae, double *b,
-                  double *be)
+static inline void blend(double lo, double t, double hi, const double *a, const double *ae,
+                         double *b, double *be)
 {
     const double up = (t - lo) / (hi - lo), down = (hi - t) / (hi - lo);
     const double x = down * *a, y = up * *b;
@@ -416,24 +416,35 @@ static void blend(double lo, double t, double hi, const double *a, const double 
     *b = x + y;
 }
 
+/* One level of de Boor's scheme at t, in place. */
+static void blend_level(const side *s, int level, double t, double *a, double *e)
+{
+    const int p = s->local - 1;
+    for (int j = p; j >= level; j--) {
+        blend(s->knots[j], t, s->knots[j + p + 1 - level], &a[j - 1], &e[j - 1], &a[j], &e[j]);
+    }
+}
+
 /* The Bernstein coefficients of a line of p + 1 spline coefficients, in place: coefficient k is the
- * blossom at p - k times lo and k times hi, by de Boor's scheme ([PieglTiller1997] section 5.2). */
+ * blossom at p - k times lo and k times hi, by de Boor's scheme ([PieglTiller1997] section 5.2). From the
+ * last one on, so that the levels at lo are those of the one before and one more. */
 static void line_of_spline(const side *s, size_t step, double *a, double *e)
 {
     double from[2][TAUT_FIELD_DEGREE + 1], work[2][TAUT_FIELD_DEGREE + 1];
     const int p = s->local - 1;
+    const size_t room = (size_t)s->local * sizeof(double);
     for (int i = 0; i <= p; i++) {
         from[0][i] = a[(size_t)i * step];
         from[1][i] = e[(size_t)i * step];
     }
-    for (int k = 0; k <= p; k++) {
-        memcpy(work, from, sizeof work);
-        for (int level = 1; level <= p; level++) {
-            const double t = level <= p - k ? s->lo : s->hi;
-            for (int j = p; j >= level; j--) {
-                blend(s->knots[j], t, s->knots[j + p + 1 - level], &work[0][j - 1], &work[1][j - 1],
-                      &work[0][j], &work[1][j]);
-            }
+    for (int k = p; k >= 0; k--) {
+        if (k < p) {
+            blend_level(s, p - k, s->lo, from[0], from[1]);
+        }
+        memcpy(work[0], from[0], room);
+        memcpy(work[1], from[1], room);
+        for (int level = p - k + 1; level <= p; level++) {
+            blend_level(s, level, s->hi, work[0], work[1]);
         }
         a[(size_t)k * step] = work[0][p];
         e[(size_t)k * step] = work[1][p];

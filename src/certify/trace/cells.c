@@ -36,6 +36,24 @@ taut_status taut_net_cells_new(taut_arena *arena, int count, const taut_surface 
     return taut_arena_status(arena);
 }
 
+/* The coefficients of a polynomial side by side; 0 where there is no memory for them. */
+static int find_points(taut_net_cells *cells, taut_net_cell *one)
+{
+    const size_t count = (size_t)(one->x[0].p + 1) * (size_t)(one->x[0].q + 1);
+    taut_net_pair *points = NULL;
+
+    if (one->x[3].p > 0 || one->x[3].q > 0) {
+        return 1;
+    }
+    points = taut_arena_take(cells->arena, 2 * count, sizeof *points);
+    for (size_t k = 0; points != NULL && k < count; k++) {
+        points[2 * k] = (taut_net_pair){one->x[0].a[k], one->x[1].a[k]};
+        points[2 * k + 1] = (taut_net_pair){one->x[2].a[k], 0};
+    }
+    one->points = points;
+    return points != NULL;
+}
+
 /* Is it one of a degree that is small enough? Then what is told of it is found. */
 static int find_cell(taut_net_cells *cells, int on, const int span[2], taut_net_cell *one)
 {
@@ -57,7 +75,7 @@ static int find_cell(taut_net_cells *cells, int on, const int span[2], taut_net_
             one->largest = fmax(one->largest, fabs(one->x[c].a[k]));
         }
     }
-    return 1;
+    return find_points(cells, one);
 }
 
 const taut_net_cell *taut_net_cell_of(taut_net_cells *cells, int on, const int span[2])
@@ -140,15 +158,15 @@ static inline void sum_cell(const int p, const int q, const taut_net_cell *one,
     const double factor[6] = {
         1, width[0], width[1], width[0] * width[0], width[0] * width[1], width[1] * width[1]};
 
-    for (int c = 0; c < 3; c++) {
-        double sum[6] = {0, 0, 0, 0, 0, 0};
+    for (int half = 0; half < 2; half++) {
+        taut_net_pair sum[6] = {{0}};
         for (int i = 0; i <= p; i++) {
-            const double *row = one->x[c].a + (size_t)i * (size_t)(q + 1);
-            double inner[3] = {0, 0, 0};
+            const taut_net_pair *row = one->points + 2 * (size_t)i * (size_t)(q + 1) + half;
+            taut_net_pair inner[3] = {{0}};
             for (int j = 0; j <= q; j++) {
-                inner[0] += row[j] * v[0][j];
-                inner[1] += row[j] * v[1][j];
-                inner[2] += row[j] * v[2][j];
+                inner[0] += row[2 * j] * v[0][j];
+                inner[1] += row[2 * j] * v[1][j];
+                inner[2] += row[2 * j] * v[2][j];
             }
             sum[0] += u[0][i] * inner[0];
             sum[1] += u[1][i] * inner[0];
@@ -158,7 +176,10 @@ static inline void sum_cell(const int p, const int q, const taut_net_cell *one,
             sum[5] += u[0][i] * inner[2];
         }
         for (int k = 0; k < 6; k++) {
-            x[k][c] = sum[k] / factor[k];
+            const taut_net_pair value = sum[k] / factor[k];
+            for (int c = 2 * half; c < 3 && c < 2 * half + 2; c++) {
+                x[k][c] = value[c - 2 * half];
+            }
         }
     }
 }

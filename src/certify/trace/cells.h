@@ -11,9 +11,13 @@
 /* 5 (p + q) at most of a cell of degree p x q, so that curves composed with it are bounded too. */
 enum { TAUT_NET_COMPOSE_DEGREE = 120 };
 
+/* Two coordinates, so that they are one instruction. */
+typedef double taut_net_pair __attribute__((vector_size(2 * sizeof(double)), may_alias));
+
 typedef struct taut_net_cell {
-    int state;       /* 0 not looked at, 1 known, -1 none */
-    taut_field x[4]; /* X, Y, Z, w; points are moved by -origin */
+    int state;                   /* 0 not looked at, 1 known, -1 none */
+    taut_field x[4];             /* X, Y, Z, w; points are moved by -origin */
+    const taut_net_pair *points; /* of a polynomial: X and Y, Z and 0 of each coefficient */
     double lo[2], width[2];
     double error;   /* of a coefficient of X, Y, Z */
     double largest; /* of X, Y, Z */

@@ -64,6 +64,12 @@ static void fill_binomials(int n, double *binomials)
     }
 }
 
+/* Coefficients of that degree are 0. */
+static void clear(int degree, double *coefficients)
+{
+    memset(coefficients, 0, ((size_t)degree + 1) * sizeof *coefficients);
+}
+
 /* out += s f g, of degree p + q. */
 static void add_product(double s, int p, const double *restrict f, int q, const double *restrict g,
                         double *restrict out)
@@ -87,13 +93,13 @@ static void compose_basis(int p, const double a[QUINTIC + 1], row *up, row *down
     }
     up[0][0] = down[0][0] = 1;
     for (int k = 1; k <= p; k++) {
-        memset(up[k], 0, sizeof up[k]);
-        memset(down[k], 0, sizeof down[k]);
+        clear(QUINTIC * k, up[k]);
+        clear(QUINTIC * k, down[k]);
         add_product(1, QUINTIC * (k - 1), up[k - 1], QUINTIC, a, up[k]);
         add_product(1, QUINTIC * (k - 1), down[k - 1], QUINTIC, rest, down[k]);
     }
     for (int k = 0; k <= p; k++) {
-        memset(basis[k], 0, sizeof basis[k]);
+        clear(QUINTIC * p, basis[k]);
         add_product(taut_certify_binomial(p, k), QUINTIC * k, up[k], QUINTIC * (p - k), down[p - k],
                     basis[k]);
     }
@@ -179,7 +185,7 @@ static double distance_in(taut_net_composer *w, const taut_net_cell *one, const 
             scaled[k] = p->space[k][c] * binomials[k];
         }
         compose_coordinate(w, &one->x[c], w->sums[c]);
-        memset(difference[c], 0, sizeof difference[c]);
+        clear(whole, difference[c]);
         if (is_rational) {
             add_product(1, QUINTIC, scaled, n, w->sums[3], difference[c]);
             add_product(-1, n, w->sums[c], QUINTIC, raise, difference[c]);

@@ -26,6 +26,17 @@ static int span_between(const taut_basis *basis, double from, double to)
     return breaks[span] == from && breaks[span + 1] == to ? span : -1;
 }
 
+/* One level of de Boor's scheme. */
+static inline void blend(int level, const double *share, const double *rest,
+                         double work[QUINTIC + 1][3])
+{
+    for (int k = 0; k <= QUINTIC - level; k++) {
+        for (int c = 0; c < 3; c++) {
+            work[k][c] = rest[k] * work[k][c] + share[k] * work[k + 1][c];
+        }
+    }
+}
+
 /* The Bernstein coefficients of a span, [6][3]: the blossom at so many times its ends ([PieglTiller1997] 5.2). */
 static void bezier_of(const taut_curve *curve, int span, double from, double to,
                       double points[QUINTIC + 1][3])
@@ -35,6 +46,7 @@ static void bezier_of(const taut_curve *curve, int span, double from, double to,
     const double *knots = basis->knots + first;
     const double ends[2] = {from, to};
     double shares[2][QUINTIC + 1][QUINTIC], rests[2][QUINTIC + 1][QUINTIC];
+    double begun[QUINTIC + 1][3];
 
     for (int level = 1; level <= QUINTIC; level++) {
         for (int k = 0; k <= QUINTIC - level; k++) {
@@ -45,17 +57,16 @@ static void bezier_of(const taut_curve *curve, int span, double from, double to,
             }
         }
     }
-    for (int i = 0; i <= QUINTIC; i++) {
+    memcpy(begun, taut_curve_points(curve) + 3 * first, sizeof begun);
+    for (int i = 0; i <= QUINTIC;
+         i++) { /* the first i levels at the span's end, the others at its beginning */
         double work[QUINTIC + 1][3];
-        memcpy(work, taut_curve_points(curve) + 3 * first, sizeof work);
-        for (int level = 1; level <= QUINTIC; level++) {
-            const int end = level <= i;
-            for (int k = 0; k <= QUINTIC - level; k++) {
-                const double share = shares[end][level][k], rest = rests[end][level][k];
-                for (int c = 0; c < 3; c++) {
-                    work[k][c] = rest * work[k][c] + share * work[k + 1][c];
-                }
-            }
+        if (i > 0) {
+            blend(i, shares[1][i], rests[1][i], begun);
+        }
+        memcpy(work, begun, sizeof work);
+        for (int level = i + 1; level <= QUINTIC; level++) {
+            blend(level, shares[0][level], rests[0][level], work);
         }
         memcpy(points[i], work[0], sizeof work[0]);
     }
