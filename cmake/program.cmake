@@ -8,7 +8,8 @@ taut_embed(${CMAKE_BINARY_DIR}/generated/papers.c taut_papers cli/embedded_files
 taut_embed(${CMAKE_BINARY_DIR}/generated/schemas.c taut_schemas cli/embedded_files.h taut_embedded ${schema_files})
 taut_embed(${CMAKE_BINARY_DIR}/generated/titles.c taut_titles cli/embedded_files.h taut_embedded ${CMAKE_SOURCE_DIR}/examples/titles.txt)
 taut_embed(${CMAKE_BINARY_DIR}/generated/pages.c taut_pages cli/embedded_files.h taut_embedded
-  ${CMAKE_SOURCE_DIR}/README.md ${CMAKE_SOURCE_DIR}/docs/architecture.md ${CMAKE_SOURCE_DIR}/docs/certificate.md)
+  ${CMAKE_SOURCE_DIR}/README.md ${CMAKE_SOURCE_DIR}/docs/architecture.md ${CMAKE_SOURCE_DIR}/docs/certificate.md
+  ${CMAKE_SOURCE_DIR}/docs/format.md)
 add_library(taut_embedded_files STATIC
   ${CMAKE_BINARY_DIR}/generated/examples.c ${CMAKE_BINARY_DIR}/generated/papers.c
   ${CMAKE_BINARY_DIR}/generated/schemas.c ${CMAKE_BINARY_DIR}/generated/titles.c

@@ -58,6 +58,7 @@ static int print_command_help(const cli_command *command)
     for (const char *line = command->example; *line != '\0'; line += strcspn(line, "\n") + 1) {
         printf("  %.*s\n", (int)strcspn(line, "\n"), line);
     }
+    cli_term_help(command->name, 1); /* trace, pattern: constructions; panels: a claim */
     return cli_print_text("", 0);
 }
 
@@ -101,11 +102,11 @@ static int unknown(const char *name, int words_too)
     }
     const char *near = cli_nearest(name, names);
     return cli_misuse("command", "there is no command%s \"%.40s\"%s%s%s; %s",
-                      words_too ? ", construction, claim or reason" : "", name,
+                      words_too ? ", construction, member, claim or reason" : "", name,
                       near != NULL ? " (did you mean \"" : "", near != NULL ? near : "",
                       near != NULL ? "\"?)" : "",
-                      words_too ? "`taut --help` lists commands, docs/certificate.md claims, "
-                                  "docs/errors.md reasons"
+                      words_too ? "`taut --help` lists commands, docs/format.md members, "
+                                  "docs/certificate.md claims, docs/errors.md reasons"
                                 : "`taut --help` lists them");
 }
 

@@ -1,5 +1,6 @@
-/* terms.c -- taut help WORD: what a construction makes, what a claim says, what a number of the report or a term of the
- * field is: rows of the tables of README.md and docs/, which are part of the program, so that they are written once. */
+/* terms.c -- taut help WORD: what a construction makes and which members its document has, what a member or a claim says,
+ * what a number of the report or a term of the field is: rows of the tables of README.md and docs/, which are part of
+ * the program, so that they are written once. */
 #include "cli/cli.h"
 #include "cli/embedded_files.h"
 
@@ -7,7 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { CELLS = 4, CELL_ROOM = 600 };
+enum { CELLS = 4, CELL_ROOM = 600, INDENT = 19, WIDTH = 100 };
 
 typedef struct table {
     const char *file, *heading;
@@ -17,7 +18,10 @@ typedef struct table {
     int says[2];           /* the cells that are printed; -1: none */
     const char *labels[2]; /* before them */
     const char *page;      /* "": the one that the word links to */
+    const char *end;       /* NULL: one table; else all to this line, below "### `NAME`" */
 } table;
+
+static const char MEMBER[] = "a member of problems";
 
 static const table tables[] = {
     {"README.md",
@@ -27,7 +31,8 @@ static const table tables[] = {
      "a construction",
      {0, 1},
      {"You have:", "You get:"},
-     ""},
+     "",
+     NULL},
     {"certificate.md",
      "## All claims",
      1,
@@ -35,7 +40,8 @@ static const table tables[] = {
      "a claim of certificates",
      {2, 3},
      {"What it says:", "How it is known:"},
-     "docs/certificate.md"},
+     "docs/certificate.md",
+     NULL},
     {"certificate.md",
      "## Three kinds",
      0,
@@ -43,7 +49,8 @@ static const table tables[] = {
      "a kind of claims",
      {1, 2},
      {"What it is:", "Proved:"},
-     "docs/certificate.md"},
+     "docs/certificate.md",
+     NULL},
     {"certificate.md",
      "## Words of the report",
      0,
@@ -51,7 +58,8 @@ static const table tables[] = {
      "a word of the report",
      {1, -1},
      {"What it is:", ""},
-     "docs/certificate.md"},
+     "docs/certificate.md",
+     NULL},
     {"architecture.md",
      "## Glossary",
      0,
@@ -59,7 +67,53 @@ static const table tables[] = {
      "a term",
      {1, -1},
      {"What it is:", ""},
-     "docs/architecture.md"},
+     "docs/architecture.md",
+     NULL},
+    {"format.md",
+     "## Problems",
+     0,
+     1,
+     "a member of every problem",
+     {1, 2},
+     {"What it says:", "Default:"},
+     "docs/format.md",
+     NULL},
+    {"format.md",
+     "### `dirichlet`",
+     0,
+     1,
+     MEMBER,
+     {1, 2},
+     {"What it says:", "Default:"},
+     "docs/format.md",
+     "## Reports"},
+    {"format.md",
+     "## Bases",
+     0,
+     1,
+     "a basis",
+     {1, 3},
+     {"Members:", "Range:"},
+     "docs/format.md",
+     NULL},
+    {"format.md",
+     "Of their members:",
+     0,
+     1,
+     "a member of bases",
+     {1, -1},
+     {"What it says:", ""},
+     "docs/format.md",
+     NULL},
+    {"format.md",
+     "## Surfaces and curves",
+     0,
+     1,
+     "a part of documents",
+     {1, -1},
+     {"Written:", ""},
+     "docs/format.md",
+     NULL},
 };
 enum { TABLES = (int)(sizeof tables / sizeof tables[0]) };
 
@@ -67,6 +121,7 @@ typedef struct row {
     const table *table;
     char cell[CELLS][CELL_ROOM];
     char word[CLI_TERM_ROOM];
+    char section[CLI_TERM_ROOM]; /* the heading that it is under, where its table has several */
 } row;
 
 /* Nonzero ends the walk. */
@@ -125,19 +180,38 @@ static int visit_words(row *r, visitor visit, void *context)
     return end;
 }
 
+/* The name in "### `NAME`". */
+static void take_section(const char *line, row *r)
+{
+    const char *name = strchr(line, '`');
+    if (name != NULL) {
+        snprintf(r->section, sizeof r->section, "%.*s", (int)strcspn(name + 1, "`\n"), name + 1);
+    }
+}
+
 static int visit_table(const table *t, const char *text, visitor visit, void *context)
 {
     row r = {.table = t};
     const char *line = strstr(text, t->heading);
-    int end = 0;
+    int end = 0, lines = 0; /* of this table: names of columns, a rule, rows */
 
-    line = line != NULL ? strstr(line, "\n|") : NULL;
-    for (int k = 0; line != NULL && end == 0 && line[1] == '|'; k++) {
-        if (k > 1) { /* names of columns, and a rule */
-            take_row(line + 2, &r);
-            end = visit_words(&r, visit, context);
+    for (; line != NULL && end == 0; line = strchr(line, '\n')) {
+        line += *line == '\n';
+        if (t->end != NULL && strncmp(line, t->end, strlen(t->end)) == 0) {
+            break;
         }
-        line = strchr(line + 1, '\n');
+        if (t->end != NULL && strncmp(line, "### ", 4) == 0) {
+            take_section(line, &r);
+        }
+        if (*line == '|' && ++lines > 2) {
+            take_row(line + 1, &r);
+            end = visit_words(&r, visit, context);
+        } else if (*line != '|' && lines > 0) {
+            if (t->end == NULL) {
+                break;
+            }
+            lines = 0;
+        }
     }
     return end;
 }
@@ -154,18 +228,35 @@ static void walk(visitor visit, void *context)
     }
 }
 
-/* Without the marks of bold text and of links. */
-static void print_plain(const char *text)
+/* A label and a text without the marks of bold text and of links, in lines of WIDTH, and `end`. */
+static void print_says(const char *label, const char *text, const char *end)
 {
+    char plain[CELL_ROOM];
+    size_t length = 0, column = INDENT;
     for (const char *at = text; *at != '\0'; at++) {
         if (at[0] == '*' && at[1] == '*') {
             at++;
         } else if (at[0] == ']' && at[1] == '(') {
             at += strcspn(at, ")");
-        } else if (*at != '[') {
-            putchar(*at);
+        } else if (*at != '[' || strchr(at, ']') == NULL || strchr(at, ']')[1] != '(') {
+            plain[length++] = *at;
         }
     }
+    plain[length] = '\0';
+    printf("  %-*s", INDENT - 2, label);
+    for (const char *at = plain; *at != '\0';) {
+        const size_t word = strcspn(at, " "), blank = at[word] == ' ';
+        printf("%.*s", (int)word, at);
+        column += word + blank;
+        at += word + blank;
+        if (blank && column + strcspn(at, " ") >= WIDTH) {
+            printf("\n%*s", INDENT, "");
+            column = INDENT;
+        } else if (blank) {
+            putchar(' ');
+        }
+    }
+    printf("%s\n", end);
 }
 
 /* "docs/film.md" of "[`film`](docs/film.md)". */
@@ -187,44 +278,98 @@ static int is_same(const char *a, const char *b)
     return *a == *b;
 }
 
+/* The names of the members of a construction that are needed, or of those that are not. */
+typedef struct listing {
+    const char *construction;
+    int is_needed;
+    char names[2 * CELL_ROOM];
+} listing;
+
+static int is_needed(const row *r)
+{
+    return strncmp(r->cell[2], "needed", 6) == 0;
+}
+
+static int has_name(const char *names, const char *name)
+{
+    const size_t length = strlen(name);
+    for (const char *at = strstr(names, name); at != NULL; at = strstr(at + 1, name)) {
+        if ((at == names || at[-1] == ' ') && (at[length] == ',' || at[length] == '\0')) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static int list_member(void *context, const row *r)
+{
+    listing *l = context;
+    const size_t used = strlen(l->names);
+
+    if (r->table->kind == MEMBER && strcmp(r->section, l->construction) == 0 &&
+        is_needed(r) == l->is_needed && !has_name(l->names, r->word)) {
+        snprintf(l->names + used, sizeof l->names - used, "%s%s", used > 0 ? ", " : "", r->word);
+    }
+    return 0;
+}
+
+static void print_members(const char *construction)
+{
+    for (int needed = 1; needed >= 0; needed--) {
+        listing l = {construction, needed, ""};
+        walk(list_member, &l);
+        if (l.names[0] != '\0') {
+            print_says(needed ? "It needs:" : "It may have:", l.names, "");
+        }
+    }
+}
+
 typedef struct asked {
     const char *word;
     int found, after;
 } asked;
+
+static void print_construction(const row *r)
+{
+    const char *example = cli_example_of(r->word);
+    print_members(r->word);
+    printf("  %-17staut example --construct %s\n", "Documents:", r->word);
+    if (example != NULL) {
+        printf("  %-17staut example %.*s | taut make - -o model.json -o model.png\n",
+               "Example:", (int)strcspn(example, "."), example);
+    }
+    printf("  %-17s", "More:");
+    print_link(r->cell[r->table->word]);
+    printf("\n");
+}
 
 static int print_row(void *context, const row *r)
 {
     asked *a = context;
     const table *t = r->table;
 
-    if (!is_same(a->word, r->word)) {
-        return 0;
+    if (!is_same(a->word, r->word) || strcmp(r->section, r->word) == 0) {
+        return 0; /* "trace": "asymptotic" is how a document names its construction */
     }
     printf("%s%s, %s", a->found > 0 || a->after ? "\n" : "", r->word, t->kind);
-    if (t->word == 1) {
-        printf(" (");
-        print_plain(r->cell[0]);
-        printf(")");
+    if (r->section[0] != '\0') {
+        printf(" (`%s`)", r->section);
+    } else if (t->word == 1) {
+        printf(" (%s)", r->cell[0]);
     }
     printf("\n\n");
     for (int k = 0; k < 2 && t->says[k] >= 0; k++) {
-        printf("  %-17s", t->labels[k]);
-        print_plain(r->cell[t->says[k]]);
-        printf(".\n");
+        const char *says = r->cell[t->says[k]];
+        if (says[0] != '\0') {
+            print_says(t->labels[k], strcmp(says, "needed") == 0 ? "none: it is needed" : says,
+                       ".");
+        }
     }
     if (t->page[0] == '\0') {
-        const char *example = cli_example_of(r->word);
-        printf("  %-17staut example --construct %s\n", "Documents:", r->word);
-        if (example != NULL) {
-            printf("  %-17staut example %.*s | taut make - -o model.json -o model.png\n",
-                   "Example:", (int)strcspn(example, "."), example);
-        }
-        printf("  %-17s", "More:");
-        print_link(r->cell[t->word]);
+        print_construction(r);
     } else {
-        printf("  %-17s%s", "More:", t->page);
+        printf("  %-17s%s\n", "More:", t->page);
     }
-    printf("\n");
     a->found++;
     return 0;
 }

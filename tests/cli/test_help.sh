@@ -33,14 +33,41 @@ for word in $(sort -u reasons.txt); do
     if echo "$commands" | grep -qx -- "$word"; then complain "$word is a command and a reason"; fi
 done
 # Constructions, claims and words of the report: rows of tables of the pages. Every claim of the examples has one.
-for word in asymptotic biharmonic bonnet dirichlet film harmonic harmonic-extension pipe plateau; do
+for word in asymptotic biharmonic bonnet dirichlet film harmonic harmonic-extension pattern pipe plateau trace; do
     run 0 help "$word"
+    contains out.txt '^  It (needs|may have): +[a-z]'
     contains out.txt "^$word, a construction$"
     contains out.txt "^  Documents: +taut example --construct $word$"
     contains out.txt "^  Example: +taut example $word[a-z0-9-]* \| taut make - -o model.json -o model.png$"
     page=$(sed -n 's/^  More: *//p' out.txt | head -n 1)
     [ -s "$SOURCE/$page" ] || complain "taut help $word leads to $page"
 done
+# Members of documents: every one that a schema of a problem has, with the construction that it is of.
+"$PYTHON" - "$SOURCE" > members.txt <<'PY'
+import json, sys
+problem = json.load(open(sys.argv[1] + "/docs/schema/problem.json", encoding="utf-8"))
+for name, schema in sorted(problem["$defs"].items()):
+    if "construct" in schema.get("properties", {}):
+        for construct in [schema["properties"]["construct"].get("const")]:
+            for member in schema["properties"]:
+                if construct is not None and member not in ("taut", "construct", "unit", construct):
+                    print(construct, member)
+PY
+[ "$(sort -u members.txt | wc -l)" -gt 100 ] || complain "few members of documents: $(wc -l < members.txt)"
+for member in $(sed 's/.* //' members.txt | sort -u); do
+    "$TAUT" help "$member" > "member-$member.txt" 2> /dev/null || complain "taut help $member says nothing"
+done
+sort -u members.txt > unique.txt
+while read -r construct member; do
+    contains "member-$member.txt" "^$member, a member of problems \(\`$construct\`\)$"
+done < unique.txt
+run 0 help unit
+contains out.txt '^unit, a member of every problem$'
+run 0 help c-bezier
+contains out.txt '^  Members: +`alpha`'
+run 0 help CURVE
+contains out.txt '^  Written: +\{ "name": "rim", "t": BASIS|^  Written: +`\{ "name": "rim", "t": BASIS'
+
 claims=$(sed -n '/^<!-- claims: made by/,$s/^| [a-z-]* | `\([a-z0-9_-]*\)` |.*/\1/p' "$SOURCE/docs/certificate.md" | sort -u)
 [ "$(echo "$claims" | wc -l)" -gt 40 ] || complain "few claims: $claims"
 for claim in $claims; do

@@ -57,7 +57,10 @@ static int is_listed(const char *key, const char *const *members)
 taut_status taut_json_object(const taut_json *at, const char *const *members, taut_error *error)
 {
     if (taut_json_kind_at(at) != TAUT_JSON_OBJECT) {
-        return taut_json_refuse(at, error, "type", "an object");
+        char list[48]; /* of few members which */
+        const int are_few = list_words(members, list, sizeof list);
+        return taut_json_refuse(at, error, "type", "an object%s%s", are_few ? " with " : "",
+                                are_few ? list : "");
     }
     for (size_t i = 0; i < at->value->count; i++) {
         const char *key = at->value->as.members[i].key;

@@ -196,7 +196,8 @@ static const refusal models[] = {
     {"{\"taut\": 1, \"surface\": []}", "/surface", "unknown-member", "\"surfaces\""},
     {"{\"taut\": 1, \"construct\": \"dirichlet\"}", "/construct", "kind", NULL},
     {"{\"taut\": 1, \"surfaces\": {}}", "/surfaces", "type", "an array of surfaces"},
-    {"{\"taut\": 1, \"surfaces\": [3]}", "/surfaces/0", "type", "an object"},
+    {"{\"taut\": 1, \"surfaces\": [3]}", "/surfaces/0", "type",
+     "an object with \"name\", \"u\", \"v\", \"points\" or \"weights\""},
     {"{\"taut\": 1, \"surfaces\": [" SURFACE ", {\"pionts\": 1}]}", "/surfaces/1/pionts",
      "unknown-member", "\"points\""},
     {"{\"taut\": 1, \"surfaces\": [{\"u\": " QUAD ", \"v\": " QUAD
