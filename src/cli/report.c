@@ -124,7 +124,8 @@ static void print_value(const taut_record *value, int digits)
         break;
     case TAUT_RECORD_LIST:
         if (is_table(value)) {
-            fprintf(stderr, "(%zu rows, in the report)", taut_record_count(value));
+            fprintf(stderr, "(%zu row%s: see --report)", taut_record_count(value),
+                    taut_record_count(value) == 1 ? "" : "s");
             break;
         }
         for (size_t i = 0; i < taut_record_count(value) && i < 6; i++) {
@@ -140,7 +141,7 @@ static void print_value(const taut_record *value, int digits)
             print_value(taut_record_at(value, i), digits);
         }
         if (!is_short(value)) {
-            fprintf(stderr, "(%zu members, in the report)", taut_record_count(value));
+            fprintf(stderr, "(%zu members: see --report)", taut_record_count(value));
         }
         break;
     case TAUT_RECORD_NULL:
@@ -207,7 +208,9 @@ static void print_members(const taut_record *record, const taut_record *supports
     char name[64];
     for (size_t i = 0; i < taut_record_count(record); i++) {
         const taut_record *value = taut_record_at(record, i);
-        if (taut_record_kind_of(value) == TAUT_RECORD_OBJECT) {
+        const taut_record_kind kind = taut_record_kind_of(value);
+        if (kind == TAUT_RECORD_OBJECT ||
+            (kind == TAUT_RECORD_LIST && taut_record_count(value) == 0)) {
             continue;
         }
         const char *key = taut_record_key(record, i);
@@ -219,8 +222,8 @@ static void print_members(const taut_record *record, const taut_record *supports
         } else {
             print_value(value, digits);
         }
-        fprintf(stderr, "%s\n",
-                unit != NULL && !lacks_unit(record, key) ? cli_unit_of(key, unit, room) : "");
+        const int has_unit = unit != NULL && kind != TAUT_RECORD_TEXT && !lacks_unit(record, key);
+        fprintf(stderr, "%s\n", has_unit ? cli_unit_of(key, unit, room) : "");
     }
 }
 

@@ -1,4 +1,4 @@
-/* unit.c -- models that come together are told in one unit, and numbers with theirs. */
+/* unit.c -- models that come together are brought to one unit, and numbers get theirs. */
 #include "cli/cli.h"
 
 #include <stdio.h>
@@ -35,9 +35,17 @@ const char *cli_unit_of(const char *key, const char *unit, char room[CLI_UNIT_RO
                 {"areas", 2},
                 {"area_error", 2},
                 {"dirichlet_area", 2},
+                {"flat_area", 2},
                 {"lower_bound", 2},
                 {"length", 1},
                 {"lengths", 1},
+                {"total_length", 1},
+                {"seam_length", 1},
+                {"radius", 1},
+                {"bend_radius", 1},
+                {"least_bend_radius", 1},
+                {"wall", 1},
+                {"boundary_gap", 1},
                 {"max_gap", 1},
                 {"gap_bound", 1},
                 {"bounding_box", 1},

@@ -73,7 +73,7 @@ run 0 make "$example/pipe-run.json" -o run.json -o run.step -o run.iges -o run.o
 contains err.txt 'joints +holds'
 contains err.txt 'least bend radius +60\.0000'
 contains err.txt '^ +\.\.\. and 3 more$'
-contains err.txt 'blends +\(5 rows, in the report\)'
+contains err.txt 'blends +\(5 rows: see --report\)'
 contains run.json '"name": "axis-blend5"'
 [ "$(grep -c ADVANCED_FACE run.step)" = 11 ] || complain "not one face for each piece"
 run 0 certify run.json "$example/pipe-run.json"

@@ -105,7 +105,7 @@ contains err.txt 'take the method \\"normal\\", or a tolerance of 1e-0'
 # Tables of points are no part of the short report.
 "$TAUT" example plateau-bicubic | sed 's/"points"/"method": "normal", "points"/' > normal.json
 run 0 make normal.json -o normal-film.json
-contains err.txt 'directions +\([0-9]+ rows, in the report\)'
+contains err.txt 'directions +\([0-9]+ rows: see --report\)'
 
 # A film that finds no rest once knots are put in: the space is named.
 cat > finer.json << 'END'
