@@ -5,6 +5,7 @@ from typing import Any, Mapping, Sequence
 
 import numpy as np
 
+from ._handle import numbers
 from .bases import Basis
 from .errors import InputError
 from .making import Progress, dirichlet_direct, make
@@ -38,7 +39,7 @@ def made_of(construct: str, members: Mapping[str, Any], known: Any, tolerance: f
 
 
 def _masked(points: Any, known: Any) -> Any:
-    net = np.array(points, dtype=np.float64)
+    net = np.array(numbers(points, None, "points"))
     mask = np.asarray(known, dtype=bool)
     if net.ndim != 3 or mask.shape != net.shape[:2]:
         raise InputError(f"known has the shape {mask.shape}; expected {net.shape[:2]}, as points", "/known", "size")
@@ -51,7 +52,8 @@ def _masked(points: Any, known: Any) -> Any:
 def _is_direct(said: Mapping[str, Any]) -> bool:
     """Arrays of numbers on bases that are there: all is as C takes it."""
     net = said.get("points")
-    return (set(said) <= {"points", "u", "v", "aspect", "regular", "name"} and isinstance(net, np.ndarray) and net.dtype == np.float64
+    return (set(said) <= {"points", "u", "v", "aspect", "regular", "name"} and type(net) is np.ndarray and net.dtype == np.float64
             and net.ndim == 3 and net.shape[2] == 3 and isinstance(said.get("u"), Basis) and isinstance(said.get("v"), Basis)
             and net.shape[:2] == (said["u"].count, said["v"].count)
-            and (said.get("aspect", 1) == "auto" or isinstance(said.get("aspect", 1), (int, float))))
+            and all(type(said[key]) is kind for key, kind in (("regular", bool), ("name", str)) if key in said)
+            and (said.get("aspect", 1) == "auto" or (type(said.get("aspect", 1)) in (int, float) and 0 < said.get("aspect", 1) < 1e300)))

@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import ctypes
 import operator
+import os
 import sys
 from ctypes import byref, c_char_p, c_double, c_size_t, c_uint32, c_void_p
 from functools import lru_cache
@@ -63,12 +64,25 @@ def view(owner: object, address: int, shape: tuple[int, ...], kind: Any = c_doub
     return np.frombuffer(memoryview(memory).toreadonly(), dtype=np.uint32 if kind is c_uint32 else np.float64).reshape(shape)
 
 
+def _refuse_others(values: Any, array: npt.NDArray[Any]) -> None:
+    """What numpy would make numbers of in silence: texts, dates, complex and masked ones."""
+    if array.dtype.kind not in "biufO" or (array.dtype.kind == "O" and any(isinstance(one, (str, bytes, complex, np.complexfloating)) for one in array.flat)):
+        raise TypeError("an array of objects with texts or complex numbers" if array.dtype.kind == "O" else f"an array of {array.dtype}")
+    if is_masked(values):
+        raise TypeError("numbers that are masked")
+
+
+def is_masked(values: Any) -> bool:
+    """Whether it is an array some of whose numbers do not count."""
+    return isinstance(values, np.ma.MaskedArray) and bool(np.any(values.mask))
+
+
 def numbers(values: Any, shape: tuple[int, ...] | None = None, what: str = "the argument") -> Array:
     """values as doubles side by side; what names them where they are none."""
     try:
         array = np.asarray(values)
-        if array.dtype.kind == "c":
-            raise TypeError("complex numbers")
+        if array.dtype != np.float64 or array is not values:
+            _refuse_others(values, array)
         array = np.ascontiguousarray(array, dtype=np.float64).reshape(array.shape)
         if shape is not None and array.shape != shape:
             array = np.ascontiguousarray(np.broadcast_to(array, shape))
@@ -81,8 +95,10 @@ def numbers(values: Any, shape: tuple[int, ...] | None = None, what: str = "the 
 def real(value: Any, what: str) -> float:
     """value as one number."""
     try:
+        if isinstance(value, (str, bytes, bytearray)):
+            raise TypeError
         return float(value)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         raise InputError(f"{what} is {value!r}; expected a number", "", "type") from None
 
 
@@ -105,6 +121,26 @@ def thread_count(threads: Any) -> int:
     if not 1 <= count <= 256:
         raise InputError(f"threads is {threads}; expected 1 to 256", "", "argument", threads)
     return count
+
+
+def bytes_of(text: Any) -> bytes:
+    """A document as UTF-8."""
+    if isinstance(text, (bytes, bytearray)):
+        return bytes(text)
+    if not isinstance(text, str):
+        raise InputError(f"found {type(text).__name__}, expected a text", "", "type")
+    try:
+        return text.encode()
+    except UnicodeEncodeError as error:
+        raise InputError(f"a text with a character that UTF-8 does not have, at {error.start}", "", "text") from None
+
+
+def path_of(path: Any) -> str:
+    """A path as a text."""
+    try:
+        return os.fsdecode(path)
+    except TypeError:
+        raise InputError(f"found {type(path).__name__}, expected a path", "", "type") from None
 
 
 def text_of(function: Any, *arguments: Any) -> bytes:

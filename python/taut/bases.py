@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _library as c
-from ._handle import Array, Handle, Referable, library, made, view
+from ._handle import Array, Handle, Referable, encoded, library, made, numbers, real, view, whole
 from .errors import InputError, raise_for
 
 _MEMBERS = {"bezier": ("degree",), "bspline": ("degree", "knots"), "c-bezier": ("alpha",), "h-bezier": ("beta",),
@@ -28,20 +28,26 @@ class Basis(Referable):
 
     def __init__(self, document: Mapping[str, Any], functions: int = 0) -> None:
         """document: as in docs/format.md; functions: how many there must be, which tells short knots from full ones."""
+        if not isinstance(document, Mapping):
+            raise InputError(f"found {type(document).__name__}, expected a basis or the dict of one", "", "type")
         unknown = set(document) - _KNOWN
         if unknown:
             raise InputError(f"a basis has no member {sorted(unknown)[0]!r}", "/" + sorted(unknown)[0], "unknown-member")
         spec = c.BasisSpec()
         try:
-            spec.type = str(document.get("type", "")).encode()
+            spec.type = encoded(document.get("type", ""))
             for name in ("degree", "count", "segments"):
                 if name in document:
                     setattr(spec, name, _whole(document[name], name))
             for name in ("alpha", "beta", "gamma"):
-                setattr(spec, name, float(document.get(name, 0)))
+                setattr(spec, name, real(document.get(name, 0), name))
             if document.get("range") is not None:
-                spec.has_range, (spec.range[0], spec.range[1]) = 1, (float(x) for x in document["range"])
-            knots = np.ascontiguousarray(document.get("knots", ()), dtype=np.float64)
+                spec.has_range, (spec.range[0], spec.range[1]) = 1, (real(x, "range") for x in document["range"])
+            knots = numbers(document.get("knots", ()), None, "knots")
+            if knots.ndim != 1:
+                raise InputError(f"knots have the shape {knots.shape}; expected a list of numbers", "/knots", "size")
+        except InputError:
+            raise
         except (TypeError, ValueError) as error:
             raise InputError(f"a basis: {error}", "", "type") from None
         spec.knot_count, spec.knots = knots.size, knots.ctypes.data if knots.size else None
@@ -106,24 +112,25 @@ class Basis(Referable):
     def __call__(self, t: npt.ArrayLike, derivatives: int = 0) -> Array:
         """The functions at t: shape t.shape + (count,), with derivatives (0 to 3) first: (derivatives + 1,) + that.
 
-        Errors: InputError, `parameter`: a t outside the range."""
-        parameters = np.asarray(t, dtype=np.float64)
+        Errors: InputError, `argument`: a t outside the range, or another number of derivatives."""
+        parameters, derivatives = numbers(t, None, "t"), whole(derivatives, "derivatives")
         count, local = self.count, int(library.taut_basis_local(self._pointer))
+        if not 0 <= derivatives <= 3:
+            raise InputError(f"derivatives is {derivatives}; expected 0 to 3", "", "argument", derivatives)
         values = np.zeros((derivatives + 1, parameters.size, count))
-        buffer: Any = (c_double * ((derivatives + 1) * local))() if 0 <= derivatives <= 3 else None
+        buffer: Any = (c_double * ((derivatives + 1) * local))()
         for i, one in enumerate(parameters.ravel().tolist()):
             span = library.taut_basis_span(self._pointer, one)
             status = library.taut_basis_eval(self._pointer, span, one, derivatives, buffer)
             if status != c.OK:
-                raise InputError(f"t is {one!r}, derivatives {derivatives}; expected t in {list(self.range)}, derivatives 0 to 3", "",
-                                 "argument", one)
+                raise InputError(f"t is {one!r}; expected {self.range[0]!r} to {self.range[1]!r}", "", "argument", one)
             first = library.taut_basis_first(self._pointer, span)
             values[:, i, first:first + local] = np.frombuffer(buffer, dtype=np.float64).reshape(derivatives + 1, local)
         values = values.reshape((derivatives + 1,) + parameters.shape + (count,))
         return values if derivatives > 0 else values.reshape(values.shape[1:])
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Basis) and (self._pointer == other._pointer or self.to_dict() == other.to_dict())
+        return isinstance(other, Basis) and (self._pointer == other._pointer or repr(self.to_dict()) == repr(other.to_dict()))
 
     def __hash__(self) -> int:
         return hash(repr(self.to_dict()))
@@ -152,7 +159,7 @@ def basis_of(value: BasisLike, functions: int = 0) -> Basis:
 
 
 def _whole(value: Any, name: str) -> int:
-    number = int(value)
+    number = int(real(value, name))
     if number != value or not -2**31 <= number < 2**31:
         raise ValueError(f"{name} is {value!r}; expected a whole number")
     return number

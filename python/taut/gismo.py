@@ -146,6 +146,8 @@ def write(shapes: Iterable[Shape], path: Path, tolerance: float = 1e-9) -> None:
     """Writes curves and surfaces; within `tolerance` where a basis is not polynomial, else exactly.
 
     Errors: FileError where the file cannot be written."""
+    if isinstance(shapes, (Curve, Surface)) or not isinstance(shapes, Iterable):
+        raise InputError(f"found {type(shapes).__name__}, expected a list of curves and surfaces", "", "type")
     root = xml.Element("xml")
     root.extend([_element(shape, i, tolerance) for i, shape in enumerate(shapes)])
     text = xml.tostring(root, encoding="unicode", xml_declaration=True)

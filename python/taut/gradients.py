@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _library as c
-from ._handle import Array, library
+from ._handle import Array, library, numbers
 from .errors import InputError, raise_for
 from .making import Document, Progress, Watch, _problems
 from .model import Model
@@ -23,7 +23,7 @@ def _request(of: Any, shape: tuple[int, ...]) -> tuple[c.GradientRequest, Array 
         if of not in _FIGURES:
             raise InputError(f"of is {of!r}; expected 'area', 'dirichlet_energy' or an array of the points' shape", "", "name")
         return c.GradientRequest(of=_FIGURES[of]), None
-    factors = np.ascontiguousarray(of, dtype=np.float64)
+    factors = numbers(of, None, "of")
     if factors.shape != shape:
         raise InputError(f"of has the shape {factors.shape}; expected {shape}, as the points of the surface", "", "size")
     return c.GradientRequest(of=_POINTS, factors=factors.ctypes.data), factors

@@ -15,7 +15,7 @@ from typing import Any, Callable, Mapping, Sequence, Union, overload
 import numpy as np
 
 from . import _library as c
-from ._handle import Handle, address_of, encoded, expect, library, made, real, thread_count
+from ._handle import Handle, address_of, bytes_of, encoded, expect, is_masked, library, made, path_of, real, thread_count
 from .bases import Basis
 from .errors import CheckFailed, InputError, raise_for
 from .geometry import Curve, Surface
@@ -66,6 +66,8 @@ def _plain_array(array: Any, where: str) -> Any:
         return plain(array.tolist(), where)
     if array.dtype.kind not in "fiub":
         raise InputError(f"{where}: found an array of {array.dtype}, expected numbers", where, "type")
+    if is_masked(array):  # what is masked is not known
+        array = array.astype(np.float64).filled(np.nan)
     if array.dtype.kind != "f":
         return array.tolist()
     array = np.asarray(array, dtype=np.float64)
@@ -165,6 +167,8 @@ def _strict(model: Model, strict: bool, certificate: Certificate | None = None) 
 
 def _options(tolerance: float | None, threads: int | None, exact: bool) -> tuple[c.MakeOptions, c.CertifyOptions]:
     limit, count = 0.0 if tolerance is None else real(tolerance, "tolerance"), thread_count(threads)
+    if tolerance is not None and not 0 < limit < math.inf:
+        raise InputError(f"tolerance is {tolerance!r}; expected a number above 0", "", "argument", limit)
     return (c.MakeOptions(tolerance=limit, threads=count, exact=int(exact)), c.CertifyOptions(tolerance=limit, threads=count, exact=int(exact)))
 
 
@@ -176,16 +180,10 @@ def _problems(document: Document) -> Handle:
     """The problems of a document, which is a list of C's."""
     if isinstance(document, os.PathLike) or (isinstance(document, str) and not _is_text(document)):
         return made(library.taut_problem_list_read, library.taut_problem_list_free, encoded(os.fspath(document)))
-    if isinstance(document, (bytes, bytearray)):
-        data = bytes(document)
-    else:
-        try:
-            text = document if isinstance(document, str) else json.dumps(with_version(plain(document)))
-            data = text.encode()
-        except RecursionError:
-            raise InputError("a document that contains itself, or that is nested too deep", "", "nesting") from None
-        except UnicodeEncodeError as error:
-            raise InputError(f"a text with a character that UTF-8 does not have, at {error.start}", "", "text") from None
+    try:
+        data = bytes_of(document if isinstance(document, (str, bytes, bytearray)) else json.dumps(with_version(plain(document))))
+    except RecursionError:
+        raise InputError("a document that contains itself, or that is nested too deep", "", "nesting") from None
     return made(library.taut_problem_list_read_text, library.taut_problem_list_free, data, len(data), b"<document>")
 
 
@@ -235,7 +233,7 @@ def make(document: Document, tolerance: float | None = None, threads: int | None
 def read(path: str | os.PathLike[str]) -> Model:
     """A model from a file: .json, .step, .iges, and what else `taut convert` reads (docs/formats.md). What it holds is not proved by
     that: `certify` does. Raises FileError, InputError."""
-    return Model._of(made(library.taut_model_read, library.taut_model_free, encoded(os.fspath(path))))
+    return Model._of(made(library.taut_model_read, library.taut_model_free, encoded(path_of(path))))
 
 
 def certify(model: Model, problem: Document | None = None, tolerance: float | None = None, threads: int | None = None,
@@ -248,6 +246,8 @@ def certify(model: Model, problem: Document | None = None, tolerance: float | No
     options = _options(tolerance, threads, exact)[1]
     expect(model, Model)
     problems = None if problem is None else _problems(problem)
+    if problems is not None and library.taut_problem_list_count(problems.pointer) != 1:
+        raise InputError("a model is certified against one problem", "", "argument")
     one = None if problems is None else library.taut_problem_list_at(problems.pointer, 0)
     with Watch(progress) as watch:
         options.monitor = watch.monitor

@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _library as c
-from ._handle import Array, Handle, Referable, encoded, expect, library, made, numbers, real, text_of, thread_count, view, whole
+from ._handle import Array, Handle, Referable, bytes_of, encoded, expect, library, made, numbers, path_of, real, text_of, thread_count, view, whole
 from .errors import InputError, raise_for
 from .geometry import Curve, Surface
 
@@ -74,6 +74,10 @@ class Certificate(Referable):
 
     def __iter__(self) -> Iterator[Claim]:
         return iter(self.claims)
+
+    def __contains__(self, claim: object) -> bool:
+        """Whether there is such a claim, or one of that name."""
+        return any(claim in (one, one.claim) for one in self.claims)
 
     def _key(self) -> tuple[Any, ...]:
         return (self.construct, repr(self.claims), json.dumps(self._figures, sort_keys=True), self.holds)
@@ -180,7 +184,7 @@ class Model:
         """The model that a document holds.
 
         Errors: InputError with the place in the text as `where`."""
-        data = text.encode() if isinstance(text, str) else bytes(text)
+        data = bytes_of(text)
         return cls._of(made(library.taut_model_read_text, library.taut_model_free, data, len(data), b"<model>"))
 
     @property
@@ -207,6 +211,12 @@ class Model:
         raise KeyError(f"{name!r} is the name of {len(found)} surfaces and curves" if found else
                        f"{name!r}; there are {', '.join(repr(one.name) for one in every) or 'none'}")
 
+    def __contains__(self, name: object) -> bool:
+        """Whether a surface or curve has that name."""
+        return any(one.name == name for one in self.surfaces) or any(one.name == name for one in self.curves)
+
+    __iter__ = None  # of its surfaces or its curves
+
     @property
     def unit(self) -> str:
         """"mm", "m", "cm", "in" or "ft"."""
@@ -218,7 +228,7 @@ class Model:
         return record_of(library.taut_model_details(self._pointer)) or {}
 
     @property
-    def certificate(self) -> Certificate | None:
+    def certificate(self) -> Certificate | Any:  # so that who made a model need not ask whether it is None
         """What was proved of it; None where nothing was: of a model of your own, or split, or from a CAD file."""
         if self._certificate is None:
             pointer = library.taut_model_certificate(self._pointer)
@@ -253,7 +263,7 @@ class Model:
         NoSolution for what the format cannot hold. No file is left behind then, and one that was there stays.
         """
         error, chosen = c.ErrorStruct(), write_options(tolerance, threads, options)
-        status = library.taut_model_write(self._pointer, encoded(os.fsdecode(path)), byref(chosen), byref(error))
+        status = library.taut_model_write(self._pointer, encoded(path_of(path)), byref(chosen), byref(error))
         if status != c.OK:
             raise_for(status, error)
 

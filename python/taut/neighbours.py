@@ -35,12 +35,14 @@ def _expect_members(value: Any, kind: str, *names: str) -> None:
 def to_scipy(what: Union[Curve, Surface], tolerance: float = 1e-9) -> Any:
     """A curve as scipy.interpolate.BSpline, a surface as NdBSpline (scipy 1.12 or later), whose values are points.
 
-    Weights have no place there: a rational curve or surface is an InputError."""
+    Errors: InputError of a rational one: weights have no place there. ImportError where scipy is missing, or too old for surfaces."""
     from scipy import interpolate
     expect(what, Curve, Surface)
     if what.weights is not None:
         raise InputError("scipy's splines have no weights", "/weights", "value")
     spline = _nurbs(what, tolerance)
+    if not isinstance(what, Curve) and not hasattr(interpolate, "NdBSpline"):
+        raise ImportError("surfaces need scipy 1.12 or later: its NdBSpline")
     if isinstance(what, Curve):
         return interpolate.BSpline(np.array(spline.t.knots), np.array(spline.points), spline.t.degree)
     return interpolate.NdBSpline((np.array(spline.u.knots), np.array(spline.v.knots)), np.array(spline.points),

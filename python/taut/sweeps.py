@@ -12,7 +12,7 @@ import time
 from collections import deque
 from typing import Any, BinaryIO, Iterable, Iterator, Mapping, Sequence
 
-from ._handle import whole
+from ._handle import path_of, whole
 from .errors import CheckFailed, Error, FileError, InputError, NoSolution, NotConverged
 from .making import Document, make, plain, with_version
 from .model import Model
@@ -36,6 +36,8 @@ def _one(text: str, stop: threading.Event | None = None) -> bytes:
             raise _Stopped
     try:
         model = make(text, progress=None if stop is None else look)
+        if isinstance(model, list):
+            raise InputError(f"found an array of {len(model)}, expected an object", "", "type", expected="an object")
         return re.sub(rb"\n *", b" ", model._bytes().strip())  # no text in JSON holds an end of line
     except Error as error:
         return _line_of(error)
@@ -56,7 +58,12 @@ def _workers(client: Any) -> int:
     """How many tasks run at once: of a Dask client on all its machines, as far as an executor tells."""
     if hasattr(client, "nthreads"):
         return sum(client.nthreads().values()) or 1
-    return int(getattr(client, "_max_workers", None) or os.cpu_count() or 1)
+    return int(getattr(client, "_max_workers", None) or _processors())
+
+
+def _processors() -> int:
+    """How many this process may use: on a cluster often fewer than the machine has."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def _json(value: Any) -> str:
@@ -100,18 +107,18 @@ def _locked(path: str) -> BinaryIO:
     return file
 
 
-def _done(file: BinaryIO, path: str) -> list[bytes]:
-    """The whole lines that a file of results has; a last one that is broken is cut off. Any other file is left as it is."""
+def _done(file: BinaryIO, path: str) -> int:
+    """How many whole lines a file of results has; a last one that is broken is cut off. Any other file is left as it is."""
     file.seek(0)
-    text = file.read()
-    whole = text.rfind(b"\n") + 1
-    lines, rest = text[:whole].splitlines(), text[whole:]
-    wrong = next((i for i, line in enumerate(lines) if not _is_result(line)), None if rest[:1] in (b"", b"{") else len(lines))
-    if wrong is not None:
-        raise FileError(f"{path}: line {wrong + 1} is no result of a sweep; give another file, or remove it", f"{path}:{wrong + 1}", "file")
-    file.truncate(whole)
-    file.seek(whole)
-    return lines
+    count = size = 0
+    for line in file:
+        if not (_is_result(line) if line.endswith(b"\n") else line.startswith(b"{")):
+            raise FileError(f"{path}: line {count + 1} is no result of a sweep; give another file, or remove it", f"{path}:{count + 1}", "file")
+        if line.endswith(b"\n"):
+            count, size = count + 1, size + len(line)
+    file.truncate(size)
+    file.seek(0)
+    return count
 
 
 def _is_result(line: bytes) -> bool:
@@ -126,32 +133,122 @@ class _Sums:
     """Which problem each line of results is of: a checksum a line, in a file beside it that ends in .sums."""
 
     def __init__(self, path: str, lines: int) -> None:
-        self._file = open(path + ".sums", "a+b")
+        self._file = _beside(path + ".sums")
+        self._count = size = 0
+        for line in self._file:
+            if self._count == lines or not line.endswith(b"\n"):
+                break
+            self._count, size = self._count + 1, size + len(line)
+        self._file.truncate(size)
         self._file.seek(0)
-        text = self._file.read().splitlines(keepends=True)
-        self._known = [line.strip() for line in text[:lines] if line.endswith(b"\n")]
-        self._file.truncate(sum(len(line) for line in text[:len(self._known)]))
         self._path = path
 
     def check(self, index: int, text: str) -> None:
-        """The problem of a line that is there already; unknown where the file beside it is not (as `taut make --lines` leaves it)."""
-        if index < len(self._known) and self._known[index] not in (b"-", _sum(text)):
+        """The problem of a line that is there already, one after the other; unknown where the file beside it is not (as `taut make --lines`
+        leaves it)."""
+        if index < self._count and self._file.readline().strip() not in (b"-", _sum(text)):
             raise InputError(f"{self._path}: line {index + 1} is of another problem; give another file for this sweep, or remove it",
                              f"{self._path}:{index + 1}", "other-sweep")
 
-    def add(self, index: int, text: str) -> None:
+    def add(self, index: int, total: bytes) -> None:
         """Written before its result: a line too many does no harm."""
-        while len(self._known) < index:  # of results from elsewhere
-            self._known.append(b"-")
+        while self._count < index:  # of results from elsewhere
             self._file.write(b"-\n")
-        if len(self._known) == index:
-            self._known.append(_sum(text))
-            self._file.write(self._known[-1] + b"\n")
+            self._count += 1
+        if self._count == index:
+            self._file.write(total + b"\n")
+            self._count += 1
             self._file.flush()
 
     def close(self) -> None:
         """Ends the file."""
         self._file.close()
+
+
+class _Early:
+    """Results whose turn has not come, because one before them is still worked on: in a file beside the results that ends in .early, each
+    with its number and the checksum of its problem, so that they neither fill the memory nor are lost with the process."""
+
+    def __init__(self, path: str, finished: int | None) -> None:
+        """finished: how many results are in their places; None: those here are of a file that is gone."""
+        self._path = path + ".early"
+        self._file: BinaryIO | None = None
+        self._at: dict[int, tuple[int, int]] = {}  # where each result is, and how long
+        self._sums: dict[int, bytes] = {}  # of those from before whose problem has not come yet
+        if os.path.exists(self._path):
+            self._file = _beside(self._path)
+            size = self._read(finished)
+            self._file.truncate(size if self._at else 0)
+
+    def _read(self, finished: int | None) -> int:
+        assert self._file is not None
+        size = 0
+        for line in self._file:
+            number, _, rest = line.partition(b" ")
+            total, _, result = rest.partition(b" ")
+            if not line.endswith(b"\n"):
+                break
+            if not (number.isdigit() and _is_result(result)):
+                raise FileError(f"{self._path} is no file of results that came early; remove it", self._path, "file")
+            if finished is not None and int(number) >= finished:
+                self._at[int(number)], self._sums[int(number)] = (size + len(line) - len(result), len(result) - 1), total
+            size += len(line)
+        return size
+
+    def __contains__(self, index: int) -> bool:
+        """Whether its result is here, and of this sweep."""
+        return index in self._at and index not in self._sums
+
+    def there(self, index: int, total: bytes) -> bytes | None:
+        """The result that is here from before, if it is of this problem."""
+        found = self._sums.pop(index, None)
+        if found == total:
+            return self._line(index)
+        self._at.pop(index, None)
+        return None
+
+    def add(self, index: int, total: bytes, line: bytes) -> None:
+        """A result before its turn."""
+        if self._file is None:
+            self._file = _beside(self._path)
+        head = b"%d %s " % (index, total)
+        self._at[index] = (self._file.seek(0, os.SEEK_END) + len(head), len(line))
+        self._file.write(head + line + b"\n")
+        self._file.flush()
+
+    def _line(self, index: int) -> bytes:
+        assert self._file is not None
+        place, length = self._at[index]
+        self._file.seek(place)
+        return self._file.read(length)
+
+    def take(self, index: int) -> bytes:
+        """A result whose turn has come."""
+        line = self._line(index)
+        del self._at[index]
+        return line
+
+    def empty(self) -> None:
+        """All that was here is among the results."""
+        if not self._at and self._file is not None:
+            self._file.truncate(0)
+
+    def close(self) -> None:
+        """Ends the file, which goes where nothing waits in it."""
+        if self._file is not None:
+            self._file.close()
+            if not self._at:
+                os.remove(self._path)
+
+
+def _beside(path: str) -> BinaryIO:
+    """A file beside that of results, from its begin."""
+    try:
+        file = open(path, "a+b")
+    except OSError as error:
+        raise FileError(f"cannot write {path}: {error.strerror}", path, "file") from None
+    file.seek(0)
+    return file
 
 
 def _sum(text: str) -> bytes:
@@ -172,25 +269,28 @@ def map(problems: Iterable[Document], client: Any = None, threads: int | None = 
     problems   documents, one after the other; an iterator is read no faster than results come
     client     a Dask `distributed.Client` or a `concurrent.futures` executor, which get quick problems many in a task, of about a second;
                None: threads of this process
-    threads    how many here; None: as many as processors
+    threads    how many here; None: as many as processors that this process may use
     out        a JSON Lines file, a line for each problem in order; what it holds already is not made again. Which problems these
-               were is in a file of its name with .sums: others are an InputError, reason "other-sweep". A file that holds anything
-               else, or that another sweep is writing, is a FileError, and stays as it is
+               were is in a file of its name with .sums: others are an InputError, reason "other-sweep". Results that come before
+               their turn wait in one with .early, also for the next start. A file that holds anything else, or that another sweep is
+               writing, is a FileError, and stays as it is
     """
     if threads is not None and whole(threads, "threads") < 1:
         raise InputError(f"threads is {threads}; expected 1 or more", "", "argument", threads)
     if client is not None and not hasattr(client, "submit"):
         raise InputError(f"client is {client!r}; expected a Dask client or an executor of concurrent.futures", "", "type")
+    if isinstance(problems, (str, bytes, bytearray, os.PathLike)):
+        raise InputError(f"found {type(problems).__name__}, expected a list of documents; of a file of lines, open(path)", "", "type")
     if isinstance(problems, Mapping) or not hasattr(problems, "__iter__"):
         raise InputError(f"found {type(problems).__name__}, expected a list of documents", "", "type")
-    return _map(problems, client, threads, None if out is None else os.fspath(out))
+    return _map(problems, client, threads, None if out is None else path_of(out))
 
 
 class _Tasks:
     """Problems handed out to threads of this process, one by one, or to a client, so many in a task that it takes its time."""
 
     def __init__(self, client: Any, threads: int | None) -> None:
-        self._workers = _workers(client) if client is not None else threads or os.cpu_count() or 1
+        self._workers = _workers(client) if client is not None else threads or _processors()
         self._own = None if client is not None else concurrent.futures.ThreadPoolExecutor(self._workers)
         self._executor: Any = self._own or (client.get_executor(pure=False) if hasattr(client, "get_executor") else client)
         self._stop = threading.Event()
@@ -247,43 +347,67 @@ class _Tasks:
 
 
 class _Lines:
-    """The file of results, if any, in the order of the problems, and beside it which they are of."""
+    """The file of results, if any, in the order of the problems, and beside it which they are of, and those that came too early."""
 
     def __init__(self, path: str | None) -> None:
+        is_new = path is not None and not os.path.exists(path)
         self._file = None if path is None else _locked(path)
         self._sums: _Sums | None = None
-        self._early: dict[int, bytes] = {}  # of problems behind one that is still worked on
+        self._early: _Early | None = None
+        self._totals: dict[int, bytes] = {}  # the checksums of the problems that are worked on
         try:
-            self.finished = [] if self._file is None or path is None else _done(self._file, path)
-            self._sums = None if path is None else _Sums(path, len(self.finished))
+            self.finished = 0 if self._file is None or path is None else _done(self._file, path)
+            if path is not None:
+                self._sums = _Sums(path, self.finished)
+                self._early = _Early(path, None if is_new else self.finished)
         except BaseException:
             self.close()
             raise
-        self._written = len(self.finished)
+        self._written = self.finished
 
-    def check(self, index: int, text: str) -> None:
-        """The problem of a line that is there already."""
-        if self._sums is not None:
-            self._sums.check(index, text)
+    def there(self, index: int, text: str) -> bytes:
+        """The result that the next line holds already."""
+        assert self._sums is not None and self._file is not None
+        self._sums.check(index, text)
+        return self._file.readline()
 
-    def begin(self, index: int, text: str) -> None:
-        """A problem is handed out."""
-        if self._sums is not None:
-            self._sums.add(index, text)
+    def begin(self, index: int, text: str) -> bytes | None:
+        """A problem is to be handed out, unless its result is there: it came early, and the sweep ended before its turn."""
+        if self._sums is None or self._early is None:
+            return None
+        total = _sum(text)
+        self._sums.add(index, total)
+        line = self._early.there(index, total)
+        if line is None:
+            self._totals[index] = total
+        else:
+            self._write()
+        return line
 
     def add(self, index: int, line: bytes) -> None:
         """A result has come."""
-        if self._file is None:
+        if self._file is None or self._early is None:
             return
-        self._early[index] = line
+        total = self._totals.pop(index)
+        if index > self._written:
+            self._early.add(index, total, line)
+            return
+        self._file.write(line + b"\n")
+        self._written += 1
+        self._write()
+
+    def _write(self) -> None:
+        """Those whose turn has come."""
+        assert self._file is not None and self._early is not None
         while self._written in self._early:
-            self._file.write(self._early.pop(self._written) + b"\n")
+            self._file.write(self._early.take(self._written) + b"\n")
             self._written += 1
         self._file.flush()
+        self._early.empty()
 
     def close(self) -> None:
         """Ends the files."""
-        for file in (self._sums, self._file):
+        for file in (self._sums, self._early, self._file):
             if file is not None:
                 file.close()
 
@@ -296,12 +420,11 @@ def _map(problems: Iterable[Document], client: Any, threads: int | None, out: st
     tasks: _Tasks | None = None
     try:
         texts = enumerate(problems)
-        for line in lines.finished:
+        for _ in range(lines.finished):
             index, document = next(texts, (-1, _END))
             if document is _END:
                 return
-            lines.check(index, _text_or_error(document)[0])
-            yield index, _result(line)
+            yield index, _result(lines.there(index, _text_or_error(document)[0]))
         tasks = _Tasks(client, threads)
         ended = False
         while tasks or not ended:
@@ -312,8 +435,10 @@ def _map(problems: Iterable[Document], client: Any, threads: int | None, out: st
                     ended = True
                     break
                 text, error = _text_or_error(document)
-                lines.begin(index, text)
-                if error is not None:  # what no document can hold
+                line = lines.begin(index, text)
+                if line is not None:
+                    yield index, _result(line)
+                elif error is not None:  # what no document can hold
                     line = _line_of(error)
                     lines.add(index, line)
                     yield index, _result(line)
@@ -341,6 +466,11 @@ def _text_or_error(document: Any) -> tuple[str, Error | None]:
 
 def _text(document: Any) -> str:
     """A document as a text that travels."""
+    if isinstance(document, (bytes, bytearray)):
+        try:
+            document = document.decode()
+        except UnicodeDecodeError as error:
+            raise InputError(f"a text that is not UTF-8, at {error.start}", "", "text") from None
     if isinstance(document, (str, os.PathLike)):
         text = os.fspath(document)
         return text if text.lstrip()[:1] in ("{", "[") else os.path.abspath(text)

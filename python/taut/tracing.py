@@ -8,7 +8,7 @@ from typing import Any, Callable, Optional, Sequence
 import numpy as np
 
 from . import _library as c
-from ._handle import expect, library, real
+from ._handle import expect, library, numbers, real
 from .errors import InputError, raise_for
 from .geometry import Surface
 
@@ -16,10 +16,11 @@ _FAMILIES = {"asymptotic": ("+", "-"), "principal": ("max", "min"), "geodesic": 
 _NAMES = ("s", "at", "points", "tangents", "normals", "k_n", "k_g", "tau_g")
 
 
-def _pair(value: Sequence[float], name: str) -> tuple[float, float]:
-    if len(value) != 2:
+def _pair(value: Sequence[float], name: str) -> list[float]:
+    pair = numbers(value, None, name)
+    if pair.shape != (2,):
         raise InputError(f"{name} is {value!r}; expected two numbers", "", "value")
-    return real(value[0], name), real(value[1], name)
+    return [float(pair[0]), float(pair[1])]
 
 
 def _told(step: Any) -> tuple[Any, ...]:
@@ -43,11 +44,13 @@ def follow(surface: Surface, net: str, at: Sequence[float], way: Sequence[float]
     Errors: InputError: another net, family or place; NoSolution where the net has no direction at the place. Source: docs/trace.md.
     """
     expect(surface, Surface)
-    if net not in _FAMILIES:
+    if not isinstance(net, str) or net not in _FAMILIES:
         raise InputError(f"net is {net!r}; expected one of {', '.join(_FAMILIES)}", "", "net")
     families = _FAMILIES[net]
     if family is not None and family not in families:
         raise InputError(f"family is {family!r}; expected one of {', '.join(families)}", "", "family")
+    if sink is not None and not callable(sink):
+        raise InputError(f"sink is {sink!r}; expected a function", "", "type")
     number = 1 + families.index(family) if family is not None else 1
     rows: list[tuple[Any, ...]] = []
     failed: list[BaseException] = []

@@ -16,6 +16,36 @@ from conftest import ROOT
 import taut
 
 
+def test_asked_by_name(net):
+    """A model is not gone through, its surfaces are."""
+    model = taut.dirichlet(net, u=taut.bezier(4), v=taut.bezier(5))
+    certificate = model.certificate
+    assert "known" in certificate and "roof" not in certificate and certificate["known"] in certificate
+    assert "dirichlet" in model and "roof" not in model
+    with pytest.raises(TypeError):
+        list(model)
+
+
+def test_masked_points_are_to_be_found(net):
+    """As NaN are, by every way in."""
+    u, v = taut.bezier(4), taut.bezier(5)
+    expected = taut.dirichlet(net, u=u, v=v)
+    masked = np.ma.masked_array(np.nan_to_num(net, nan=7.0), np.isnan(net))
+    single = np.ma.masked_array(masked.data, np.isnan(net) & (np.arange(3) == 1))  # one coordinate of each
+    for points in (masked, single):
+        assert taut.dirichlet(points, u=u, v=v) == taut.make({"construct": "dirichlet", "u": u, "v": v, "points": points}) == expected
+    whole = np.ma.masked_array(expected.surfaces[0].points)
+    assert taut.Surface(u, v, whole, name="dirichlet") == expected.surfaces[0]
+    with pytest.raises(taut.InputError):
+        taut.dirichlet(masked, u=u, v=v, known=np.ones((5, 6), bool))
+
+
+def test_bases_that_are_equal_hash_so():
+    """-0 and 0 are two knots."""
+    one, other = taut.bspline(1, knots=[0.0, 0.0, 1.0, 1.0]), taut.bspline(1, knots=[-0.0, -0.0, 1.0, 1.0])
+    assert one != other and one == taut.bspline(1, knots=[0, 0, 1, 1]) and len({one, other, taut.bspline(1, count=2)}) == 2
+
+
 def test_dirichlet_from_arrays(net):
     u, v = taut.bspline(2, count=5), taut.bspline(3, count=6)
     model = taut.dirichlet(net, u=u, v=v)

@@ -14,6 +14,7 @@ import pytest
 
 import taut
 from conftest import ROOT
+from taut.making import plain, with_version
 
 
 def problems(count):
@@ -287,9 +288,65 @@ def test_two_sweeps_at_once(tmp_path):
     assert len(list(taut.map(problems(4), out=out))) == 4
 
 
-def test_none_is_a_result():
-    found = dict(taut.map([None, next(problems(1))]))
-    assert isinstance(found[0], taut.InputError) and isinstance(found[1], taut.Model)
+def test_what_is_no_problem_is_a_result(tmp_path, program):
+    """A list of problems too, with the words of the program; the sweep goes on. Bytes are texts."""
+    good = json.dumps(with_version(plain(next(problems(1)))))
+    (tmp_path / "list.json").write_text(f"[{good}, {good}]")
+    found = dict(taut.map([None, good, f"[{good}, {good}]", [json.loads(good)] * 2, tmp_path / "list.json", b"\xff", good.encode()], threads=2))
+    assert [getattr(found[i], "reason", "") for i in range(7)] == ["type", "", "type", "type", "type", "text", ""] and found[1] == found[6]
+    (tmp_path / "in.jsonl").write_text(f"[{good}, {good}]\n")
+    subprocess.run([program, "make", "--quiet", "--lines", "in.jsonl", "-o", "program.jsonl"], cwd=tmp_path, check=False)
+    with open(tmp_path / "in.jsonl", encoding="utf-8") as lines:
+        assert len(list(taut.map(lines, out=tmp_path / "python.jsonl"))) == 1
+    assert (tmp_path / "python.jsonl").read_bytes() == (tmp_path / "program.jsonl").read_bytes()
+
+
+EARLY = """
+import os, signal, sys, time, taut
+from taut import sweeps
+one = sweeps._one
+def slow(text, stop=None):
+    if text == sys.argv[2]:
+        time.sleep(600)
+    return one(text, stop)
+sweeps._one = slow
+for count, _ in enumerate(taut.map(sys.argv[2:], out=sys.argv[1], threads=2), 1):
+    if count == 12:
+        os.kill(os.getpid(), signal.SIGKILL)
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="needs signals")
+def test_what_came_early_is_kept(tmp_path, monkeypatch):
+    """The first problem takes long; killed, what is behind it is not made again, unless it is of another problem now."""
+    texts = [json.dumps(with_version(plain(one))) for i, one in enumerate(problems(20)) if i % 11 != 5]
+    out, early, whole = tmp_path / "r.jsonl", tmp_path / "r.jsonl.early", tmp_path / "whole.jsonl"
+    environment = {**os.environ, "PYTHONPATH": str(pathlib.Path(taut.__file__).parents[1])}
+    killed = subprocess.run([sys.executable, "-c", EARLY, str(out), *texts], env=environment, check=False)
+    there = {int(line.split()[0]) for line in early.read_bytes().splitlines()}
+    assert killed.returncode < 0 and out.read_bytes() == b"" and len(there) >= 12 and 4 in there and 0 not in there
+    with early.open("ab") as file:
+        file.write(b"17 in the middle of a li")
+    texts[4], made, one = texts[4].replace('"dirichlet"', '"nothing"'), [], taut.sweeps._one
+
+    def counted(text, stop=None):
+        made.append(text)
+        return one(text, stop)
+    list(taut.map(texts, out=whole, threads=1))
+    monkeypatch.setattr(taut.sweeps, "_one", counted)
+    found = dict(taut.map(texts, out=out, threads=2))
+    assert sorted(made) == sorted(text for i, text in enumerate(texts) if i == 4 or i not in there) and sorted(found) == list(range(len(texts)))
+    assert out.read_bytes() == whole.read_bytes() and not early.exists()
+    assert found[1] == taut.make(texts[1]) and found[4].reason == "name"
+    early.write_bytes(b"0 " + b"0" * 64 + b" " + out.read_bytes().splitlines(keepends=True)[0])  # of a file of results that is gone: not wanted
+    out.unlink()
+    made.clear()
+    list(taut.map(texts, out=out))
+    assert sorted(made) == sorted(texts) and out.read_bytes() == whole.read_bytes() and not early.exists()
+    early.write_bytes(b"my thesis\n")
+    with pytest.raises(taut.FileError):
+        list(taut.map(texts, out=out))
+    assert early.read_bytes() == b"my thesis\n" and out.read_bytes() == whole.read_bytes()
 
 
 def test_wrong_places(tmp_path):
