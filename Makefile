@@ -108,7 +108,7 @@ mutants:
 install: build
 	@cmake --install build/release $(if $(PREFIX),--prefix "$(PREFIX)")
 	@[ -z "$(PYTHON_FOLDER)" ] || tools/python.sh install "$(PYTHON_FOLDER)"
-	@echo "ldconfig, as root, lets programs find the library in the folders of the system"
+	@$(if $(PREFIX),tools/find_prefix.sh "$(PREFIX)",echo "ldconfig, as root, lets programs find the library in the folders of the system")
 
 reproduction: build
 	@tools/reproduction.sh

@@ -32,11 +32,12 @@ lasting < report > said
 cmp -s promised said || fail "the report differs from the README's: $(diff promised said)"
 
 # Every other command line of the README that begins with taut, in order; the studio where it was built.
+awk '$0 == "```json" { n++; on = n == 2; next } /^```/ { on = 0 } on' "$SOURCE/README.md" > canopy.json
 mkdir bin
 printf '#!/bin/sh\nexec "%s" "$@"\n' "$TAUT" > bin/taut
 chmod +x bin/taut
 PATH=$work/bin:$PATH
-sed -n 's/^    \(taut .*\)/\1/p; s/^`\(taut studio [^`]*\)`.*/\1/p' "$SOURCE/README.md" > commands
+sed -n 's/^    \(taut .*\)/\1/p; s/.*`\(taut studio [^`]*\)`.*/\1/p' "$SOURCE/README.md" > commands
 [ "$(wc -l < commands)" -ge 4 ] || fail "few commands: $(cat commands)"
 while IFS= read -r command; do
     sh -c "$command" > said 2>&1
