@@ -132,11 +132,17 @@ def polygon(name, points, degree=1):
 house = polygon("house", [(0, 0), (1, 0), (3, 0), (3, 2), (1.5, 3), (0, 2), (0, 0)])
 many = polygon("many", [(math.cos(k * math.pi / 7), math.sin(k * math.pi / 7)) for k in range(14)] + [(1, 0)])
 begun = polygon("begun", [(1, 0), (2, 0), (2, 2), (0, 2), (0, 0), (1, 0)])  # in the middle of an edge
+def on_top(degrees, radius=2):  # of the circle of radius 2 through (0, 2) and (2, 2)
+    return [1 + radius * math.sin(math.radians(degrees)), 2 - math.sqrt(3) + radius * math.cos(math.radians(degrees)), 0]
+bow = {"name": "bow", "t": {"type": "bspline", "degree": 2, "knots": [0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 5]},  # in the middle of its arc
+       "points": [on_top(0), on_top(15, 2 / math.cos(math.pi / 12)), [2, 2, 0], [2, 1, 0], [2, 0, 0], [1, 0, 0], [0, 0, 0], [0, 1, 0], [0, 2, 0],
+                  on_top(-15, 2 / math.cos(math.pi / 12)), on_top(0)],
+       "weights": [1, math.cos(math.pi / 12), 1, 1, 1, 1, 1, 1, 1, math.cos(math.pi / 12), 1]}
 lens = {"name": "lens", "t": {"type": "bspline", "degree": 2, "knots": [0, 0, 0, 1, 1, 2, 2, 2]},
         "points": [[0, 0, 0], [1, 1, 0], [2, 0, 0], [1, -1, 0], [0, 0, 0]]}
 open_one = {"name": "open", "t": {"type": "bezier", "degree": 1}, "points": [[0, 0, 0], [1, 0, 0]]}
 json.dump({"taut": 1, "curves": [circle("low", 1, (0, 0, 0), 0.3), circle("high", 1, (0, 0, 1), 2.5, -1),
-           circle("oval", 2, (0, 0, 0), 0, 1, 0.5), square, house, many, begun, lens, open_one], "surfaces": []}, open("closed.json", "w"))
+           circle("oval", 2, (0, 0, 0), 0, 1, 0.5), square, house, many, begun, bow, lens, open_one], "surfaces": []}, open("closed.json", "w"))
 END
 area_of() { sed -n 's/^ *area  *\([0-9.e+-]*\).*/\1/p' err.txt | head -n 1; }
 near() { # near AREA EXACT TOLERANCE WHAT
@@ -170,7 +176,16 @@ around 0 '["house"]'
 contains err.txt 'one closed curve, cut at its 5 corners'
 near "$(area_of)" 7.5 1e-9 'a house of five corners, one edge with a knot within'
 run 0 certify around-model.json around.json
-for picked in '["lens"]' '["many"]' '["begun"]' '["low", "open"]' '["open"]'; do
+# also one that begins in the middle of an edge, which is one edge then
+around 0 '["begun"]'
+contains err.txt 'one closed curve, cut at its 4 corners'
+near "$(area_of)" 4 1e-12 'a rectangle that begins in the middle of an edge'
+run 0 certify around-model.json around.json
+around 0 '["bow"]'
+contains err.txt 'one closed curve, cut at its 4 corners'
+near "$(area_of)" 4.36234434827437 2e-8 'a square under an arc, which begins in the middle of that' # 1.5e-8: 12 points of degree 4 for two rational arcs
+run 0 certify around-model.json around.json
+for picked in '["lens"]' '["many"]' '["low", "open"]' '["open"]'; do
     around 3 "$picked"
     contains err.txt '/boundary/edges: found [12] curves, expected 3 to 12 that go round, or one or two that are closed'
 done

@@ -176,6 +176,17 @@ static taut_status join(const void *context, void **result, taut_error *error)
     return status;
 }
 
+/* The same, behind itself. */
+static taut_status link_to(const void *context, void **result, taut_error *error)
+{
+    const taut_curve *loop = taut_model_curve(context, 0);
+    taut_curve *linked = NULL;
+    const taut_status status = taut_boundary_link(loop, loop, &linked, error);
+    taut_curve_free(linked);
+    (void)result;
+    return status;
+}
+
 /* A block inserted twice, of an arc and a text. */
 static const char drawing_text[] =
     "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\nb\n0\nARC\n8\nl\n40\n2\n50\n0\n51\n200\n0\nTEXT\n0\nENDBLK"
@@ -239,6 +250,7 @@ int main(void)
     fault_check("dxf in", read_model, release_model, path, 20);
     taut_model *loop = model_of(loop_text);
     fault_check("loop", join, NULL, loop, 20);
+    fault_check("link", link_to, NULL, loop, 20);
     taut_model_free(loop);
     path = in_folder("b.geomdl.json");
     CHECK(taut_model_write(surfaces, path, NULL, NULL) == TAUT_OK, "write");

@@ -23,6 +23,10 @@ taut_status taut_boundary_order(const taut_curve *const curves[TAUT_SIDES], doub
 taut_status taut_boundary_join(int count, const taut_curve *const *curves, double tolerance,
                                taut_curve *joined[TAUT_SIDES], taut_error *error);
 
+/* Two curves as one B-spline: the second begins where the first ends. TAUT_NO_SOLUTION: one is no polynomial's. */
+taut_status taut_boundary_link(const taut_curve *first, const taut_curve *second,
+                               taut_curve **linked, taut_error *error);
+
 /* The first inner knot at which a spline turns by more than an angle, in radians; NaN where there is none. */
 double taut_boundary_first_kink(const taut_curve *curve, double angle);
 /* Does a closed curve turn by no more than an angle where it closes, and at its knots as well? */

@@ -443,3 +443,18 @@ taut_status taut_boundary_join(int count, const taut_curve *const *curves, doubl
     memcpy(joined, made, sizeof made);
     return TAUT_OK;
 }
+
+taut_status taut_boundary_link(const taut_curve *first, const taut_curve *second,
+                               taut_curve **linked, taut_error *error)
+{
+    chain c = {.arena = taut_arena_new()};
+    taut_status status = add_curve(&c, first, error);
+    if (status == TAUT_OK) {
+        status = add_curve(&c, second, error);
+    }
+    if (status == TAUT_OK) {
+        status = join_side(&c, 0, c.count, linked, error);
+    }
+    taut_arena_free(c.arena);
+    return status;
+}

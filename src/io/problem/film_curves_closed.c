@@ -84,6 +84,19 @@ static taut_status cut_off(taut_arena *arena, double t, const taut_curve **part,
     return TAUT_OK;
 }
 
+/* *curve follows what is left of the curve that it began. */
+static taut_status link_to(taut_arena *arena, const taut_curve *left, const taut_curve **curve,
+                           taut_error *error)
+{
+    taut_curve *made = NULL;
+    const taut_status status = taut_boundary_link(left, *curve, &made, error);
+    if (status == TAUT_OK && !taut_keep_curve(arena, made)) {
+        return taut_fail_memory(error);
+    }
+    *curve = status == TAUT_OK ? made : *curve;
+    return status;
+}
+
 taut_status taut_film_curve_cut(taut_arena *arena, const taut_curve *curve, int most,
                                 const taut_curve **pieces, int *count, taut_error *error)
 {
@@ -93,19 +106,25 @@ taut_status taut_film_curve_cut(taut_arena *arena, const taut_curve *curve, int 
     int n = 0;
 
     *count = 0;
-    if (!ends_meet(curve) || taut_boundary_closes_smoothly(curve, smooth)) {
+    if (!ends_meet(curve)) {
         return TAUT_OK;
     }
     while (status == TAUT_OK && !isnan(kink) && n < most) {
         status = cut_off(arena, kink, &pieces[n++], &left, error);
         kink = taut_boundary_first_kink(left, smooth);
     }
-    if (status != TAUT_OK || n + 1 > most) {
+    const int begins_within =
+        taut_boundary_closes_smoothly(curve, smooth); /* an edge, in no corner */
+    if (status != TAUT_OK || !isnan(kink) || n == 0 || n + !begins_within > most) {
         return status;
     }
-    pieces[n++] = left;
-    *count = n;
-    return TAUT_OK;
+    if (begins_within) {
+        status = link_to(arena, left, &pieces[0], error);
+    } else {
+        pieces[n++] = left;
+    }
+    *count = status == TAUT_OK ? n : 0;
+    return status;
 }
 
 /* The circle through three points; 0 where they are on a line. */

@@ -8,8 +8,8 @@
 /* Is it closed, and smooth all round? */
 int taut_film_curve_is_closed(const taut_curve *curve);
 
-/* The pieces, at most `most`, of a curve that closes in a corner, cut at all its corners; *count is 0 where it does not, or has
- * more. They go on from each other, as the curve runs. The arena owns them. */
+/* The pieces, at most `most`, of a closed curve between its corners; *count is 0 where it is not closed, has none or has more. They
+ * go on from each other, as the curve runs; where it begins in the middle of one, that is the first. The arena owns them. */
 taut_status taut_film_curve_cut(taut_arena *arena, const taut_curve *curve, int most,
                                 const taut_curve **pieces, int *count, taut_error *error);
 
