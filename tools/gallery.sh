@@ -18,9 +18,11 @@ words() { # words EXAMPLE
     asymptotic*) echo --no-net --isolines 9 ;;
     harmonic-extension | harmonic-neighbour) echo --no-net --isolines 7 --view 300,15 ;;
     bonnet*-frames*) echo --side-by-side --no-net ;;
-    film-bubbles | film-gyroid | film-neovius | film-ridge | film-schwarz-* | film-tent) echo --no-net ;;
+    film-ridge) echo --no-net --view 300,55 ;;
+    film-bubbles | film-gyroid | film-neovius | film-schwarz-* | film-tent) echo --no-net ;;
     film* | *-mast | *-through | biharmonic-c?) echo --no-net --isolines 11 ;;
-    bonnet* | pipe* | pattern* | trace*) echo --no-net ;;
+    pattern*) echo --no-net --view 285,50 ;;
+    bonnet* | pipe* | trace*) echo --no-net ;;
     esac
 }
 

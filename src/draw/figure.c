@@ -110,7 +110,8 @@ static int name_rows(const taut_pane *pane, int drawn, int most, named *rows)
         if (row == count) {
             count++;
         }
-        if (row < most) {
+        const int is_image = name[0] != '\0' && name[strlen(name) - 1] == '\'';
+        if (row < most && !(is_image && rows[row].count > 0)) {
             rows[row] = (named){colour, is_curve, rows[row].count + 1,
                                 rows[row].count > 0 ? rows[row].first : name, name};
         }
@@ -211,8 +212,9 @@ static void name_row(const named *r, char *name, size_t room)
 {
     const int is_part = strcmp(own_name(r->first), r->first) != 0 &&
                         strcmp(own_name(r->last), r->last) != 0 && r->count > 1;
-    const char *first = is_part ? own_name(r->first) : r->first;
-    const char *last = is_part ? own_name(r->last) : r->last;
+    const int in_turn = !is_part || strcmp(own_name(r->first), own_name(r->last)) <= 0;
+    const char *first = is_part ? own_name(in_turn ? r->first : r->last) : r->first;
+    const char *last = is_part ? own_name(in_turn ? r->last : r->first) : r->last;
     const size_t stem = strcspn(last, "0123456789");
     const int is_numbered = strncmp(first, last, stem) == 0 && stem > 0 &&
                             last[stem + strspn(last + stem, "0123456789")] == '\0';
@@ -308,7 +310,8 @@ static int is_free(const figure *f, double x, double y, double reach)
 /* The axes go into a corner of the picture that is free, or else below it. */
 static void place_axes(figure *f)
 {
-    const double reach = TAUT_LEGEND_AXES, right = f->width - f->right, low = f->height - f->foot;
+    const double reach = TAUT_LEGEND_AXES, low = f->height - f->foot;
+    const double right = f->width - f->right - (f->right > 0 ? 30 : 0); /* clear of the legend */
     const double corner[4][2] = {{reach + 10, low - reach + 18},
                                  {right - reach - 12, low - reach + 18},
                                  {reach + 10, f->top + reach},

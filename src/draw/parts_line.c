@@ -7,7 +7,7 @@
 
 enum { LINES_SHOWN = 33, POINTS_ALONG = 132 };
 
-static const taut_ink net_ink = {68, 74, 90}, faint_ink = {150, 160, 178};
+static const taut_ink net_ink = {68, 74, 90}, faint_ink = {112, 126, 152};
 static const taut_ink point_ink = {250, 250, 250}, point_rim = {60, 66, 82};
 
 /* Of `count` points in one direction every `line`-th has a line across, and a line along runs

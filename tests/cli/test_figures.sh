@@ -53,6 +53,14 @@ run 0 convert skew.json -o unheld.svg --reactions
 contains unheld.svg 'no reactions'
 "$TAUT" example film-tent | "$TAUT" make - --quiet -o tent.svg --reactions
 contains tent.svg 'the longest arrow is a force of 5\.74'
+"$TAUT" example film-tent | "$TAUT" make - --quiet -o tent.svg --no-net
+contains tent.svg '>u0, u1<'
+contains tent.svg 'stroke="#b02a30"'
+# names of images are those of what they are images of; what an open end shows of an axis is not drawn
+"$TAUT" example film-bubbles | "$TAUT" make - --quiet -o bubbles.svg --no-net
+contains bubbles.svg '>l1, l2<'
+"$TAUT" example pipe-run-wall | "$TAUT" make - --quiet -o wall.svg --no-net
+if grep -q 'stroke="#b02a30"' wall.svg; then complain "the axis of a pipe is seen in its mouth"; fi
 contains i.svg 'Isothermality'
 run 0 convert saddle.json -o c.svg --combs --reflections 12 --no-net
 contains c.svg 'the longest tooth is a curvature of '
