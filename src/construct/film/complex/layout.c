@@ -12,8 +12,9 @@
 #include <string.h>
 
 enum { SWEEPS = 1000 };
-static const double swept = 1e-4;    /* of the longest edge */
-static const double gap_held = 1e-9; /* of the size: a held point and the start's */
+static const double swept = 1e-4;      /* of the longest edge */
+static const double no_length = 1e-12; /* of the longest, squared */
+static const double gap_held = 1e-9;   /* of the size: a held point and the start's */
 
 /* ---- corners ---- */
 
@@ -116,10 +117,11 @@ void taut_film_strips(const taut_film_problem *problem, int *class)
 }
 
 /* weights[2 p + d]: 1 over the mean square of the lengths of the edges of patch p along v (d = 0) or u, and of all others of their
- * strip. */
-static void find_weights(const taut_film_layout *l, int *class, double *weights)
+ * strip. 0: a strip has no length, because all its edges begin and end at one corner so far. */
+static int find_weights(const taut_film_layout *l, int *class, double *weights)
 {
     const int count = 2 * l->complex.problem->patch_count;
+    double least = INFINITY, most = 0;
 
     taut_film_strips(l->complex.problem, class);
     for (int k = 0; k < count; k++) {
@@ -136,7 +138,10 @@ static void find_weights(const taut_film_layout *l, int *class, double *weights)
             }
         }
         weights[k] = sum > 0 && isfinite(sum) ? edges / sum : 1;
+        least = fmin(least, edges > 0 ? sum / edges : 0);
+        most = fmax(most, edges > 0 ? sum / edges : 0);
     }
+    return least > no_length * most;
 }
 
 /* One sweep: corners that move, at the weighted mean of those that their edges lead to. The longest way that one went, over the
@@ -205,7 +210,14 @@ static taut_status lay_corners(taut_film_layout *l, taut_arena *arena, taut_erro
             taut_film_hold_onto(&c->holds[node], l->points + 3 * node);
         }
     }
-    find_weights(l, class, weights);
+    if (!find_weights(l, class, weights)) {
+        for (size_t k = 0; k < 2 * patches; k++) {
+            weights[k] = 1;
+        }
+        for (int k = 0; k < SWEEPS && even_out(l, is_given, weights, sums) > swept; k++) {
+        }
+        (void)find_weights(l, class, weights);
+    }
     for (int k = 0; k < SWEEPS && even_out(l, is_given, weights, sums) > swept; k++) {
     }
     return TAUT_OK;
