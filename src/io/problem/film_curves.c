@@ -5,9 +5,11 @@
 #include "geometry/keep.h"
 #include "io/problem/boundary_file.h"
 #include "io/problem/film_curves_closed.h"
+#include "io/problem/film_curves_cut.h"
 #include "taut/operations.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -206,43 +208,98 @@ static taut_status make_one(reading *r, const taut_basis *basis, taut_film_probl
     return status;
 }
 
-static taut_status make_round(reading *r, const taut_basis *basis, taut_film_problem *data,
-                              taut_film_parts *parts, taut_error *error)
+/* One patch at each corner of each polygon; what they share. */
+typedef struct layout {
+    taut_film_cut cut;
+    const taut_curve *halves[TAUT_FILM_CURVES_MAX][2]; /* the second run backwards */
+    taut_film_problem *patches;
+    taut_film_seam
+        *seams; /* two of each line, from either end to its middle; then those to the centres */
+    taut_film_side *sides; /* two of each seam */
+    int lines[TAUT_FILM_LINES_MAX][2];
+} layout;
+
+/* An edge of a patch that is half a side of its polygon, from the corner to the middle. */
+static void lay_half(layout *l, int side, int corner, int half, int patch, int edge)
+{
+    if (side >= 0) {
+        set_curve(&l->patches[patch], edge, l->halves[side][half]);
+        return;
+    }
+    const int line = -1 - side, end = corner != l->cut.from[line];
+    l->sides[2 * (2 * line + end) + l->lines[line][end]++] = (taut_film_side){patch, edge, 0};
+}
+
+/* Patches from `first` on, and the seams to their centre. */
+static void lay_polygon(layout *l, const taut_film_polygon *p, int first, const taut_basis *basis,
+                        double tension)
+{
+    const int lines = 2 * l->cut.line_count;
+
+    for (int k = 0; k < p->count; k++) {
+        const int patch = first + k, before = (k + p->count - 1) % p->count;
+        taut_film_problem *made = &l->patches[patch];
+        made->u = made->v = basis;
+        made->tension = tension;
+        made->corner_kinds[3] = TAUT_FILM_FREE;
+        for (int c = 0; c < 3; c++) {
+            const int is_known = (c != 2 && p->sides[k] >= 0) || (c != 1 && p->sides[before] >= 0);
+            made->corner_kinds[c] = is_known ? made->corner_kinds[c] : TAUT_FILM_FREE;
+        }
+        lay_half(l, p->sides[k], p->corners[k], 0, patch, 2);
+        lay_half(l, p->sides[before], p->corners[k], 1, patch, 0);
+        l->sides[2 * (lines + patch)] = (taut_film_side){patch, 1, 0};
+        l->sides[2 * (lines + patch) + 1] = (taut_film_side){first + (k + 1) % p->count, 3, 0};
+    }
+}
+
+static taut_status make_round(reading *r, layout *l, const taut_basis *basis,
+                              taut_film_problem *data, taut_film_parts *parts, taut_error *error)
 {
     taut_arena *arena = r->problem->arena;
-    const size_t n = (size_t)r->count;
-    const taut_curve *halves[TAUT_FILM_CURVES_MAX][2];
-    taut_film_problem *patches = taut_arena_take(arena, n, sizeof *patches);
-    taut_film_seam *seams = taut_arena_take(arena, n, sizeof *seams);
-    taut_film_side *sides = taut_arena_take(arena, 2 * n, sizeof *sides);
+    const int patches = l->cut.patch_count, seams = 2 * l->cut.line_count + patches;
+    l->patches = taut_arena_take(arena, (size_t)patches, sizeof *l->patches);
+    l->seams = taut_arena_take(arena, (size_t)seams, sizeof *l->seams);
+    l->sides = taut_arena_take(arena, 2 * (size_t)seams, sizeof *l->sides);
     taut_status status = taut_arena_status(arena) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 
     for (int k = 0; status == TAUT_OK && k < r->count; k++) {
-        status = halve(arena, r->curves[k], halves[k], error);
+        status = halve(arena, r->curves[k], l->halves[k], error);
         if (status == TAUT_OK) {
-            status = reverse(arena, &halves[k][1], error);
+            status = reverse(arena, &l->halves[k][1], error);
         }
     }
-    for (int k = 0; status == TAUT_OK && k < r->count; k++) {
+    for (int k = 0, first = 0; status == TAUT_OK && k < l->cut.polygon_count; k++) {
+        lay_polygon(l, &l->cut.polygons[k], first, basis, data->tension);
+        first += l->cut.polygons[k].count;
+    }
+    for (int k = 0; status == TAUT_OK && k < patches; k++) {
         char name[160];
         const char *of = data->name != NULL ? data->name : "film";
         snprintf(name, sizeof name, "%.120s-%d", of, k);
-        patches[k] = (taut_film_problem){.u = basis, .v = basis, .tension = data->tension};
-        patches[k].name = taut_arena_text(arena, name);
-        patches[k].corner_kinds[3] = TAUT_FILM_FREE;
-        set_curve(&patches[k], 2, halves[k][0]);
-        set_curve(&patches[k], 0, halves[(k + r->count - 1) % r->count][1]);
-        sides[2 * k] = (taut_film_side){k, 1, 0};
-        sides[2 * k + 1] = (taut_film_side){(k + 1) % r->count, 3, 0};
-        seams[k] = (taut_film_seam){.count = 2, .sides = sides + 2 * k};
-        status = patches[k].name != NULL ? TAUT_OK : taut_fail_memory(error);
+        l->patches[k].name = taut_arena_text(arena, name);
+        status = l->patches[k].name != NULL ? TAUT_OK : taut_fail_memory(error);
     }
-    data->patch_count = data->seam_count = r->count;
-    data->patches = patches;
-    data->seams = seams;
-    *parts = (taut_film_parts){patches, seams};
+    for (int k = 0; status == TAUT_OK && k < seams; k++) {
+        l->seams[k] = (taut_film_seam){.count = 2, .sides = l->sides + 2 * (ptrdiff_t)k};
+    }
+    data->patch_count = patches;
+    data->seam_count = seams;
+    data->patches = l->patches;
+    data->seams = l->seams;
+    *parts = (taut_film_parts){l->patches, l->seams};
     data->name = NULL;
     return status;
+}
+
+static taut_status make_patches(reading *r, const taut_basis *basis, taut_film_problem *data,
+                                taut_film_parts *parts, taut_error *error)
+{
+    layout l = {.patches = NULL};
+
+    taut_film_curves_cut(r->count, r->curves, TAUT_FILM_PATCHES_MAX, &l.cut);
+    return r->count == 4 && l.cut.polygon_count == 1 ? make_one(r, basis, data, error)
+                                                     : make_round(r, &l, basis, data, parts, error);
 }
 
 /* One curve with three corners or more gives way to its pieces between them. */
@@ -334,7 +391,6 @@ void taut_film_document_curves(taut_reader *document, taut_problem *problem,
         document->status = taut_fail_memory(document->error);
     }
     if (document->status == TAUT_OK) {
-        document->status = r.count == 4 ? make_one(&r, basis, data, document->error)
-                                        : make_round(&r, basis, data, parts, document->error);
+        document->status = make_patches(&r, basis, data, parts, document->error);
     }
 }

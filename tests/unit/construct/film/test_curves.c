@@ -1,4 +1,5 @@
-/* test_curves.c -- films between 3 to 12 curves: flat polygons, two quads of Schwarz's D as a hexagon, and what is refused. */
+/* test_curves.c -- films between 3 to 12 curves: flat polygons, convex ones and others, discs of arcs, Schwarz's D as a quad whose
+ * edges are given in pieces and two of its quads as a hexagon, and what is refused. */
 #include "check.h"
 
 #include "taut/taut.h"
@@ -25,8 +26,13 @@ static double area_of(const char *text, int surfaces, const char *reason, const 
                   strcmp(error.where, where) == 0,
               "%s at %s: %s at %s: %s", reason, where, error.reason, error.where, error.message);
     } else {
-        CHECK(status == TAUT_OK, "%s: %s", error.where, error.message);
-        CHECK(taut_model_surface_count(model) == surfaces, "%d patches", surfaces);
+        CHECK(status == TAUT_OK, "%s: %s: %s", text, error.where, error.message);
+        if (status != TAUT_OK) {
+            taut_problem_free(problem);
+            return area;
+        }
+        CHECK(taut_model_surface_count(model) == surfaces, "%d patches, not %d: %s",
+              taut_model_surface_count(model), surfaces, text);
         CHECK(taut_certify(model, problem, NULL, &certificate, &error) == TAUT_OK, "%s",
               error.message);
         CHECK(taut_certificate_holds(certificate) == TAUT_TRUE, "it holds");
@@ -38,9 +44,10 @@ static double area_of(const char *text, int surfaces, const char *reason, const 
     return area;
 }
 
-/* A regular polygon, every other side run backwards. */
+/* A regular polygon, every other side run backwards: of 7 sides and more it is cut from corner to corner. */
 static void test_polygons(void)
 {
+    static const int patches[13] = {0, 0, 0, 3, 1, 5, 6, 9, 10, 11, 12, 15, 18};
     for (int n = 3; n <= 12; n++) {
         char text[3000];
         int at = snprintf(text, sizeof text,
@@ -52,8 +59,111 @@ static void test_polygons(void)
                            cos(a), sin(a), cos(b), sin(b));
         }
         snprintf(text + at, sizeof text - (size_t)at, "]}");
-        CHECK_NEAR(area_of(text, n == 4 ? 1 : n, "", ""), 0.5 * n * sin(2 * pi / n), 1e-13,
+        CHECK_NEAR(area_of(text, patches[n], "", ""), 0.5 * n * sin(2 * pi / n), 1e-13,
                    "polygon of %d", n);
+    }
+}
+
+/* The document of a polygon. */
+static void write_polygon(const char *options, int n, const double (*corners)[3], char *text,
+                          size_t room)
+{
+    int at = snprintf(text, room, "{\"taut\":1,\"construct\":\"film\",%s\"curves\":[", options);
+    for (int k = 0; k < n; k++) {
+        const double *a = corners[k], *b = corners[(k + 1) % n];
+        at += snprintf(text + at, room - (size_t)at,
+                       "%s{\"line\":[[%.17g,%.17g,%.17g],[%.17g,%.17g,%.17g]]}", k == 0 ? "" : ",",
+                       a[0], a[1], a[2], b[0], b[1], b[2]);
+    }
+    snprintf(text + at, room - (size_t)at, "]}");
+}
+
+/* Flat polygons that are not convex, or have corners that are none, against the sum of x dy. Patches that left them would have more. */
+static void test_shapes(void)
+{
+    static const struct {
+        const char *what;
+        int n, patches;
+        double corners[12][3];
+    } shapes[] = {
+        {"a triangle with a corner of 180 degrees", 4, 6, {{0, 0}, {1, 0}, {2, 0}, {0.8, 1.5}}},
+        {"one with a corner of 170", 4, 6, {{0, 0}, {1, -0.0874886635}, {2, 0}, {0.8, 1.5}}},
+        {"a square with two, opposite", 6, 8, {{0, 0}, {1, 0}, {2, 0}, {2, 2}, {1, 2}, {0, 2}}},
+        {"a triangle with three", 6, 10, {{0, 0}, {1, 0}, {2, 0}, {1.5, 1}, {1, 2}, {0.5, 1}}},
+        {"an L", 6, 8, {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}},
+        {"a U", 8, 12, {{0, 0}, {3, 0}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}}},
+        {"an arrow", 4, 6, {{0, 0}, {2, 1}, {0, 2}, {0.7, 1}}},
+        {"a cross",
+         12,
+         30,
+         {{1, 0},
+          {2, 0},
+          {2, 1},
+          {3, 1},
+          {3, 2},
+          {2, 2},
+          {2, 3},
+          {1, 3},
+          {1, 2},
+          {0, 2},
+          {0, 1},
+          {1, 1}}},
+    };
+    for (size_t s = 0; s < sizeof shapes / sizeof *shapes; s++) {
+        char text[3000];
+        double area = 0;
+        for (int k = 0; k < shapes[s].n; k++) {
+            const double *a = shapes[s].corners[k], *b = shapes[s].corners[(k + 1) % shapes[s].n];
+            area += 0.5 * (a[0] * b[1] - a[1] * b[0]);
+        }
+        write_polygon("\"degree\":3,\"count\":5,", shapes[s].n, shapes[s].corners, text,
+                      sizeof text);
+        CHECK_NEAR(area_of(text, shapes[s].patches, "", ""), area, 1e-12, "%s", shapes[s].what);
+    }
+}
+
+/* A circle as arcs: all corners are straight. */
+static void test_discs(void)
+{
+    static const int patches[] = {9, 12, 0, 0, 0, 24};
+    for (int n = 3; n <= 8; n += n < 4 ? 1 : 4) {
+        char text[3000];
+        int at = snprintf(text, sizeof text,
+                          "{\"taut\":1,\"construct\":\"film\",\"count\":8,\"curves\":[");
+        for (int k = 0; k < n; k++) {
+            at += snprintf(text + at, sizeof text - (size_t)at, "%s{\"arc\":[", k == 0 ? "" : ",");
+            for (int i = 0; i < 3; i++) {
+                const double a = 2 * pi * ((k + 0.5 * i) / n);
+                at += snprintf(text + at, sizeof text - (size_t)at, "%s[%.17g,%.17g,0]",
+                               i == 0 ? "" : ",", cos(a), sin(a));
+            }
+            at += snprintf(text + at, sizeof text - (size_t)at, "]}");
+        }
+        snprintf(text + at, sizeof text - (size_t)at, "]}");
+        CHECK_NEAR(area_of(text, patches[n - 3], "", ""), pi, 2e-9, "a disc of %d arcs", n);
+    }
+}
+
+/* The quad of Schwarz's D, its edges in pieces, all of whose corners but four are straight. */
+static void test_pieces(void)
+{
+    static const double quad[4][3] = {{0, 0, 0}, {1, 1, 0}, {0, 1, 1}, {1, 0, 1}};
+    static const int splits[][4] = {{2, 1, 1, 1}, {2, 1, 2, 1}, {2, 2, 2, 2}, {3, 3, 3, 3}};
+    static const int patches[] = {15, 8, 14, 36};
+    for (size_t s = 0; s < sizeof splits / sizeof *splits; s++) {
+        double corners[12][3];
+        char text[3000];
+        int n = 0;
+        for (int e = 0; e < 4; e++) {
+            for (int k = 0; k < splits[s][e]; k++, n++) {
+                const double at = k == 0 ? 0 : (k + 0.1) / splits[s][e];
+                for (int c = 0; c < 3; c++) {
+                    corners[n][c] = (1 - at) * quad[e][c] + at * quad[(e + 1) % 4][c];
+                }
+            }
+        }
+        write_polygon("\"count\":8,", n, (const double(*)[3])corners, text, sizeof text);
+        CHECK_NEAR(area_of(text, patches[s], "", ""), 1.279261571171006466, 2e-11, "%d curves", n);
     }
 }
 
@@ -106,6 +216,9 @@ static void test_refused(void)
 int main(void)
 {
     test_polygons();
+    test_shapes();
+    test_discs();
+    test_pieces();
     test_schwarz();
     test_uneven();
     test_refused();
