@@ -32,6 +32,16 @@ taut_status taut_gradient_of_surface(const taut_surface *surface,
                                      const taut_gradient_request *request, taut_arena *arena,
                                      double *seed, taut_error *error);
 
+/* Nodes on a span beyond those that a polynomial needs, of rules one after the other until two agree. */
+enum { TAUT_GRADIENT_RULES = 11 };
+extern const int taut_gradient_nodes[TAUT_GRADIENT_RULES];
+
+/* Largest |a - b| over the largest |b|. */
+double taut_gradient_change(size_t size, const double *a, const double *b);
+
+/* TAUT_NOT_CONVERGED, "rough", where two rules differ by such a share that nothing is known. */
+taut_status taut_gradient_check_settled(double change, taut_error *error);
+
 /* Pulls back through the Dirichlet surface: one solve (dirichlet.c). */
 taut_status taut_gradient_pull_dirichlet(const taut_dirichlet_problem *problem,
                                          const taut_monitor *monitor, taut_arena *arena,

@@ -27,7 +27,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { EXTRA_NODES = 13 }; /* of the rule for second derivatives */
+enum { FIRST_RULE = 2 }; /* of those for second derivatives */
 
 /* What decides. */
 static const struct {
@@ -35,7 +35,11 @@ static const struct {
     double asked;   /* ... or so many times the tolerance of the problem */
     double tangent; /* of the largest |x_u x x_v|: no tangent plane below (directions.c) */
     double forcing; /* of steps by conjugate gradients */
-} limits = {.rest = 1e-7, .asked = 10, .tangent = 1e-9, .forcing = 1e-14};
+    double
+        settled; /* two rules agree, as a share of the largest derivative: more is rounding of the solve */
+    double points; /* Gauss points: a finer rule is not tried where there are more */
+} limits = {
+    .rest = 1e-7, .asked = 10, .tangent = 1e-9, .forcing = 1e-14, .settled = 1e-11, .points = 1e7};
 
 /* What is pulled back. */
 typedef struct pulling {
@@ -82,7 +86,7 @@ static taut_status check_rest(const pulling *p, taut_error *error)
 /* l by one solve, then seed -= A_PP Z^T l and turn = -l A_p; the state of the functional is that of
  * the surface. The second derivatives are the same in any unit. */
 static taut_status apply_steps(const pulling *p, taut_area_functional *functional,
-                               taut_newton_step *newton, double *seed, taut_error *error)
+                               taut_newton_step *newton, double *seed)
 {
     double *b = taut_arena_take(p->arena, p->count, sizeof(double));
     double *l = taut_arena_take(p->arena, p->count, sizeof(double));
@@ -92,16 +96,12 @@ static taut_status apply_steps(const pulling *p, taut_area_functional *functiona
     taut_status status = TAUT_OK;
 
     if (taut_arena_status(p->arena) != TAUT_OK) {
-        return taut_fail_memory(error);
+        return TAUT_NO_MEMORY;
     }
     taut_newton_step_reduce(newton, seed, b);
     status = taut_newton_step_solve(newton, 0, limits.forcing, b, l, &gain);
     if (status != TAUT_OK) {
-        return status == TAUT_NO_SOLUTION
-                   ? taut_fail(error, status, "saddle", NULL, taut_none, taut_none,
-                               "the second derivative of the area along the normals is not "
-                               "positive: there is no derivative to be had")
-                   : taut_fail_status(error, status);
+        return status;
     }
     taut_newton_step_expand(newton, l, move);
     taut_area_functional_product(functional, 0, move, product);
@@ -114,8 +114,8 @@ static taut_status apply_steps(const pulling *p, taut_area_functional *functiona
     return TAUT_OK;
 }
 
-/* The functional at the surface, scaled. */
-static taut_status open_functional(const pulling *p, taut_area_functional **functional)
+/* The functional of a rule at the surface, scaled. */
+static taut_status open_functional(const pulling *p, int rule, taut_area_functional **functional)
 {
     const taut_dirichlet_problem *net = &p->problem->net;
     const double *points = taut_surface_points(p->surface);
@@ -126,7 +126,8 @@ static taut_status open_functional(const pulling *p, taut_area_functional **func
     if (scratch != NULL && scaled != NULL) {
         const taut_scaling scaling = taut_scaling_of(p->count, net->points, net->known);
         taut_scaling_apply(&scaling, p->count, points, NULL, scaled);
-        status = taut_area_functional_new(net->u, net->v, net->weights, EXTRA_NODES, functional);
+        status = taut_area_functional_new(net->u, net->v, net->weights, taut_gradient_nodes[rule],
+                                          functional);
     }
     if (status == TAUT_OK) {
         (void)taut_area_functional_gradient(*functional, scaled, scratch);
@@ -134,27 +135,75 @@ static taut_status open_functional(const pulling *p, taut_area_functional **func
     return status;
 }
 
+/* seed and turn by one rule, and how many Gauss points it has. */
+static taut_status solve_by_rule(const pulling *p, const taut_dirichlet_form *form, int rule,
+                                 double *seed, double *points)
+{
+    taut_area_functional *functional = NULL;
+    taut_newton_step *newton = NULL;
+    taut_status status = open_functional(p, rule, &functional);
+
+    if (status == TAUT_OK) {
+        *points = (double)functional->u.count * functional->v.count;
+        status = taut_newton_step_new(functional, form, &p->mask, p->directions, 1,
+                                      &p->request->monitor, &newton);
+    }
+    if (status == TAUT_OK) {
+        status = apply_steps(p, functional, newton, seed);
+    }
+    taut_newton_step_free(newton);
+    taut_area_functional_free(functional);
+    return status;
+}
+
+/* By rules one after the other until two agree; what is no minimum by one may be one by the next. */
+static taut_status settle_steps(const pulling *p, const taut_dirichlet_form *form, double *seed,
+                                taut_error *error)
+{
+    const size_t size = 3 * p->count;
+    const double *given = taut_arena_copy(p->arena, seed, size, sizeof(double));
+    double *before = taut_arena_take(p->arena, size, sizeof(double));
+    double *turned = taut_arena_take(p->arena, size, sizeof(double));
+    double change = INFINITY, points = 0;
+    taut_status status = TAUT_OK, last = TAUT_NO_SOLUTION;
+
+    if (taut_arena_status(p->arena) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    for (int rule = FIRST_RULE;
+         rule < TAUT_GRADIENT_RULES && change > limits.settled && points <= limits.points; rule++) {
+        memcpy(before, seed, size * sizeof(double));
+        memcpy(turned, p->turn, size * sizeof(double));
+        memcpy(seed, given, size * sizeof(double));
+        memset(p->turn, 0, size * sizeof(double));
+        status = solve_by_rule(p, form, rule, seed, &points);
+        if (status != TAUT_OK && status != TAUT_NO_SOLUTION) {
+            return taut_fail_status(error, status);
+        }
+        change = status == TAUT_OK && last == TAUT_OK
+                     ? fmax(taut_gradient_change(size, before, seed),
+                            taut_gradient_change(size, turned, p->turn))
+                     : INFINITY;
+        last = status;
+    }
+    if (last == TAUT_NO_SOLUTION) {
+        return taut_fail(error, last, "saddle", NULL, taut_none, taut_none,
+                         "the second derivative of the area along the normals is not positive: "
+                         "there is no derivative to be had");
+    }
+    return taut_gradient_check_settled(change, error);
+}
+
 static taut_status solve_steps(const pulling *p, double *seed, taut_error *error)
 {
     const taut_dirichlet_problem *net = &p->problem->net;
-    taut_area_functional *functional = NULL;
-    taut_newton_step *newton = NULL;
     taut_dirichlet_form form;
     taut_status status = taut_dirichlet_form_new(net->u, net->v, net->weights, &form, error);
 
-    if (status != TAUT_OK) {
-        return status;
-    }
-    status = open_functional(p, &functional);
     if (status == TAUT_OK) {
-        status = taut_newton_step_new(functional, &form, &p->mask, p->directions, 1,
-                                      &p->request->monitor, &newton);
+        status = settle_steps(p, &form, seed, error);
+        taut_dirichlet_form_clear(&form);
     }
-    status = status == TAUT_OK ? apply_steps(p, functional, newton, seed, error)
-                               : taut_fail_status(error, status);
-    taut_newton_step_free(newton);
-    taut_area_functional_free(functional);
-    taut_dirichlet_form_clear(&form);
     return status;
 }
 

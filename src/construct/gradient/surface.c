@@ -12,8 +12,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { RULES = 9 };
-static const int extra_nodes[RULES] = {2, 4, 6, 9, 13, 19, 28, 42, 63};
+const int taut_gradient_nodes[TAUT_GRADIENT_RULES] = {2, 4, 6, 9, 13, 19, 28, 42, 63, 94, 141};
 
 /* What decides: shares of the largest derivative. */
 static const struct {
@@ -28,8 +27,7 @@ static size_t numbers_of(const taut_surface *surface)
            (size_t)taut_basis_count(taut_surface_v(surface));
 }
 
-/* Largest |a - b| over the largest |b|. */
-static double change_between(size_t size, const double *a, const double *b)
+double taut_gradient_change(size_t size, const double *a, const double *b)
 {
     double difference = 0, largest = 0;
     for (size_t i = 0; i < size; i++) {
@@ -39,8 +37,11 @@ static double change_between(size_t size, const double *a, const double *b)
     return largest > 0 ? difference / largest : 0;
 }
 
-static taut_status refuse_rough(double change, taut_error *error)
+taut_status taut_gradient_check_settled(double change, taut_error *error)
 {
+    if (change <= limits.unsettled) {
+        return TAUT_OK;
+    }
     return taut_fail(error, TAUT_NOT_CONVERGED, "rough", NULL, change, limits.unsettled,
                      "two rules of quadrature differ by %.3g in the derivatives of the area, "
                      "expected at most %.3g",
@@ -81,15 +82,17 @@ static taut_status derive_area(const taut_surface *surface, taut_arena *arena, d
     memset(all, 1, size / 3);
     const taut_scaling scaling = taut_scaling_of(size / 3, taut_surface_points(surface), all);
     taut_scaling_apply(&scaling, size / 3, taut_surface_points(surface), NULL, net);
-    for (int k = 0; k < RULES && change > limits.settled && points <= limits.points_next / 4; k++) {
+    for (int k = 0;
+         k < TAUT_GRADIENT_RULES && change > limits.settled && points <= limits.points_next / 4;
+         k++) {
         memcpy(before, seed, size * sizeof(double));
-        if (derive_by_rule(surface, extra_nodes[k], net, seed, &points) != TAUT_OK) {
+        if (derive_by_rule(surface, taut_gradient_nodes[k], net, seed, &points) != TAUT_OK) {
             return taut_fail_memory(error);
         }
-        change = k > 0 ? change_between(size, before, seed) : INFINITY;
+        change = k > 0 ? taut_gradient_change(size, before, seed) : INFINITY;
     }
-    if (!(change <= limits.unsettled)) {
-        return refuse_rough(change, error);
+    if (taut_gradient_check_settled(change, error) != TAUT_OK) {
+        return TAUT_NOT_CONVERGED;
     }
     for (size_t i = 0; i < size; i++) { /* squares of the scaled unit over the scaled unit */
         seed[i] = ldexp(seed[i], scaling.outer + scaling.inner);
@@ -104,7 +107,7 @@ static taut_status settle_form(taut_dirichlet_form *form, size_t size, const dou
                                double *before, double *seed, taut_error *error)
 {
     double change = INFINITY;
-    for (int k = 0; k < RULES && change > limits.settled; k++) {
+    for (int k = 0; k < TAUT_GRADIENT_RULES && change > limits.settled; k++) {
         memcpy(before, seed, size * sizeof(double));
         taut_status status = taut_dirichlet_rational_raise(form->rational);
         if (status == TAUT_NO_MEMORY) {
@@ -116,9 +119,9 @@ static taut_status settle_form(taut_dirichlet_form *form, size_t size, const dou
         if (taut_dirichlet_form_apply(form, points, seed) != TAUT_OK) {
             return taut_fail_memory(error);
         }
-        change = change_between(size, before, seed);
+        change = taut_gradient_change(size, before, seed);
     }
-    return change <= limits.unsettled ? TAUT_OK : refuse_rough(change, error);
+    return taut_gradient_check_settled(change, error);
 }
 
 static taut_status derive_energy(const taut_surface *surface, taut_arena *arena, double *seed,

@@ -236,6 +236,32 @@ static void test_plateau(void)
     }
 }
 
+/* A saddle so steep that its second derivatives need many Gauss nodes, more than those of the area. */
+static void test_steep(void)
+{
+    static double factors[3 * POINTS_MAX];
+    test_problem problem = problem_new(basis_uniform(2, 3), basis_uniform(2, 3));
+    moved m = {.problem = &problem,
+               .is_plateau = 1,
+               .method = TAUT_PLATEAU_NORMAL,
+               .of = TAUT_GRADIENT_POINTS,
+               .factors = factors};
+    double size = 0;
+
+    for (int i = 0; i < 9; i++) {
+        const double heights[9] = {0, 4, 0, -3, 0, -5, 0.5, 4, 0};
+        problem.points[3 * i] = i / 3;
+        problem.points[3 * i + 1] = i % 3;
+        problem.points[3 * i + 2] = heights[i];
+        problem.known[i] = i != 4;
+    }
+    fill(factors, 27);
+    choose_direction(&m);
+    const double found = derivative_of(&m, &size);
+    CHECK_NEAR(found, difference_of(&m, 0.005), 1e-7 * (1 + size), "steep");
+    problem_free(&problem);
+}
+
 /* ---- refused ---- */
 
 static void refused(taut_status expected, const char *reason, taut_status status,
@@ -300,6 +326,7 @@ int main(void)
     test_area();
     test_weights();
     test_plateau();
+    test_steep();
     test_refused();
     return check_failures != 0;
 }
