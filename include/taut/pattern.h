@@ -64,6 +64,9 @@ typedef struct taut_pattern_rule {
     int count;     /* of strips, 1 to TAUT_PATTERN_PIECES_MAX; 0: the least whose pieces all fit */
     double width;  /* where count is 0: into this width, or 0: into that of the cloth */
     double strain; /* where count is 0: and none is strained more than this; 0: as much as it is */
+    double
+        trim; /* radial, where one edge is one place: strips end at this distance from it along parameter lines, around a cap; 0: in
+                  * it */
     taut_pattern_by by;
     taut_pattern_at
         at[2];       /* parallel, geodesic: where it begins and ends; a seam's on the border */
@@ -300,7 +303,7 @@ typedef struct taut_pattern_flat_piece {
 
 /* A seam. */
 typedef struct taut_pattern_sewn_seam {
-    const char *name, *kind; /* "S1", "geodesic", "line" or "curve" */
+    const char *name, *kind; /* "S1", "geodesic", "line", "curve" or "circle" */
     const taut_curve *curve; /* on the surface */
     double length, flat_length;
     double stretch[2];   /* flat over mounted length, least and largest */

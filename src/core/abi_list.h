@@ -485,6 +485,7 @@
     X(taut_pattern_rule, count, "int") \
     X(taut_pattern_rule, width, "double") \
     X(taut_pattern_rule, strain, "double") \
+    X(taut_pattern_rule, trim, "double") \
     X(taut_pattern_rule, by, "taut_pattern_by") \
     X(taut_pattern_rule, at, "taut_pattern_at[2]") \
     X(taut_pattern_rule, spacing, "double") \

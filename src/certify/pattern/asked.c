@@ -1,7 +1,7 @@
 /* asked.c
  *
  *   layout        with the document: seams are as many as its rules make, and the ends of each lie where one puts them, edges measured
- *                 here; largest distance in space over the size (check). A number of strips that is searched for, and seams square to
+ *                 here, and circles around a pole all along; largest distance in space over the size (check). A number of strips that is searched for, and seams square to
  *                 another one, are as many as there are
  *   thread        the angle from the asked one to the chord from the middle of start to that of end, of each piece (check)
  *   compensation  of true and held lengths: what details tell, against what warp and weft make of the way the finished edges run, over
@@ -160,6 +160,13 @@ static void meet(layout *l, const taut_surface *on, const double ends[2][2], int
     taut_worst_take(&l->worst, least / l->cloth->size, where, 0);
 }
 
+/* Where the first k of so many parts of an edge end, as a share of its range. */
+static double part_of(const taut_pattern_rule *rule, const ruler *r, int k, int count)
+{
+    return rule->by == TAUT_PATTERN_BY_PARAMETER ? (double)k / count
+                                                 : share_at(r, r->sums[CELLS] * k / count);
+}
+
 static void meet_strips(layout *l, const taut_surface *on, const taut_pattern_rule *rule, int index,
                         int count)
 {
@@ -170,11 +177,138 @@ static void meet_strips(layout *l, const taut_surface *on, const taut_pattern_ru
     for (int k = 1; k < count; k++) {
         double ends[2][2];
         for (int e = 0; e < 2; e++) {
-            const double share = rule->by == TAUT_PATTERN_BY_PARAMETER
-                                     ? (double)k / count
-                                     : share_at(&rulers[e], rulers[e].sums[CELLS] * k / count);
+            const double share = part_of(rule, &rulers[e], k, count);
             place_on(on, (int)rule->edges[e], share, ends[e]);
         }
+        meet(l, on, (const double(*)[2])ends, index);
+    }
+}
+
+/* ---- circles around a pole ---- */
+
+/* Which edge of a rule with a trim is one place of the surface: the one that pieces have a tip on. -1: none. */
+static int pole_of(const taut_cloth *cloth, const taut_surface *on, const taut_pattern_rule *rule)
+{
+    for (int e = 0; e < 2; e++) {
+        for (int k = 0; k < cloth->piece_count; k++) {
+            const taut_cloth_piece *piece = &cloth->pieces[k];
+            for (int i = 0; i < TAUT_CLOTH_EDGES; i++) {
+                if (piece->on == on && piece->is_point[i] &&
+                    piece->border[i] == (int)rule->edges[e]) {
+                    return e;
+                }
+            }
+        }
+    }
+    return -1;
+}
+
+/* The length of a parameter line from a pole to a place, span by span. */
+static double distance_from(const taut_surface *on, int pole, const double at[2])
+{
+    const int held = pole / 2;
+    const taut_basis *basis = held == 0 ? taut_surface_u(on) : taut_surface_v(on);
+    const double *breaks = taut_basis_breaks(basis);
+    double nodes[NODES], weights[NODES], sum = 0;
+    taut_gauss_rule(NODES, nodes, weights);
+    for (int k = 0; k < taut_basis_span_count(basis) * EDGE_CELLS; k++) {
+        const int span = k / EDGE_CELLS;
+        const double lo = pole % 2 == 0 ? breaks[span] : fmax(breaks[span], at[held]);
+        const double hi = pole % 2 == 0 ? fmin(breaks[span + 1], at[held]) : breaks[span + 1];
+        for (int q = 0; hi > lo && q < NODES; q++) {
+            double place[2] = {at[0], at[1]}, x[3][3] = {{0}};
+            place[held] = lo + (hi - lo) * (k % EDGE_CELLS + (1 + nodes[q]) / 2) / EDGE_CELLS;
+            taut_surface_eval(on, place[0], place[1], 1, x[0]);
+            sum += weights[q] / 2 * (hi - lo) / EDGE_CELLS * taut_norm(x[1 + held]);
+        }
+    }
+    return sum;
+}
+
+/* On the parameter line through a place: where it is at a distance from the pole. */
+static void place_at(const taut_surface *on, int pole, double distance, double at[2])
+{
+    const int held = pole / 2;
+    const taut_basis *basis = held == 0 ? taut_surface_u(on) : taut_surface_v(on);
+    double near = pole % 2 == 0 ? taut_basis_lo(basis) : taut_basis_hi(basis);
+    double far = pole % 2 == 0 ? taut_basis_hi(basis) : taut_basis_lo(basis);
+    for (int round = 0; round < ROUNDS; round++) {
+        at[held] = (near + far) / 2;
+        *(distance_from(on, pole, at) < distance ? &near : &far) = at[held];
+    }
+}
+
+/* From a pole to a place inside the window: what cuts a cap. */
+static int is_spoke(const taut_cloth *cloth, const taut_cloth_side *side)
+{
+    for (int i = 0; i < cloth->problem->rule_count; i++) {
+        const taut_pattern_rule *rule = &cloth->problem->rules[i];
+        const int e = rule->trim > 0 ? pole_of(cloth, side->on, rule) : -1;
+        for (int end = 0; e >= 0 && end < 2; end++) {
+            const int held = (int)rule->edges[0] / 2;
+            double at[2], other[2], pole[2], far[2];
+            taut_cloth_side_at(side, end, at);
+            taut_cloth_side_at(side, 1 - end, other);
+            place_on(side->on, (int)rule->edges[e], 0, pole);
+            place_on(side->on, (int)rule->edges[1 - e], 0, far);
+            if (at[held] == pole[held] && other[held] != far[held]) {
+                return 1;
+            }
+        }
+    }
+    return 0;
+}
+
+/* A place of a circle, or of what ends on it: how far its distance is off. */
+static void take_distance(layout *l, const taut_cloth_side *side, const taut_pattern_rule *rule,
+                          int pole, double share)
+{
+    double at[2];
+    taut_cloth_side_at(side, share, at);
+    const double off = distance_from(side->on, pole, at) - ldexp(rule->trim, -l->cloth->unit);
+    taut_worst_take(&l->worst, fabs(off) / l->cloth->size, side->name, share);
+}
+
+/* The circle, all along it; seams from it to the opposite edge; and those from the pole to it, however many. */
+static void meet_trimmed(layout *l, const taut_surface *on, const taut_pattern_rule *rule,
+                         int index, int count)
+{
+    const int e = pole_of(l->cloth, on, rule), held = (int)rule->edges[0] / 2;
+    const int pole = (int)rule->edges[e < 0 ? 0 : e], opposite = pole ^ 1;
+    const taut_basis *along = held == 0 ? taut_surface_v(on) : taut_surface_u(on);
+    int circles = 0;
+    ruler r;
+    for (int k = 0; k < l->cloth->side_count; k++) {
+        const taut_cloth_side *side = &l->cloth->sides[k];
+        if (side->on != on || side->seam == NULL || l->is_met[k]) {
+            continue;
+        }
+        double ends[2][2], tip[2];
+        taut_cloth_side_at(side, 0, ends[0]);
+        taut_cloth_side_at(side, 1, ends[1]);
+        place_on(on, pole, 0, tip);
+        if (is_spoke(l->cloth, side)) {
+            l->is_met[k] = 1;
+            take_distance(l, side, rule, pole, ends[0][held] == tip[held]);
+        } else if (strcmp(side->kind, "circle") == 0) {
+            const double low = fmin(ends[0][1 - held], ends[1][1 - held]);
+            const double high = fmax(ends[0][1 - held], ends[1][1 - held]);
+            circles += low == taut_basis_lo(along) && high == taut_basis_hi(along);
+            l->is_met[k] = 1;
+            for (int i = 0; i <= CELLS; i++) {
+                take_distance(l, side, rule, pole, (double)i / CELLS);
+            }
+        }
+    }
+    if (e < 0 || circles != 1) {
+        taut_worst_take(&l->worst, INFINITY, "circle", circles);
+    }
+    measure(on, opposite, &r);
+    for (int k = 1; k < count; k++) {
+        double ends[2][2];
+        place_on(on, opposite, part_of(rule, &r, k, count), ends[1]);
+        memcpy(ends[0], ends[1], sizeof ends[0]);
+        place_at(on, pole, ldexp(rule->trim, -l->cloth->unit), ends[0]);
         meet(l, on, (const double(*)[2])ends, index);
     }
 }
@@ -319,7 +453,9 @@ static void meet_rule(layout *l, int surface, int index, int count)
     const taut_pattern_rule *rule = &l->cloth->problem->rules[index];
     const taut_surface *on = l->cloth->surfaces[surface];
     double ends[2][2];
-    if (rule->kind == TAUT_PATTERN_ACROSS || rule->kind == TAUT_PATTERN_RADIAL) {
+    if (rule->trim > 0) {
+        meet_trimmed(l, on, rule, index, count);
+    } else if (rule->kind == TAUT_PATTERN_ACROSS || rule->kind == TAUT_PATTERN_RADIAL) {
         meet_strips(l, on, rule, index, count);
     } else if (rule->kind == TAUT_PATTERN_LINE) {
         meet_line(l, on, rule, index);
@@ -341,7 +477,7 @@ static taut_status add_layout(const taut_cloth *cloth, taut_arena *arena,
         return TAUT_NO_MEMORY;
     }
     for (int k = 0; k < cloth->side_count; k++) {
-        found += is_cut(&cloth->sides[k]);
+        found += is_cut(&cloth->sides[k]) && !is_spoke(cloth, &cloth->sides[k]);
     }
     for (int i = 0; i < p->rule_count; i++) {
         const int count = count_of(&p->rules[i]), is_butt = p->rules[i].kind == TAUT_PATTERN_BUTT;
@@ -349,6 +485,7 @@ static taut_status add_layout(const taut_cloth *cloth, taut_arena *arena,
         for (int k = 0; k < (is_butt ? 1 : cloth->surface_count); k++) {
             const int is_here = is_for(cloth, &p->rules[i], k);
             known += is_here && count > 0 ? count : 0;
+            known += is_here && p->rules[i].trim > 0; /* the circle */
             searched += is_here && count < 0 && p->rules[i].kind != TAUT_PATTERN_PARALLEL;
             is_open |= p->rules[i].kind == TAUT_PATTERN_PARALLEL;
         }

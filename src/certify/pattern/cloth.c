@@ -402,6 +402,19 @@ static taut_status read_surfaces(taut_cloth *cloth, const taut_record *pieces, t
     return TAUT_OK;
 }
 
+/* Caps: a tip on a border, and a circle opposite to it. */
+static void find_caps(const taut_cloth *cloth, taut_cloth_piece *piece)
+{
+    static const int ends[2] = {TAUT_CLOTH_START, TAUT_CLOTH_END};
+    for (int k = 0; k < 2; k++) {
+        const int side = piece->sides[ends[k]], tip = ends[1 - k];
+        const char *kind = side >= 0 ? cloth->sides[side].kind : NULL;
+        const int is_cap = kind != NULL && strcmp(kind, "circle") == 0 && piece->is_point[tip] &&
+                           piece->border[tip] >= 0;
+        piece->kept[k] = is_cap ? 2 - piece->border[tip] / 2 : 0;
+    }
+}
+
 /* Where two surfaces are sewn to each other. */
 static void find_mates(taut_cloth *cloth)
 {
@@ -459,6 +472,7 @@ taut_status taut_cloth_read(taut_arena *arena, const taut_model *model,
     }
     for (int k = 0; status == TAUT_OK && k < cloth->piece_count; k++) {
         find_points(cloth, &cloth->pieces[k]);
+        find_caps(cloth, &cloth->pieces[k]);
     }
     if (status == TAUT_OK) {
         status = taut_cloth_read_fades(cloth, arena);
@@ -541,13 +555,15 @@ static void patch_on(const taut_cloth *cloth, const taut_cloth_across *across, d
         }
         edge_at(cloth, across->piece, e, t, order, at);
         for (int d = 0; d < 2; d++) {
+            const int is_kept = across->piece->kept[end] == 1 + d;
+            const double share = is_kept ? 1 : fade, change = is_kept ? 0 : slope;
             const double chord = corners[1][d] - corners[0][d];
             const double off = at[0][d] - corners[0][d] - t * chord;
-            w[0][d] += fade * off;
-            w[1][d] += slope * off;
-            w[2][d] += fade * (at[1][d] - chord);
-            w[4][d] += slope * (at[1][d] - chord);
-            w[5][d] += fade * at[2][d];
+            w[0][d] += share * off;
+            w[1][d] += change * off;
+            w[2][d] += share * (at[1][d] - chord);
+            w[4][d] += change * (at[1][d] - chord);
+            w[5][d] += share * at[2][d];
         }
     }
 }

@@ -40,7 +40,10 @@ typedef struct taut_cloth_piece {
         [TAUT_CLOTH_EDGES]; /* of those that are held and not sewn: flat over true length, as it is told; NaN */
     int is_point[TAUT_CLOTH_EDGES];   /* start or end: of no length, flat or on the surface */
     double part[TAUT_CLOTH_EDGES][2]; /* shares of the side, as s or t grows */
-    const taut_surface *flat;         /* scaled; the arena's */
+    int kept
+        [2]; /* 1 + the coordinate of the window in which start, or end, a circle around the other one, which is a tip, holds all along
+                  * the piece; 0: none */
+    const taut_surface *flat;                  /* scaled; the arena's */
     const taut_curve *edges[TAUT_CLOTH_EDGES]; /* as s or t grows, in the model's unit */
     double lengths[TAUT_CLOTH_EDGES], flat_lengths[TAUT_CLOTH_EDGES]; /* lengths.h; times 2^-unit */
     const taut_curve *cut;

@@ -244,12 +244,14 @@ static double count_meetings(int count, const arc *arcs)
     return pairs;
 }
 
-/* The edge of a tip. */
+/* The edge of a tip: one place but for what cutting at knots rounds. */
 static int is_place(const arc *a)
 {
+    static const double rounding = 2e-15;
+    const double room = rounding * fmax(fabs(a->p[0][0]), fabs(a->p[0][1]));
     int all = 1;
     for (int k = 1; k <= P; k++) {
-        all &= a->p[k][0] == a->p[0][0] && a->p[k][1] == a->p[0][1];
+        all &= fabs(a->p[k][0] - a->p[0][0]) <= room && fabs(a->p[k][1] - a->p[0][1]) <= room;
     }
     return all;
 }
@@ -262,6 +264,7 @@ static taut_status overlap_of(const taut_cloth *cloth, const taut_cloth_piece *p
     const int spans[2] = {taut_basis_span_count(bases[0]), taut_basis_span_count(bases[1])};
     const int around = taut_basis_span_count(cut), border = 2 * (spans[0] + spans[1]);
     arc *arcs = taut_arena_take(arena, (size_t)(around > border ? around : border), sizeof *arcs);
+    const int has_tip = piece->is_point[TAUT_CLOTH_START] || piece->is_point[TAUT_CLOTH_END];
     int count = 0;
     (void)cloth;
 
@@ -272,7 +275,7 @@ static taut_status overlap_of(const taut_cloth *cloth, const taut_cloth_piece *p
         taut_cloth_arc_of(cut, i,
                           taut_curve_points(piece->cut) + 3 * (size_t)taut_basis_first(cut, i), 3,
                           arcs[count].p);
-        count += !is_place(&arcs[count]);
+        count += !has_tip || !is_place(&arcs[count]);
     }
     *pairs = count_meetings(count, arcs);
     count = 0;

@@ -287,18 +287,25 @@ static int is_asked_line(const taut_cloth *cloth, const taut_cloth_side *side)
 /* Seams that are not told to be geodesics were asked for as something else. */
 static void look_at_kinds(const taut_cloth *cloth, taut_worst *w)
 {
-    int curves = 0;
+    int curves = 0, circles = 0;
     for (int k = 0; k < cloth->problem->rule_count; k++) {
         curves += cloth->problem->rules[k].kind == TAUT_PATTERN_CURVE;
+        circles += cloth->problem->rules[k].trim > 0 ? cloth->surface_count : 0;
     }
     for (int k = 0; k < cloth->side_count; k++) {
         const taut_cloth_side *side = &cloth->sides[k];
         if (side->seam == NULL || strcmp(side->kind, "geodesic") == 0) {
             continue;
         }
-        const int is_line = strcmp(side->kind, "line") == 0;
-        curves -= !is_line;
-        count_wrong(w, is_line ? !is_asked_line(cloth, side) : curves < 0, side->name, 0);
+        const int is_line = strcmp(side->kind, "line") == 0,
+                  is_circle = strcmp(side->kind, "circle") == 0;
+        curves -= !is_line && !is_circle;
+        circles -= is_circle;
+        count_wrong(w,
+                    is_line     ? !is_asked_line(cloth, side)
+                    : is_circle ? circles < 0
+                                : curves < 0,
+                    side->name, 0);
     }
 }
 

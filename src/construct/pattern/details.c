@@ -164,7 +164,7 @@ static void add_marks(const taut_pattern_side *seam, double spacing, int scale, 
     }
 }
 
-static const char *const kind_names[] = {"geodesic", "line", "curve"};
+static const char *const kind_names[] = {"geodesic", "line", "curve", "circle"};
 
 /* How far apart the stretches of both hands were alone. */
 static double disagreement(const taut_pattern_layout *layout, const taut_pattern_side *seam)

@@ -8,6 +8,7 @@
  */
 #include "construct/pattern/layout.h"
 
+#include "construct/pattern/pole.h"
 #include "construct/pattern/rule.h"
 #include "construct/pattern/trail.h"
 #include "core/elementary/elementary.h"
@@ -171,7 +172,7 @@ static taut_status add_border(laying *l, int edge, int backwards, int *index)
     }
     const taut_status status =
         g->is_pole[begins] || g->is_pole[begins + 1]
-            ? taut_pattern_trail_line(g, held, value, backwards, &side, l->error)
+            ? taut_pattern_trail_line(g, held, value, NULL, backwards, &side, l->error)
             : taut_pattern_border(g->carrier, edge, backwards, g->monitor, g->arena, &side,
                                   l->error);
     snprintf(side.name, sizeof side.name, "%s", taut_edge_name((taut_edge)edge));
@@ -250,15 +251,29 @@ static taut_status begin(laying *l)
     return TAUT_OK;
 }
 
+/* Is a place one of a circle around a pole? */
+static int is_on_circle(const laying *l, const taut_pattern_bound *bound, const double at[2])
+{
+    const taut_pattern_side *side = bound->side >= 0 ? &l->layout->sides[bound->side] : NULL;
+    const int held = l->seams.ends[0] / 2;
+    double place[2];
+    if (side == NULL || side->kind != TAUT_SIDE_CIRCLE) {
+        return 0;
+    }
+    taut_pattern_circle_at(side, 1 - held, at[1 - held], place);
+    return at[held] == place[held];
+}
+
 /* Of an edge that is not cut yet: a place inside it as a share of its side; -1: it is not there. */
 static double share_of(const laying *l, const taut_pattern_bound *bound, const double at[2])
 {
     const taut_pattern_layout *layout = l->layout;
     const taut_carrier *carrier = l->ground->carrier;
-    if (bound->border < 0 || !taut_pattern_is_on(carrier, at, bound->border)) {
+    if (bound->border < 0 ? !is_on_circle(l, bound, at)
+                          : !taut_pattern_is_on(carrier, at, bound->border)) {
         return -1;
     }
-    const int along = 1 - bound->border / 2;
+    const int along = 1 - (bound->border < 0 ? l->seams.ends[0] : bound->border) / 2;
     double range[2] = {bound->from, bound->to};
     const double a = bound->ends[0][along], b = bound->ends[1][along];
     if ((at[along] - a) * (at[along] - b) > 0 || a == b) {
@@ -350,6 +365,18 @@ static taut_status cut_across(laying *l, int index, int side, const double share
     return TAUT_OK;
 }
 
+/* The same around a pole: what it cuts off is a strip of its own. */
+static taut_status cut_cap(laying *l, int index, int side, const double shares[2])
+{
+    const taut_status status = cut_across(l, index, side, shares);
+    taut_pattern_piece *pieces = l->layout->pieces;
+    if (status == TAUT_OK) {
+        const int is_near = pieces[index].bounds[TAUT_FLAT_START].is_point;
+        pieces[is_near ? index : index + 1].strip = l->strips++;
+    }
+    return status;
+}
+
 /* A seam that lies in no piece: it crosses another one, or leaves one that has no four sides. */
 static taut_status fail_seam(const laying *l, const taut_pattern_side *seam, int rule)
 {
@@ -391,6 +418,9 @@ static taut_status place_seam(laying *l, const taut_pattern_side *seam, int rule
             const int side = add_side(l, seam);
             if (side < 0) {
                 return taut_fail_memory(l->error);
+            }
+            if (seam->kind == TAUT_SIDE_CIRCLE) {
+                return cut_cap(l, k, side, shares);
             }
             return p == 0 ? cut_along(l, k, side, shares) : cut_across(l, k, side, shares);
         }

@@ -121,6 +121,15 @@ static taut_status check_strips(const taut_pattern_problem *problem, int index, 
         return taut_fail(error, TAUT_BAD_INPUT, "missing", "/cloth/width", taut_none, taut_none,
                          "found no count, no width and no strain, expected one of them");
     }
+    snprintf(where, sizeof where, "/seams/%d/trim", index);
+    if (rule->trim != 0 && rule->kind != TAUT_PATTERN_RADIAL) {
+        return taut_fail(error, TAUT_BAD_INPUT, "rule", where, rule->trim, 0,
+                         "found a trim across, expected it beside \"radial\" alone");
+    }
+    const taut_status status = check_range(rule->trim, 0, 1e300, "value", where, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
     snprintf(where, sizeof where, "/seams/%d/strain", index);
     return check_range(rule->strain, 0, 1, "value", where, error);
 }

@@ -16,16 +16,20 @@ static void bound_at(const taut_pattern_bound *bound, double x, double w[3][2])
     }
 }
 
-/* Adds what an edge across, not straight or not in proportion, is off its chord: faded out along the piece. */
-static void add_bulge(const taut_pattern_bound *bound, double share, double slope, double t,
-                      double w[6][2])
+/* Adds what an edge across, not straight or not in proportion, is off its chord: faded out along the piece. Of a circle around a tip not
+ * around it, where lines of equal t run into the tip. */
+static void add_bulge(const taut_pattern_bound *bound, const taut_pattern_bound *opposite,
+                      double fade, double fading, double t, double w[6][2])
 {
     double at[3][2];
     if (bound->line == NULL) {
         return;
     }
+    const int is_cap = bound->line->kind == TAUT_SIDE_CIRCLE && opposite->is_point;
     bound_at(bound, t, at);
     for (int d = 0; d < 2; d++) {
+        const int is_kept = is_cap && d == 1 - opposite->border / 2;
+        const double share = is_kept ? 1 : fade, slope = is_kept ? 0 : fading;
         const double chord = bound->ends[1][d] - bound->ends[0][d];
         const double off = at[0][d] - ((1 - t) * bound->ends[0][d] + t * bound->ends[1][d]);
         w[0][d] += share * off;
@@ -55,8 +59,10 @@ static void window_between(const taut_pattern_piece *piece, double sides[2][3][2
         w[4][d] = left[1][d] - right[1][d];
         w[5][d] = 0;
     }
-    add_bulge(&piece->bounds[TAUT_FLAT_START], 1 - s, -1, t, w);
-    add_bulge(&piece->bounds[TAUT_FLAT_END], s, 1, t, w);
+    const taut_pattern_bound *start = &piece->bounds[TAUT_FLAT_START],
+                             *end = &piece->bounds[TAUT_FLAT_END];
+    add_bulge(start, end, 1 - s, -1, t, w);
+    add_bulge(end, start, s, 1, t, w);
 }
 
 void taut_pattern_piece_window(const taut_pattern_piece *piece, double s, double t, double w[6][2])

@@ -1,6 +1,8 @@
 #include "construct/pattern/rule.h"
 
+#include "construct/pattern/pole.h"
 #include "construct/pattern/trail.h"
+#include "core/constants.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 #include "trace/divide.h"
@@ -248,8 +250,8 @@ static taut_status add_meridian(const rule_work *w, const double at[2])
     }
     const taut_status status = orient(w, ends);
     return status == TAUT_OK
-               ? taut_pattern_trail_line(w->ground, held, at[held], ends[0][along] > ends[1][along],
-                                         next_seam(w), w->error)
+               ? taut_pattern_trail_line(w->ground, held, at[held], NULL,
+                                         ends[0][along] > ends[1][along], next_seam(w), w->error)
                : status;
 }
 
@@ -279,6 +281,76 @@ static taut_status lay_strips(const rule_work *w, int count)
     for (int k = 1; status == TAUT_OK && k < count; k++) {
         status = poles[0] || poles[1] ? add_meridian(w, poles[0] ? to[k] : from[k])
                                       : add_geodesic(w, from[k], to[k]);
+    }
+    return status;
+}
+
+/* Of a piece of a cap. The sides of a whole turn would meet beside the pole, or run over each other; halves need finer splines at their
+ * T-joints than thirds, and seven times the time. */
+static const double turn_most = 0.7 * TAUT_PI;
+/* A circle is so much nearer than the border, over its distance. */
+static const double room_most = 1 - 1e-3;
+
+/* From a circle around the pole (edges[which]) to it or to the opposite edge, along a parameter line. */
+static taut_status add_spoke(const rule_work *w, const taut_pattern_side *circle, int which,
+                             int is_inside, double value)
+{
+    const int pole = (int)w->rule->edges[which], held = pole / 2, around = 1 - held;
+    const taut_carrier *carrier = w->ground->carrier;
+    double at[2];
+    taut_pattern_circle_at(circle, around, value, at);
+    const int is_low = (pole % 2 == 0) == is_inside;
+    const double range[2] = {is_low ? carrier->lo[held] : at[held],
+                             is_low ? at[held] : carrier->hi[held]};
+    const int is_back = w->seams->ends[0] % 2; /* they run from it */
+    return taut_pattern_trail_line(w->ground, around, value, range, is_back, next_seam(w),
+                                   w->error);
+}
+
+/* Radial, from a circle around a pole: that one first, then what cuts the cap, then what cuts the rest. */
+static taut_status lay_trimmed(const rule_work *w, int count)
+{
+    const taut_pattern_ground *g = w->ground;
+    const int edges[2] = {(int)w->rule->edges[0], (int)w->rule->edges[1]};
+    const int which = !g->is_pole[edges[0]], pole = edges[which], around = 1 - pole / 2;
+    const double distance = ldexp(w->rule->trim, -g->carrier->scale);
+    double(*at)[2] = taut_arena_take(g->arena, (size_t)count + 1, sizeof *at);
+
+    if (at == NULL) {
+        return taut_fail_memory(w->error);
+    }
+    if (!g->is_pole[pole]) {
+        return taut_fail(w->error, TAUT_BAD_INPUT, "rule", w->where, taut_none, taut_none,
+                         "found \"trim\" where neither %s nor %s is one place",
+                         taut_edge_name((taut_edge)edges[0]), taut_edge_name((taut_edge)edges[1]));
+    }
+    const double reach = taut_pattern_pole_reach(g, pole) * room_most;
+    if (!(distance < reach)) {
+        return fail_outside(w, w->rule->trim, 0, ldexp(reach, g->carrier->scale), "a trim of");
+    }
+    if (w->seams->ends[0] < 0) {
+        memcpy(w->seams->ends, edges, sizeof edges);
+    }
+    /* to the left of what runs up v, or down u, u falls, or v */
+    const int first = w->seams->ends[0];
+    const int is_back = first == TAUT_EDGE_V0 || first == TAUT_EDGE_U1;
+    const int parts = (int)fmax(ceil(taut_pattern_pole_turn(g, pole) / turn_most - same_place), 1);
+    taut_status status = take_room(w, count + parts - 1);
+    if (status == TAUT_OK) {
+        status = divide(g, edges[!which], w->rule->by, count, at, w->error);
+    }
+    const taut_pattern_side *circle = status == TAUT_OK ? next_seam(w) : NULL;
+    if (status == TAUT_OK) {
+        status = taut_pattern_pole_circle(g, pole, distance, is_back, w->where, &w->seams->list[0],
+                                          w->error);
+    }
+    for (int k = 1; status == TAUT_OK && k < parts; k++) {
+        double place[3][2];
+        taut_pattern_side_at(circle, (double)k / parts, place);
+        status = add_spoke(w, circle, which, 1, place[0][around]);
+    }
+    for (int k = 1; status == TAUT_OK && k < count; k++) {
+        status = add_spoke(w, circle, which, 0, at[k][around]);
     }
     return status;
 }
@@ -425,6 +497,7 @@ taut_status taut_pattern_rule_seams(const taut_pattern_ground *ground,
     case TAUT_PATTERN_CURVE:
         return lay_curve(&w);
     default:
-        return lay_strips(&w, rule->count > 0 ? rule->count : count);
+        return rule->trim > 0 ? lay_trimmed(&w, rule->count > 0 ? rule->count : count)
+                              : lay_strips(&w, rule->count > 0 ? rule->count : count);
     }
 }

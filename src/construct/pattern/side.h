@@ -13,8 +13,9 @@ enum { TAUT_SIDE_NAME = 24, TAUT_SIDE_MEAN = 6 };
 /* How a seam runs. */
 typedef enum taut_pattern_side_kind {
     TAUT_SIDE_GEODESIC = 0,
-    TAUT_SIDE_LINE, /* a parameter line */
-    TAUT_SIDE_CURVE /* as a curve that is given */
+    TAUT_SIDE_LINE,  /* a parameter line */
+    TAUT_SIDE_CURVE, /* as a curve that is given */
+    TAUT_SIDE_CIRCLE /* at one distance from a pole */
 } taut_pattern_side_kind;
 
 /* A piece along a side: its edge from `from` to `to` of the side's length, as s or t grows. */

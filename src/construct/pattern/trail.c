@@ -344,29 +344,20 @@ taut_status taut_pattern_trail_side(const taut_pattern_ground *ground,
     return taut_pattern_take_lath(ground->carrier, &lath, trail->held, ground->arena, side, error);
 }
 
-taut_status taut_pattern_trail_line(const taut_pattern_ground *ground, int held, double value,
-                                    int backwards, taut_pattern_side *side, taut_error *error)
+/* A polyline of the window as the trail of a side: count points (u, v, 0) at `at`. */
+static taut_status take_polyline(const taut_pattern_ground *ground, size_t count, const double *at,
+                                 const double *points, taut_pattern_trail *trail, taut_error *error)
 {
-    const int along = 1 - held;
-    const double *breaks = taut_basis_breaks(ground->carrier->basis[along]);
-    const int spans = taut_basis_span_count(ground->carrier->basis[along]);
-    const size_t count = (size_t)spans + 1;
     double *knots = taut_arena_take(ground->arena, count + 2, sizeof *knots);
-    double *points = taut_arena_take(ground->arena, count, 3 * sizeof *points);
-    taut_pattern_trail trail = {.name = "line", .is_window = 1, .is_back = backwards, .held = held};
     taut_basis *basis = NULL;
     taut_curve *curve = NULL;
 
-    if (knots == NULL || points == NULL) {
+    if (knots == NULL) {
         return taut_fail_memory(error);
     }
-    for (size_t k = 0; k < count; k++) { /* of degree 1 */
-        knots[k + 1] = breaks[k];
-        points[3 * k + (size_t)held] = value;
-        points[3 * k + (size_t)along] = breaks[k];
-    }
-    knots[0] = breaks[0];
-    knots[count + 1] = breaks[spans];
+    memcpy(knots + 1, at, count * sizeof *knots); /* of degree 1 */
+    knots[0] = at[0];
+    knots[count + 1] = at[count - 1];
     const taut_basis_spec spec = {
         .type = "bspline", .degree = 1, .knot_count = (int)count + 2, .knots = knots};
     taut_status status = taut_basis_new(&spec, (int)count, &basis, error);
@@ -380,12 +371,44 @@ taut_status taut_pattern_trail_line(const taut_pattern_ground *ground, int held,
     if (!taut_keep_curve(ground->arena, curve)) {
         return taut_fail_memory(error);
     }
-    trail.curve = curve;
-    trail.lo = breaks[0];
-    trail.hi = breaks[spans];
+    trail->curve = curve;
+    trail->lo = at[0];
+    trail->hi = at[count - 1];
+    return TAUT_OK;
+}
+
+taut_status taut_pattern_trail_line(const taut_pattern_ground *ground, int held, double value,
+                                    const double range[2], int backwards, taut_pattern_side *side,
+                                    taut_error *error)
+{
+    const int along = 1 - held;
+    const double *breaks = taut_basis_breaks(ground->carrier->basis[along]);
+    const int spans = taut_basis_span_count(ground->carrier->basis[along]);
+    const double lo = range != NULL ? range[0] : breaks[0],
+                 hi = range != NULL ? range[1] : breaks[spans];
+    double *at = taut_arena_take(ground->arena, (size_t)spans + 1, sizeof *at);
+    double *points = taut_arena_take(ground->arena, (size_t)spans + 1, 3 * sizeof *points);
+    taut_pattern_trail trail = {.name = "line", .is_window = 1, .is_back = backwards, .held = held};
+    size_t count = 0;
+
+    if (at == NULL || points == NULL) {
+        return taut_fail_memory(error);
+    }
+    for (int k = 0; k <= spans; k++) { /* both ends, and the breaks between them */
+        if (k == 0 || k == spans || (breaks[k] > lo && breaks[k] < hi)) {
+            at[count] = k == 0 ? lo : k == spans ? hi : breaks[k];
+            points[3 * count + (size_t)held] = value;
+            points[3 * count + (size_t)along] = at[count];
+            count++;
+        }
+    }
+    const taut_status status = take_polyline(ground, count, at, points, &trail, error);
+    if (status != TAUT_OK) {
+        return status;
+    }
     for (int end = 0; end < 2; end++) {
         side->ends[end][held] = value;
-        side->ends[end][along] = end == backwards ? breaks[0] : breaks[spans];
+        side->ends[end][along] = end == backwards ? lo : hi;
     }
     side->kind = TAUT_SIDE_LINE;
     return taut_pattern_trail_side(ground, &trail, "/of", side, error);

@@ -30,9 +30,10 @@ taut_status taut_pattern_trail_side(const taut_pattern_ground *ground,
                                     const taut_pattern_trail *trail, const char *where,
                                     taut_pattern_side *side, taut_error *error);
 
-/* The parameter line `held` (0: u, 1: v) = value, backwards or not, where it may run into a place without a normal: a side, its ends
- * too. */
+/* The parameter line `held` (0: u, 1: v) = value between two parameters (NULL: all of it), backwards or not, where it may run into a place
+ * without a normal: a side, its ends too. */
 taut_status taut_pattern_trail_line(const taut_pattern_ground *ground, int held, double value,
-                                    int backwards, taut_pattern_side *side, taut_error *error);
+                                    const double range[2], int backwards, taut_pattern_side *side,
+                                    taut_error *error);
 
 #endif /* TAUT_CONSTRUCT_PATTERN_TRAIL_H */

@@ -28,8 +28,8 @@ static const char *const edges[] = {"u0", "u1", "v0", "v1", NULL};
 static const char *const measures[] = {"length", "parameter", NULL};
 static const char *const kinds[] = {"across", "radial", "parallel", "geodesic",
                                     "line",   "curve",  "butt",     NULL}; /* in their order */
-static const char *const strip_members[] = {"across", "radial", "count",   "width",
-                                            "strain", "by",     "surface", NULL};
+static const char *const strip_members[] = {"across", "radial", "count",   "width", "strain",
+                                            "by",     "trim",   "surface", NULL};
 static const char *const parallel_members[] = {"parallel", "spacing", "surface", NULL};
 static const char *const geodesic_members[] = {"geodesic", "surface", NULL};
 static const char *const line_members[] = {"line", "surface", NULL};
@@ -140,6 +140,11 @@ static taut_status read_strips(const taut_json *at, taut_pattern_rule *rule, tau
     taut_reader_optional(&in, "strain", read_strain, &rule->strain);
     taut_reader_optional_word(&in, "by", measures, &by);
     rule->by = (taut_pattern_by)by;
+    taut_reader_optional(&in, "trim", read_positive, &rule->trim);
+    if (in.status == TAUT_OK && rule->trim > 0 && rule->kind != TAUT_PATTERN_RADIAL) {
+        const taut_json trim = taut_json_member(at, "trim");
+        return taut_json_refuse(&trim, error, "rule", "it beside \"radial\" alone");
+    }
     return in.status;
 }
 

@@ -107,6 +107,34 @@ static void shrink_at(const taut_mounted *m, const double x[3], double shrink[2]
     }
 }
 
+/* Is start (3) or end (1) of a flat piece one place? */
+static int is_tip(const taut_surface *flat, int e)
+{
+    const int count[2] = {taut_basis_count(taut_surface_u(flat)),
+                          taut_basis_count(taut_surface_v(flat))};
+    const double *row = taut_surface_points(flat) + (e == 3 ? 0 : 3 * (count[0] - 1) * count[1]);
+    int all = 1;
+    for (int k = 3; k < 3 * count[1]; k++) {
+        all &= row[k] == row[k % 3];
+    }
+    return all;
+}
+
+/* A cap has a circle on one end and a tip, on an edge of the window, on the other one. */
+static int kept_of(const taut_record *details, const taut_record *edges, const taut_surface *flat,
+                   int e)
+{
+    static const char *const ends[4] = {"right", "end", "left", "start"};
+    const taut_record *edge = taut_record_get(edges, ends[e]),
+                      *other = taut_record_get(edges, ends[4 - e]);
+    const taut_record *seam =
+        named(taut_record_get(details, "seams"), taut_record_text(taut_record_get(edge, "seam")));
+    const char *border = taut_record_text(taut_record_get(other, "edge"));
+    const int is_cap = strcmp(taut_record_text(taut_record_get(seam, "kind")), "circle") == 0 &&
+                       border[0] != '\0' && is_tip(flat, 4 - e);
+    return !is_cap ? 0 : border[0] == 'u' ? 2 : 1;
+}
+
 taut_status taut_mounted_new(const taut_model *model, const taut_surface *flat, taut_arena *arena,
                              taut_mounted *mounted)
 {
@@ -137,6 +165,9 @@ taut_status taut_mounted_new(const taut_model *model, const taut_surface *flat, 
             continue;
         }
         const taut_status status = read_side(details, edge, surface, arena, &mounted->sides[e]);
+        if (e % 2 == 1) {
+            mounted->kept[e] = kept_of(details, taut_record_get(piece, "edges"), flat, e);
+        }
         if (status != TAUT_OK || mounted->sides[e] == NULL) {
             return status;
         }
@@ -185,11 +216,13 @@ static void window_at(const taut_mounted *m, double s, double t, double w[3][2])
         edge_at(m, 2, end, corners[1]);
         edge_at(m, e, t, across);
         for (int d = 0; d < 2; d++) {
+            const int is_kept = m->kept[e] == 1 + d;
+            const double share = is_kept ? 1 : fade, change = is_kept ? 0 : slope;
             const double chord = corners[1][0][d] - corners[0][0][d];
             const double off = across[0][d] - corners[0][0][d] - t * chord;
-            w[0][d] += fade * off;
-            w[1][d] += slope * off;
-            w[2][d] += fade * (across[1][d] - chord);
+            w[0][d] += share * off;
+            w[1][d] += change * off;
+            w[2][d] += share * (across[1][d] - chord);
         }
     }
     for (int d = 0; d < 2; d++) {

@@ -15,7 +15,9 @@ typedef struct taut_mounted {
     const taut_curve
         *sides[4];      /* right, end, left and start in the window; ends that are straight: NULL */
     double parts[4][2]; /* the shares of them that edges are */
-    double shrink[2];   /* 1 / F0, of warp and weft, away from edges that do not yield */
+    int kept
+        [4]; /* 1 + the coordinate of the window in which a circle around a tip at the other end holds all along; 0: none */
+    double shrink[2]; /* 1 / F0, of warp and weft, away from edges that do not yield */
     int fade_count;
     taut_border borders[4]; /* these */
     double lengths[4];      /* over which compensation fades out */

@@ -2,6 +2,7 @@
  * strains are those that the construction tells, and normals are the surface's. */
 #include "check.h"
 #include "cloths.h"
+#include "domes.h"
 #include "measure/cloth/mounted.h"
 
 #include <math.h>
@@ -59,8 +60,41 @@ static void test_sail(const char *more, double low_room)
     cloth_free(&made);
 }
 
+/* A cap and gores, mounted: they meet on the circle, and strains are those that the construction tells, at the tip too. */
+static void test_cap(void)
+{
+    char *surface = dome_text(DOME_CONE, 0);
+    made_cloth made =
+        cloth_make(surface, "\"seams\": [{ \"radial\": \"v0\", \"count\": 1, \"trim\": "
+                            "1 }], \"seam_length\": \"true\"");
+    taut_arena *arena = taut_arena_new();
+    taut_mounted cap, rest;
+    CHECK(made.status == TAUT_OK && arena != NULL, "%s", made.error.message);
+    CHECK(taut_mounted_new(made.model, taut_model_surface(made.model, 1), arena, &cap) == TAUT_OK &&
+              taut_mounted_new(made.model, taut_model_surface(made.model, 2), arena, &rest) ==
+                  TAUT_OK,
+          "two");
+    for (int i = 0; i <= PARTS; i++) {
+        double end[3], start[3], normal[3], strain, middle[3];
+        const double t = (double)i / PARTS;
+        taut_mounted_at(&cap, 1, t, end, normal, &strain);
+        taut_mounted_at(&rest, 0, t, start, normal, &strain);
+        CHECK_NEAR(hypot(end[0] - start[0], end[1] - start[1]), 0, 1e-13, "circle");
+        CHECK_NEAR(end[2], -0.8, 1e-12, "slant 1");
+        taut_mounted_at(&cap, 0.25, t, middle, normal, &strain);
+        CHECK_NEAR(strain, 0, 1e-11, "a cone is flat");
+        for (int d = 0; d < 3; d++) { /* lines of equal t run into the tip */
+            CHECK_NEAR(middle[d], end[d] / 4, 1e-12, "ray");
+        }
+    }
+    taut_arena_free(arena);
+    cloth_free(&made);
+    free_dome(surface);
+}
+
 int main(void)
 {
+    test_cap();
     test_sail("", 2e-5);
     test_sail(", \"decompensate\": [{ \"edge\": \"v0\", \"length\": 0.5 }, { \"edge\": \"u1\", "
               "\"length\": 0.4, \"component\": \"both\" }]",
