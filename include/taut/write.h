@@ -23,6 +23,7 @@ extern "C" {
     X("read", "a file is not there or cannot be read", "see to the path and its permissions")      \
     X("write", "a file cannot be written", "see to its folder, permissions and room")              \
     X("large", "a file is larger than any document may be", "take it apart")                       \
+    X("packed", "a file is packed by gzip", "unpack it, as by gunzip")                             \
     X("format", "the ending of a path is that of no format", "take one that is listed")            \
     X("not-a-file", "the format can be written to nothing else than a regular file",               \
       "write a file")                                                                              \

@@ -125,6 +125,7 @@ REMEDIES = {
     'outside': 'give a place of the window, or of an edge; or give one inside its ranges',
     'overflow': 'scale the points down; or lower the degree',
     'overlap': 'cut it across, by a butt, or take more strips',
+    'packed': 'unpack it, as by gunzip',
     'parabolic': 'trace another net',
     'parallel-axes': 'say where each pipe ends',
     'parallel-legs': 'turn a leg: the two span the tangent plane',

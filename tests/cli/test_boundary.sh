@@ -297,6 +297,14 @@ for i, (row, curve) in enumerate(zip(listed["curves"], model["curves"])):
     assert abs(row["length"] / length - 1) < 1e-9, (row["length"], length)
 PY
 refused 5 'read' boundary nowhere.step
+python3 -c "import gzip; gzip.open('packed.stp.gz', 'w').write(b'ISO-10303-21;')"
+cp packed.stp.gz packed.stp
+for name in packed.stp.gz packed.stp; do
+    for command in boundary measure 'convert -o never.json'; do
+        # shellcheck disable=SC2086
+        refused 5 'packed' $command $name
+    done
+done
 
 # A plane cut to a pentagon: its edges are those of the pentagon, not those of a surface under it; a film spans them.
 python3 - > pentagon.step <<'PY'

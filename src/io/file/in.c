@@ -45,6 +45,19 @@ static taut_status refuse_size(const char *path, double size, taut_error *error)
                      TAUT_FILE_MAX);
 }
 
+/* No format that is read begins as files of gzip do. */
+static taut_status refuse_packed(const char *path, const char *text, size_t length,
+                                 taut_error *error)
+{
+    char shown[160];
+    if (length < 2 || memcmp(text, "\x1f\x8b", 2) != 0) {
+        return TAUT_OK;
+    }
+    show_path(strcmp(path, "-") == 0 ? "standard input" : path, shown, sizeof shown);
+    return taut_fail(error, TAUT_IO, "packed", NULL, taut_none, taut_none,
+                     "%s is packed by gzip: unpack it first", shown);
+}
+
 /* All bytes up to the end, into a block that doubles. One byte more than the file says it has is
  * asked for, so that its end is seen without growing. */
 static taut_status read_all(taut_source *source, const char *path, size_t room, char **text,
@@ -75,6 +88,9 @@ static taut_status read_all(taut_source *source, const char *path, size_t room, 
                 status = refuse_size(path, (double)filled, error);
             }
         }
+    }
+    if (status == TAUT_OK) {
+        status = refuse_packed(path, block, filled, error);
     }
     if (status != TAUT_OK) {
         taut_free(block);
