@@ -17,7 +17,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { ROUNDS = 5, WORD = 24 };
+enum { ROUNDS = 5, WORD = 24, PANELS_MAX = 400 };
 
 typedef struct gap {
     double seconds; /* least so far */
@@ -77,8 +77,12 @@ static int record(void *context, double done, const char *what)
     return TAUT_GO_ON;
 }
 
-typedef enum part { MAKE, PROVE, MEASURE, MESH, PARTS } part;
-static const char *const part_names[PARTS] = {"make", "prove", "measure", "mesh"};
+typedef enum part { MAKE, PROVE, MEASURE, MESH, PANELS, FILES } part;
+/* From FILES on they are the formats of files. */
+static const char *const part_names[] = {
+    "make", "prove", "measure", "mesh", "panels", "3mf",  "geomdl.json", "glb", "json",
+    "obj",  "ply",   "step",    "stl",  "vtu",    "html", "pdf",         "png", "svg"};
+enum { PARTS = sizeof part_names / sizeof *part_names };
 
 static taut_status measure_all(const taut_model *model, taut_monitor monitor, taut_error *error)
 {
@@ -92,15 +96,20 @@ static taut_status measure_all(const taut_model *model, taut_monitor monitor, ta
 }
 
 /* One part of the work, its calls recorded. */
-static taut_status run(part which, const taut_problem *problem, taut_model **model, recorder *r,
+static taut_status run(int which, const taut_problem *problem, taut_model **model, recorder *r,
                        taut_error *error)
 {
     const taut_monitor monitor = {record, r};
     const taut_make_options make = {.monitor = monitor};
     const taut_certify_options prove = {.monitor = monitor};
     const taut_mesh_options mesh = {.monitor = monitor};
+    const taut_panels_options panels = {.monitor = monitor, .divide = {PANELS_MAX, PANELS_MAX}};
+    const taut_write_options write = {.monitor = monitor, .formats = taut_draw_formats()};
     taut_certificate *certificate = NULL;
     taut_mesh *made = NULL;
+    taut_model *flat = NULL;
+    char *text = NULL;
+    size_t length = 0;
     taut_status status = TAUT_OK;
 
     r->next = 0;
@@ -115,17 +124,25 @@ static taut_status run(part which, const taut_problem *problem, taut_model **mod
     case MEASURE:
         status = measure_all(*model, monitor, error);
         break;
-    default:
+    case MESH:
         status = taut_mesh_new(*model, &mesh, &made, error);
+        break;
+    case PANELS:
+        status = taut_panels_of_model(*model, &panels, &flat, error);
+        break;
+    default:
+        status = taut_model_write_text(*model, part_names[which], &write, &text, &length, error);
         break;
     }
     end_gap(r);
+    taut_model_free(flat);
+    taut_text_free(text);
     taut_certificate_free(certificate);
     taut_mesh_free(made);
     return status;
 }
 
-static void print(const char *name, part which, const recorder *r, double least)
+static void print(const char *name, int which, const recorder *r, double least)
 {
     size_t worst = 0;
     double sum = 0.0;
@@ -136,7 +153,7 @@ static void print(const char *name, part which, const recorder *r, double least)
     for (size_t i = 0; i < r->count; i++) {
         if (i == worst ? 1e3 * r->gaps[i].seconds >= least
                        : least > 0 && 1e3 * r->gaps[i].seconds >= least) {
-            printf("%-28s %-8s %8.1f ms  after %s (%d of %zu; %.0f ms in all)\n", name,
+            printf("%-28s %-11s %8.1f ms  after %s (%d of %zu; %.0f ms in all)\n", name,
                    part_names[which], 1e3 * r->gaps[i].seconds, r->gaps[i].after, r->gaps[i].number,
                    r->count - 1, 1e3 * sum);
         }
@@ -154,13 +171,16 @@ static void run_document(const char *name, const char *text, size_t length, doub
     for (int round = 0; round < ROUNDS && status == TAUT_OK; round++) {
         taut_model *model = NULL;
         for (int p = 0; p < PARTS && status == TAUT_OK; p++) {
-            status = run((part)p, problem, &model, &recorders[p], &error);
+            status = run(p, problem, &model, &recorders[p], &error);
+            if (p >= PANELS && (status == TAUT_NO_SOLUTION || status == TAUT_BAD_ARGUMENT)) {
+                status = TAUT_OK; /* there is no such file of it */
+            }
         }
         taut_model_free(model);
     }
     for (int p = 0; p < PARTS; p++) {
         if (recorders[p].count > 0 && isfinite(recorders[p].gaps[recorders[p].count - 1].seconds)) {
-            print(name, (part)p, &recorders[p], least);
+            print(name, p, &recorders[p], least);
         }
         free(recorders[p].gaps);
     }

@@ -15,6 +15,8 @@ typedef struct taut_twice {
     double high, low;
 } taut_twice;
 
+#define TAUT_TWICE_WORK 25 /* operations on doubles in taut_twice_gain, as pulses count them */
+
 static inline taut_twice taut_twice_of(double x)
 {
     return (taut_twice){x, 0};

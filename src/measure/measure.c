@@ -14,6 +14,7 @@
 #include "measure/curvature/extremes.h"
 #include "measure/curvature/scan.h"
 #include "measure/integrate/integrals.h"
+#include "measure/integrate/jacobian.h"
 #include "measure/integrate/line.h"
 
 #include <math.h>
@@ -162,10 +163,13 @@ static taut_status measure_surface(taut_arena *arena, const taut_surface *surfac
         if (measure_edge(arena, surface, edge, options->grid, &measure->edges[edge]) != TAUT_OK) {
             return TAUT_NO_MEMORY;
         }
+        if (taut_pulse_report(crew->pulse)) {
+            return TAUT_INTERRUPTED;
+        }
     }
     taut_box_of(surface, crew, measure->box);
     take_figures(&integrals, &extremes, measure);
-    return taut_surface_jacobian(surface, &measure->jacobian);
+    return taut_jacobian_of(surface, crew->pulse, &measure->jacobian);
 }
 
 taut_status taut_measure_surface(const taut_surface *surface, const taut_measure_options *options,

@@ -75,7 +75,7 @@ static void test_dimensions(void)
             fmpz_mat_t relation;
             laplacian(n, m, 4, 9, relation);
             CHECK(count - rank_with(relation, count, none) == wanted, "n=%d m=%d", n, m);
-            CHECK(taut_space_harmonic(n, m, 3, 2, arena, &space) && space.count == wanted,
+            CHECK(taut_space_harmonic(n, m, 3, 2, arena, NULL, &space) && space.count == wanted,
                   "n=%d m=%d: %d functions, %ld wanted", n, m, space.count, wanted);
             fmpz_mat_clear(relation);
             taut_arena_free(arena);
@@ -99,7 +99,8 @@ static void test_free_parameters(void)
         fmpz_mat_init(relation, count, count);
         fmpz_mat_mul(relation, once, once);
         CHECK(count - rank_with(relation, count, held) == 4 * n, "n=%d: kernel", n);
-        CHECK(taut_space_biharmonic(n, 1, 1, arena, &space) && space.count == 4 * n, "n=%d", n);
+        CHECK(taut_space_biharmonic(n, 1, 1, arena, NULL, &space) && space.count == 4 * n, "n=%d",
+              n);
         for (int i = 0; i <= n; i++) {
             for (int j = 0; j <= n; j++) {
                 held[i * (n + 1) + j] = i == 0 || j == 0 || i == n || j == n;
@@ -198,9 +199,11 @@ static void test_amplification(void)
         }
         const double two = growth(relation, count, rows, 2 * (m + 1));
         const double cauchy = growth(relation, count, next, 2 * (m + 1));
-        CHECK_NEAR(taut_harmonic_rows_amplification(n, m, 1), two, 1e-12 * two, "n=%d m=%d", n, m);
-        CHECK_NEAR(taut_harmonic_derivative_amplification(n, m, taut_twice_of(1), scratch, sum),
-                   cauchy, 1e-12 * cauchy, "n=%d m=%d", n, m);
+        CHECK_NEAR(taut_harmonic_rows_amplification(n, m, 1, NULL), two, 1e-12 * two, "n=%d m=%d",
+                   n, m);
+        CHECK_NEAR(
+            taut_harmonic_derivative_amplification(n, m, taut_twice_of(1), scratch, sum, NULL),
+            cauchy, 1e-12 * cauchy, "n=%d m=%d", n, m);
         if (rows_printed[m] > 0) {
             CHECK_NEAR(two, rows_printed[m], 0.5, "n=%d", n);
             CHECK_NEAR(cauchy, next_printed[m], 0.5, "n=%d", n);
@@ -228,7 +231,7 @@ static void test_biharmonic_amplification(void)
             held[k] = i * (n + 1) + j;
         }
         const double exact = growth(relation, count, held, 4 * n);
-        CHECK(taut_space_biharmonic(n, 2, 2, arena, &space) &&
+        CHECK(taut_space_biharmonic(n, 2, 2, arena, NULL, &space) &&
                   taut_rim_solve(&space, arena, &boundary),
               "n=%d", n);
         CHECK_NEAR(taut_rim_amplification(&boundary), exact, 1e-12 * exact, "n=%d", n);

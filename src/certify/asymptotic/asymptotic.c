@@ -239,12 +239,12 @@ static double smallest_weight(const taut_surface *patch, char where[TAUT_PLACE_T
 
 static taut_status add_figures(const taut_asymptotic_model *parts, const taut_edge_proof proofs[4],
                                double weight, const taut_regular *regular, int exponent,
-                               taut_certificate *certificate)
+                               const taut_crew *crew, taut_certificate *certificate)
 {
     taut_record *const figures = taut_record_new();
     taut_record *edges = NULL;
     double energy = 0.0, error = 0.0, bound = 0.0, sine = 1.0;
-    taut_status status = taut_surface_bending_of(parts->patch, &energy, &error);
+    taut_status status = taut_surface_bending_of(parts->patch, crew, &energy, &error);
     for (int e = 0; e < 4; e++) {
         bound = taut_certify_max(bound, proofs[e].bound);
         sine = taut_certify_min(sine, proofs[e].least_sine);
@@ -311,8 +311,9 @@ static taut_status add_all(const taut_asymptotic_model *parts,
     if (status == TAUT_OK) {
         status = add_weights(weight, where, certificate);
     }
-    return status == TAUT_OK ? add_figures(parts, proofs, weight, &regular, exponent, certificate)
-                             : status;
+    return status == TAUT_OK
+               ? add_figures(parts, proofs, weight, &regular, exponent, crew, certificate)
+               : status;
 }
 
 static taut_status certify(const taut_model *model, const void *data, const taut_audit *audit,

@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { DEGREE = 64, SIZE = DEGREE + 6 };
+enum { DEGREE = 64, SIZE = DEGREE + 6, TERM_WORK = 20 /* operations, as pulses count them */ };
 
 /* A direction, and the surface's axes on its edge. */
 typedef struct series {
@@ -91,7 +91,7 @@ static void node_at(const taut_surface *surface, taut_edge edge, double s, doubl
 
 /* |slope| of the energy along w over the norm of w. */
 static double slope_along(const taut_surface *surface, taut_edge edge, const series *w,
-                          double *energy)
+                          double *energy, taut_pulse *pulse)
 {
     double t[TAUT_GAUSS_MAX], weight[TAUT_GAUSS_MAX], with[3] = {0, 0, 0}, own = 0;
     const int nodes = w->n + 1;
@@ -99,6 +99,9 @@ static double slope_along(const taut_surface *surface, taut_edge edge, const ser
     *energy = 0;
     taut_gauss_rule(nodes, t, weight);
     for (int i = 0; i < nodes; i++) {
+        if (taut_pulse_beat(pulse, (double)TERM_WORK * nodes * nodes * nodes)) {
+            return 0;
+        }
         for (int j = 0; j < nodes; j++) {
             static const double factor[3] = {1, 2, 1};
             double bend[3];
@@ -126,7 +129,8 @@ static int is_direction(int n, int order, int power)
     return order + power <= n || (order + power == n + 1 && power % 2 != 0);
 }
 
-taut_bending_slope taut_bending_slope_of(const taut_surface *surface, taut_edge edge, int contact)
+taut_bending_slope taut_bending_slope_of(const taut_surface *surface, taut_edge edge, int contact,
+                                         taut_pulse *pulse)
 {
     const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
     const double a = taut_basis_hi(u) - taut_basis_lo(u), b = taut_basis_hi(v) - taut_basis_lo(v);
@@ -142,10 +146,10 @@ taut_bending_slope taut_bending_slope_of(const taut_surface *surface, taut_edge 
         reach = fmax(reach, fabs(taut_surface_points(surface)[k]));
     }
     for (int order = contact + 1; order <= 3 && order <= n; order++) {
-        for (int power = 0; power <= n; power++) {
+        for (int power = 0; power <= n && !taut_pulse_is_stopped(pulse); power++) {
             if (is_direction(n, order, power)) {
                 fill_series(&w, order, power);
-                const double slope = slope_along(surface, edge, &w, &energy);
+                const double slope = slope_along(surface, edge, &w, &energy, pulse);
                 const double size = energy > 0 ? slope / sqrt(energy) : 0;
                 found.order = size > found.residual ? order : found.order;
                 found.power = size > found.residual ? power : found.power;

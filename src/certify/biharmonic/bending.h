@@ -2,6 +2,7 @@
 #ifndef TAUT_CERTIFY_BIHARMONIC_BENDING_H
 #define TAUT_CERTIFY_BIHARMONIC_BENDING_H
 
+#include "core/pulse.h"
 #include "taut/join.h"
 
 typedef struct taut_bending_slope {
@@ -20,7 +21,9 @@ typedef struct taut_bending_slope {
  *     k(k-1)(k-2)(k-3) c[k][l] = -2 (k-2)(k-3) (l+2)(l+1) c[k-2][l+2]
  *                                - (l+4)(l+3)(l+2)(l+1) c[k-4][l+4],
  * which begins with x^2 (contact 1) or x^3 times a power of y ([NiWang2015] section 8.4 counts
- * them). Bezier bases of one degree. No allocation. */
-taut_bending_slope taut_bending_slope_of(const taut_surface *surface, taut_edge edge, int contact);
+ * them). Bezier bases of one degree. No allocation. pulse: told of the work, or NULL; once it says stop
+ * the slope has no meaning. */
+taut_bending_slope taut_bending_slope_of(const taut_surface *surface, taut_edge edge, int contact,
+                                         taut_pulse *pulse);
 
 #endif /* TAUT_CERTIFY_BIHARMONIC_BENDING_H */

@@ -28,9 +28,9 @@
 #include "core/fail.h"
 #include "core/memory.h"
 #include "core/twice.h"
+#include "measure/integrate/integrals.h"
 #include "measure/integrate/near_zero.h"
 #include "taut/limits.h"
-#include "taut/measure.h"
 
 #include <float.h>
 #include <math.h>
@@ -257,7 +257,7 @@ static taut_status add_continuity(const taut_surface *p, const taut_surface *q, 
 
 /* At unit size, as energies are squares. */
 static taut_status add_bending(const taut_surface *q, taut_edge edge, int contact,
-                               taut_certificate *certificate)
+                               taut_pulse *pulse, taut_certificate *certificate)
 {
     taut_surface *unit = NULL, *moved = NULL; /* second derivatives want parameters with all their
                                                * digits */
@@ -271,7 +271,7 @@ static taut_status add_bending(const taut_surface *q, taut_edge edge, int contac
         taut_surface_free(unit);
         return TAUT_NO_MEMORY;
     }
-    slope = taut_bending_slope_of(moved != NULL ? moved : unit, opposite(edge), contact);
+    slope = taut_bending_slope_of(moved != NULL ? moved : unit, opposite(edge), contact, pulse);
     taut_surface_free(moved);
     taut_surface_free(unit);
     snprintf(where, sizeof where, "along derivative %d across times power %d along", slope.order,
@@ -288,7 +288,7 @@ static taut_edge edge_of(const taut_surface *p, const taut_surface *q,
 }
 
 static taut_status add_neighbour(const taut_model *model, const taut_biharmonic_problem *problem,
-                                 taut_certificate *certificate)
+                                 taut_pulse *pulse, taut_certificate *certificate)
 {
     const taut_surface *p = taut_model_surface(model, 0), *q = taut_model_surface(model, 1);
     const char *named = taut_record_text(taut_record_get(taut_model_details(model), "contact"));
@@ -297,18 +297,19 @@ static taut_status add_neighbour(const taut_model *model, const taut_biharmonic_
                                                    : 1;
     const taut_edge edge = edge_of(p, q, problem);
     taut_status status = add_continuity(p, q, edge, contact, certificate);
-    return status == TAUT_OK ? add_bending(q, edge, contact, certificate) : status;
+    return status == TAUT_OK ? add_bending(q, edge, contact, pulse, certificate) : status;
 }
 
-static taut_status add_figures(const taut_model *model, taut_certificate *certificate)
+static taut_status add_figures(const taut_model *model, const taut_crew *crew,
+                               taut_certificate *certificate)
 {
     const int count = taut_model_surface_count(model);
     taut_record *figures = taut_record_new();
-    double energy[2] = {0, 0};
+    double energy[2] = {0, 0}, error = 0;
     taut_status status = TAUT_OK;
 
     for (int i = 0; i < count && i < 2 && status == TAUT_OK; i++) {
-        status = taut_surface_bending_energy(taut_model_surface(model, i), &energy[i]);
+        status = taut_surface_bending_of(taut_model_surface(model, i), crew, &energy[i], &error);
     }
     if (count == 1) {
         taut_record_add_number(figures, "bending_energy", energy[0]);
@@ -358,7 +359,7 @@ static taut_status add_given(const taut_model *model, const taut_biharmonic_prob
 }
 
 static taut_status add_all(const taut_model *model, const taut_biharmonic_problem *problem,
-                           taut_certificate *certificate)
+                           const taut_crew *crew, taut_certificate *certificate)
 {
     taut_status status = add_biharmonic(model, certificate);
 
@@ -366,9 +367,9 @@ static taut_status add_all(const taut_model *model, const taut_biharmonic_proble
         status = add_given(model, problem, certificate);
     }
     if (status == TAUT_OK && taut_model_surface_count(model) == 2) {
-        status = add_neighbour(model, problem, certificate);
+        status = add_neighbour(model, problem, crew->pulse, certificate);
     }
-    return status == TAUT_OK ? add_figures(model, certificate) : status;
+    return status == TAUT_OK ? add_figures(model, crew, certificate) : status;
 }
 
 static taut_status certify(const taut_model *model, const void *data, const taut_audit *audit,
@@ -376,11 +377,11 @@ static taut_status certify(const taut_model *model, const void *data, const taut
 {
     const taut_status status = check_model(model, data, error);
 
-    (void)audit;
     if (status != TAUT_OK) {
         return status;
     }
-    return add_all(model, data, certificate) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
+    return add_all(model, data, &audit->crew, certificate) == TAUT_OK ? TAUT_OK
+                                                                      : taut_fail_memory(error);
 }
 
 static void identify(const taut_model *model, const void *data, taut_identity *identity)

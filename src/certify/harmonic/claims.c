@@ -6,7 +6,7 @@
 #include "core/elementary/elementary.h"
 #include "core/exact.h"
 #include "core/fail.h"
-#include "taut/measure.h"
+#include "measure/integrate/integrals.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -215,18 +215,19 @@ taut_status taut_harmonic_add_harmonic(const taut_model *model, int exact, doubl
     return taut_harmonic_add_claim("harmonic", TAUT_BOUND, residual, limit, where, certificate);
 }
 
-taut_status taut_harmonic_add_figures(const taut_model *model, taut_record *figures)
+taut_status taut_harmonic_add_figures(const taut_model *model, const taut_crew *crew,
+                                      taut_record *figures)
 {
     static const char *const names[2] = {"dirichlet_energy", "isothermality"};
-    taut_status (*const measures[2])(const taut_surface *, double *) = {
-        taut_surface_dirichlet_energy, taut_surface_isothermality};
+    taut_status (*const measures[2])(const taut_surface *, const taut_crew *, double *) = {
+        taut_surface_dirichlet_of, taut_surface_isothermality_of};
     const int count = taut_model_surface_count(model);
 
     for (int k = 0; k < 2; k++) {
         taut_record *list = count > 1 ? taut_record_add_list(figures, names[k]) : figures;
         for (int i = 0; i < count; i++) {
             double value = 0;
-            const taut_status status = measures[k](taut_model_surface(model, i), &value);
+            const taut_status status = measures[k](taut_model_surface(model, i), crew, &value);
             if (status != TAUT_OK) {
                 return status;
             }

@@ -2,6 +2,7 @@
 #ifndef TAUT_CERTIFY_HARMONIC_CLAIMS_H
 #define TAUT_CERTIFY_HARMONIC_CLAIMS_H
 
+#include "core/crew.h"
 #include "taut/certify.h"
 #include "taut/harmonic.h"
 #include "taut/model.h"
@@ -21,7 +22,8 @@ taut_status taut_harmonic_add_harmonic(const taut_model *model, int exact, doubl
                                        taut_certificate *certificate, taut_error *error);
 
 /* Figures dirichlet_energy and isothermality: numbers for one surface, lists for several. */
-taut_status taut_harmonic_add_figures(const taut_model *model, taut_record *figures);
+taut_status taut_harmonic_add_figures(const taut_model *model, const taut_crew *crew,
+                                      taut_record *figures);
 
 /* No limit is above this. */
 #define TAUT_HARMONIC_LIMIT 1e-6
@@ -38,7 +40,7 @@ taut_status taut_harmonic_add_claim(const char *name, taut_claim_kind kind, doub
  * given rows with a harmonic polynomial of norm 1, over the size of the rows. Limit 8 (n + m) 2^-53
  * times the largest coordinate over the size: what rounding the points leaves. */
 taut_status taut_harmonic_add_nearest(const taut_surface *surface,
-                                      const taut_harmonic_problem *problem,
+                                      const taut_harmonic_problem *problem, const taut_crew *crew,
                                       taut_certificate *certificate);
 /* The largest distance of the edges from the rows, at equal parameters, and the parameters there.
  */

@@ -191,10 +191,11 @@ static double carried_of(const taut_model *model, const taut_harmonic_extension_
     return taut_certify_max(taut_merged_carried(p, q, edge), growth * largest_coordinate(p) / 6);
 }
 
-static taut_status add_figures(const taut_model *model, taut_certificate *certificate)
+static taut_status add_figures(const taut_model *model, const taut_crew *crew,
+                               taut_certificate *certificate)
 {
     taut_record *figures = taut_record_new();
-    const taut_status status = taut_harmonic_add_figures(model, figures);
+    const taut_status status = taut_harmonic_add_figures(model, crew, figures);
 
     if (taut_model_surface_count(model) > 2) {
         taut_record_add_number(figures, "merged_square_residual",
@@ -241,7 +242,7 @@ static taut_status add_all(const taut_model *model, const taut_harmonic_extensio
         return status;
     }
     status = add_meeting(model, problem, g1, certificate);
-    return status == TAUT_OK ? add_figures(model, certificate) : status;
+    return status == TAUT_OK ? add_figures(model, &audit->crew, certificate) : status;
 }
 
 static taut_status certify(const taut_model *model, const void *data, const taut_audit *audit,

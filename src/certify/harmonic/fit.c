@@ -12,7 +12,11 @@
 #include <math.h>
 #include <stdio.h>
 
-enum { SAMPLES = 257 };
+enum {
+    SAMPLES = 257,
+    POINT_WORK =
+        9 /* operations by the square of the degree, of two points in space, as pulses count them */
+};
 
 /* The surface, its rows as they were given, and the half sides of its rectangle over the larger. */
 typedef struct fit {
@@ -162,7 +166,7 @@ void taut_harmonic_fit_gap(const taut_surface *surface, const taut_harmonic_prob
 }
 
 taut_status taut_harmonic_add_nearest(const taut_surface *surface,
-                                      const taut_harmonic_problem *problem,
+                                      const taut_harmonic_problem *problem, const taut_crew *crew,
                                       taut_certificate *certificate)
 {
     const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
@@ -179,6 +183,9 @@ taut_status taut_harmonic_add_nearest(const taut_surface *surface,
     f.half[1] = sides[1] / fmax(sides[0], sides[1]);
     taut_gauss_rule(nodes, t, w);
     for (int k = 0; k <= least + 1; k++) {
+        if (taut_crew_beat(crew, 4 * nodes * POINT_WORK * (double)nodes * nodes)) {
+            return TAUT_INTERRUPTED;
+        }
         const double found = power_product(&f, k, nodes, t, w) / size;
         worst = found > most ? k : worst;
         most = taut_certify_max(most, found);

@@ -208,7 +208,8 @@ static void compare_derivative(const taut_surface *surface, const taut_harmonic_
 }
 
 static taut_status add_boundary(const taut_model *model, const taut_harmonic_problem *p,
-                                taut_certificate *certificate, taut_error *error)
+                                const taut_crew *crew, taut_certificate *certificate,
+                                taut_error *error)
 {
     const taut_surface *surface = taut_model_surface(model, 0);
     const int nu = taut_basis_count(p->u), nv = taut_basis_count(p->v);
@@ -222,7 +223,7 @@ static taut_status add_boundary(const taut_model *model, const taut_harmonic_pro
                          "the model and the problem do not belong together");
     }
     if (p->given == TAUT_HARMONIC_BOUNDARY) {
-        return taut_harmonic_add_nearest(surface, p, certificate);
+        return taut_harmonic_add_nearest(surface, p, crew, certificate);
     }
     if (p->given == TAUT_HARMONIC_DERIVATIVE) {
         b.size = size_of(p->derivative.edge, NULL, nv);
@@ -262,13 +263,13 @@ static taut_status add_all(const taut_model *model, const taut_harmonic_problem 
     taut_status status = taut_harmonic_add_harmonic(model, audit->exact, 0, certificate, error);
 
     if (status == TAUT_OK && problem != NULL) {
-        status = add_boundary(model, problem, certificate, error);
+        status = add_boundary(model, problem, &audit->crew, certificate, error);
     }
     if (status != TAUT_OK) {
         return status;
     }
     figures = taut_record_new();
-    status = taut_harmonic_add_figures(model, figures);
+    status = taut_harmonic_add_figures(model, &audit->crew, figures);
     add_gap(model, problem, figures);
     taut_certificate_set_figures(certificate, figures);
     return status == TAUT_OK ? taut_record_status(figures) : status;

@@ -57,17 +57,24 @@ static void add_amplification(double amplification, taut_record *details)
     }
 }
 
+typedef struct request {
+    const taut_biharmonic_problem *problem;
+    taut_pulse *pulse;
+} request;
+
 static taut_status fill_model(void *context, taut_arena *arena, taut_model *model,
                               taut_error *error)
 {
-    const taut_biharmonic_problem *problem = *(const taut_biharmonic_problem **)context;
+    const request *asked = context;
+    const taut_biharmonic_problem *problem = asked->problem;
     taut_record *details = taut_record_new();
     double amplification = 0;
     const taut_status status =
         problem->given == TAUT_BIHARMONIC_NEIGHBOUR
-            ? taut_biharmonic_add_neighbour(&problem->neighbour, arena, model, details,
-                                            &amplification, error)
-            : taut_biharmonic_add_rows(&problem->rows, arena, model, &amplification, error);
+            ? taut_biharmonic_add_neighbour(&problem->neighbour, arena, asked->pulse, model,
+                                            details, &amplification, error)
+            : taut_biharmonic_add_rows(&problem->rows, arena, asked->pulse, model, &amplification,
+                                       error);
 
     if (status != TAUT_OK) {
         taut_record_free(details);
@@ -81,10 +88,13 @@ taut_status taut_biharmonic_make(const taut_biharmonic_problem *problem,
                                  const taut_make_options *options, taut_model **model,
                                  taut_error *error)
 {
+    taut_pulse pulse = {.monitor = options != NULL ? &options->monitor : NULL,
+                        .what = "solving",
+                        .done = taut_none};
+    request asked = {problem, &pulse};
     const taut_status status = check_problem(problem, error);
 
-    (void)options; /* exact to rounding, and quick */
-    return status == TAUT_OK ? taut_construct_build(fill_model, &problem, model, error) : status;
+    return status == TAUT_OK ? taut_construct_build(fill_model, &asked, model, error) : status;
 }
 
 static taut_status make(const void *data, const taut_make_options *options, taut_model **model,

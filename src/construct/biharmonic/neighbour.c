@@ -35,6 +35,7 @@ static const double meeting_limit = 4 * DBL_EPSILON;
 
 typedef struct neighbour {
     taut_neighbour given;
+    taut_pulse *pulse;
     int contact, n, free; /* numbers that are free, a coordinate */
     int lines;            /* rows that are given */
     int sides;            /* right-hand sides: three coordinates, then unit rows: 1 at a point */
@@ -51,12 +52,18 @@ static size_t numbers_of(const neighbour *b)
     return (size_t)(b->n + 1) * (size_t)(b->n + 1);
 }
 
+/* Nonzero when it is to end; so many operations in twice the precision. */
+static int beat(const neighbour *b, double operations)
+{
+    return taut_pulse_beat(b->pulse, TAUT_TWICE_WORK * operations);
+}
+
 /* to = sum_f factors[f] net_f */
 static void combine_nets(const neighbour *b, const taut_twice *factors, taut_twice *to)
 {
     const size_t numbers = numbers_of(b);
     memset(to, 0, numbers * sizeof *to);
-    for (int f = 0; f < b->space.count; f++) {
+    for (int f = 0; f < b->space.count && !beat(b, (double)numbers); f++) {
         taut_wide_gain((int)numbers, factors[f], b->space.nets + (size_t)f * numbers, to);
     }
 }
@@ -118,7 +125,7 @@ static taut_status meet_rows(neighbour *b, const double *beyond, taut_error *err
         }
     }
     fill_sides(b, beyond, d);
-    taut_wide_constrain(rows, unknowns, rank, b->sides, c, d, basis, x);
+    taut_wide_constrain(rows, unknowns, rank, b->sides, c, d, basis, x, b->pulse);
     for (int side = 0; side < b->sides; side++) {
         combine_nets(b, x + side * unknowns, b->fixed + (size_t)side * numbers);
     }
@@ -217,7 +224,7 @@ static taut_status minimise_bending(const neighbour *b, taut_twice *y, taut_erro
         basis_at(b->n, taut_twice_sum(t[s] / 2, 0.5), table + 3 * s * size);
     }
     for (int s = 0; s < nodes; s++) {
-        for (int k = 0; k < width; k++) {
+        for (int k = 0; k < width && !beat(b, 6.0 * nodes * size); k++) {
             fill_polygons(b,
                           k < b->free ? b->moving + (size_t)k * numbers
                                       : b->fixed + (size_t)(k - b->free) * numbers,
@@ -228,9 +235,9 @@ static taut_status minimise_bending(const neighbour *b, taut_twice *y, taut_erro
                               block + 3 * q * width + k);
             }
         }
-        taut_wide_append(b->free, width, r, 3 * nodes, block, scratch);
+        taut_wide_append(b->free, width, r, 3 * nodes, block, scratch, b->pulse);
     }
-    taut_wide_back(b->free, width, r);
+    taut_wide_back(b->free, width, r, b->pulse);
     for (int side = 0; side < b->sides; side++) {
         for (int k = 0; k < b->free; k++) {
             y[side * b->free + k] = taut_twice_negative(r[k * width + b->free + side]);
@@ -255,7 +262,7 @@ static taut_twice point_of(const neighbour *b, const taut_twice *y, int side, si
 static double amplification_of(const neighbour *b, const taut_twice *y)
 {
     double most = 0;
-    for (size_t k = 0; k < numbers_of(b); k++) {
+    for (size_t k = 0; k < numbers_of(b) && !beat(b, (double)b->sides * b->free); k++) {
         double sum = 0;
         for (int side = 3; side < b->sides; side++) {
             sum += fabs(taut_twice_round(point_of(b, y, side, k)));
@@ -279,7 +286,8 @@ static double miss_of(const neighbour *b, const double *net, const taut_twice *y
 {
     const double size = size_of(b->given.net, numbers_of(b));
     double miss = 0;
-    for (size_t k = (size_t)(b->n + 1); k < (size_t)(b->lines * (b->n + 1)); k++) {
+    const size_t end = (size_t)(b->lines * (b->n + 1));
+    for (size_t k = (size_t)(b->n + 1); k < end && !beat(b, 3.0 * b->free); k++) {
         for (int side = 0; side < 3; side++) {
             const taut_twice wanted = taut_twice_of(net[3 * k + (size_t)side]);
             const taut_twice apart = taut_twice_less(point_of(b, y, side, k), wanted);
@@ -327,7 +335,8 @@ static taut_status solve_net(neighbour *b, double *net, double *amplification, i
 
     taut_neighbour_extrapolate(&b->given, 0, net);
     memcpy(net, b->given.net + 3 * b->n * (b->n + 1), 3 * (size_t)(b->n + 1) * sizeof(double));
-    if (y == NULL || !taut_space_biharmonic(b->n, b->across, b->along, arena, &b->space)) {
+    if (y == NULL ||
+        !taut_space_biharmonic(b->n, b->across, b->along, arena, b->pulse, &b->space)) {
         return taut_fail_memory(error);
     }
     status = meet_rows(b, net, error);
@@ -342,7 +351,7 @@ static taut_status solve_net(neighbour *b, double *net, double *amplification, i
     if (status != TAUT_OK) {
         return status;
     }
-    for (size_t k = (size_t)(b->n + 1); k < numbers_of(b); k++) {
+    for (size_t k = (size_t)(b->n + 1); k < numbers_of(b) && !beat(b, 3.0 * b->free); k++) {
         for (int side = 0; side < 3; side++) {
             net[3 * k + (size_t)side] = taut_twice_round(point_of(b, y, side, k));
         }
@@ -427,12 +436,14 @@ static taut_status turn_surface(const taut_biharmonic_neighbour *asked, neighbou
 }
 
 taut_status taut_biharmonic_add_neighbour(const taut_biharmonic_neighbour *asked, taut_arena *arena,
-                                          taut_model *model, taut_record *details,
-                                          double *amplification, taut_error *error)
+                                          taut_pulse *pulse, taut_model *model,
+                                          taut_record *details, double *amplification,
+                                          taut_error *error)
 {
     neighbour b = {
         .given = {.surface = asked->surface, .edge = asked->edge, .arena = arena},
         .contact = asked->contact,
+        .pulse = pulse,
     };
     double *net = NULL;
     taut_status status = turn_surface(asked, &b, error);
@@ -445,6 +456,9 @@ taut_status taut_biharmonic_add_neighbour(const taut_biharmonic_neighbour *asked
         return taut_fail_memory(error);
     }
     status = solve_net(&b, net, amplification, asked->allow_ill_conditioned, error);
+    if (taut_pulse_is_stopped(pulse)) {
+        return taut_fail_status(error, TAUT_INTERRUPTED);
+    }
     if (status != TAUT_OK) {
         return status;
     }

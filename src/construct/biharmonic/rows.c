@@ -48,8 +48,8 @@ static taut_status check_amplification(int degree, double amplification, taut_er
 }
 
 /* The net in the user's coordinates, its rows as they were given. */
-static taut_status solve_net(const taut_biharmonic_rows *rows, taut_arena *arena, double *net,
-                             double *amplification, taut_error *error)
+static taut_status solve_net(const taut_biharmonic_rows *rows, taut_arena *arena, taut_pulse *pulse,
+                             double *net, double *amplification, taut_error *error)
 {
     const int n = taut_basis_degree(rows->u);
     const size_t points = (size_t)(n + 1) * (size_t)(n + 1);
@@ -64,11 +64,14 @@ static taut_status solve_net(const taut_biharmonic_rows *rows, taut_arena *arena
     if (n > DEGREE_MAX) {
         return check_amplification(n, 2 * amplification_limit, error);
     }
-    if (!taut_space_biharmonic(n, across, along, arena, &space) ||
+    if (!taut_space_biharmonic(n, across, along, arena, pulse, &space) ||
         !taut_rim_solve(&space, arena, &boundary)) {
         return taut_fail_memory(error);
     }
     *amplification = taut_rim_amplification(&boundary);
+    if (taut_pulse_is_stopped(pulse)) {
+        return taut_fail_status(error, TAUT_INTERRUPTED);
+    }
     status = check_amplification(n, *amplification, error);
     if (status != TAUT_OK) {
         return status;
@@ -90,7 +93,8 @@ static taut_status solve_net(const taut_biharmonic_rows *rows, taut_arena *arena
 }
 
 taut_status taut_biharmonic_add_rows(const taut_biharmonic_rows *rows, taut_arena *arena,
-                                     taut_model *model, double *amplification, taut_error *error)
+                                     taut_pulse *pulse, taut_model *model, double *amplification,
+                                     taut_error *error)
 {
     const size_t points = (size_t)taut_basis_count(rows->u) * (size_t)taut_basis_count(rows->v);
     double *net = taut_arena_take(arena, 3 * points, sizeof(double));
@@ -104,7 +108,10 @@ taut_status taut_biharmonic_add_rows(const taut_biharmonic_rows *rows, taut_aren
     if (status != TAUT_OK) {
         return status;
     }
-    status = solve_net(rows, arena, net, amplification, error);
+    status = solve_net(rows, arena, pulse, net, amplification, error);
+    if (taut_pulse_is_stopped(pulse)) {
+        return taut_fail_status(error, TAUT_INTERRUPTED);
+    }
     if (status != TAUT_OK) {
         return status;
     }

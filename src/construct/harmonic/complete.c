@@ -43,6 +43,14 @@ static void chain_step(chain *c, taut_twice scale)
     c->degree -= 2;
 }
 
+/* Of term k: two curves raised by 2 k degrees, two factors by as many as are left, two products with the net. Nonzero
+ * when it is to end. */
+static int beat_of_term(int n, int m, int k, taut_pulse *pulse)
+{
+    const double raised = 3.0 * (m + 1) * 2 * k + (n + 1.0) * (n + 1);
+    return taut_pulse_beat(pulse, 2 * TAUT_TWICE_WORK * (2 * raised + 3.0 * (n + 1) * (m + 1)));
+}
+
 /* net[i][j] += factor[i] curve[j] */
 static void add_product(int n, int m, const taut_twice *factor, const taut_twice *points,
                         taut_twice *net)
@@ -104,7 +112,7 @@ static void add_even_term(int m, const chain *a, const chain *b, taut_twice *net
 }
 
 void taut_harmonic_from_rows(int n, int m, taut_twice mu, const double *row0, const double *row1,
-                             taut_twice *wide, double *net)
+                             taut_twice *wide, double *net, taut_pulse *pulse)
 {
     const taut_twice step = taut_twice_scale(-0.125, mu);
     taut_twice low[SIZE] = {{0, 0}, {1, 0}}, factor[SIZE] = {{0, 0}, {1, 0}}, mirrored[SIZE];
@@ -114,7 +122,7 @@ void taut_harmonic_from_rows(int n, int m, taut_twice mu, const double *row0, co
     chain_start(&a, m, row0);
     chain_start(&b, m, row1);
     taut_raise_degree(1, n, 1, factor); /* Lambda_0(u) = u */
-    for (int k = 0; 2 * k <= m; k++) {
+    for (int k = 0; 2 * k <= m && !beat_of_term(n, m, k, pulse); k++) {
         chain_raise(&a);
         chain_raise(&b);
         if (2 * k + 1 > n) {
@@ -149,13 +157,13 @@ static double find_largest(int count, const double *sum)
 
 /* K = max_i sum_k m!/(m-2k)! (4 mu)^k (|Lambda_k(1-.)|_i + |Lambda_k|_i); of even m = n the last
  * term has |S_k|_i for the sum of both. All coefficients of one Lambda_k, or S_k, have one sign. */
-double taut_harmonic_rows_amplification(int n, int m, double mu)
+double taut_harmonic_rows_amplification(int n, int m, double mu, taut_pulse *pulse)
 {
     taut_twice low[SIZE] = {{0, 0}, {1, 0}}, factor[SIZE] = {{0, 0}, {1, 0}};
     double sum[SIZE] = {0}, scale = 1; /* m!/(m-2k)! (4 mu)^k / 8^k */
 
     taut_raise_degree(1, n, 1, factor);
-    for (int k = 0; 2 * k <= m && 2 * k + 1 <= n; k++) {
+    for (int k = 0; 2 * k <= m && 2 * k + 1 <= n && !beat_of_term(n, m, k, pulse); k++) {
         if (k > 0) {
             next_factor(2 * k + 1, n, low, factor);
             scale *= 0.5 * mu * (m - 2 * k + 2) * (m - 2 * k + 1);
@@ -176,7 +184,7 @@ double taut_harmonic_rows_amplification(int n, int m, double mu)
 
 /* The terms are (-mu)^k / (2k)! u^2k row^(2k) and (-mu)^k / (2k+1)! u^(2k+1) width cross^(2k). */
 static void wide_from_derivative(int n, int m, taut_twice mu, const double *row, double width,
-                                 const double *cross, taut_twice *net)
+                                 const double *cross, taut_twice *net, taut_pulse *pulse)
 {
     taut_twice factor[SIZE];
     chain f, g;
@@ -187,7 +195,7 @@ static void wide_from_derivative(int n, int m, taut_twice mu, const double *row,
     for (int i = 0; i < 3 * (m + 1); i++) {
         g.now[i] = taut_twice_scale(width, g.now[i]);
     }
-    for (int k = 0; 2 * k <= m && 2 * k <= n; k++) {
+    for (int k = 0; 2 * k <= m && 2 * k <= n && !beat_of_term(n, m, k, pulse); k++) {
         const int d = 2 * k;
         chain_raise(&f);
         chain_raise(&g);
@@ -203,9 +211,10 @@ static void wide_from_derivative(int n, int m, taut_twice mu, const double *row,
 }
 
 void taut_harmonic_from_derivative(int n, int m, taut_twice mu, const double *row, double width,
-                                   const double *cross, taut_twice *wide, double *net)
+                                   const double *cross, taut_twice *wide, double *net,
+                                   taut_pulse *pulse)
 {
-    wide_from_derivative(n, m, mu, row, width, cross, wide);
+    wide_from_derivative(n, m, mu, row, width, cross, wide, pulse);
     round_net(n, m, wide, net);
 }
 
@@ -222,10 +231,10 @@ static void add_sizes(int n, int m, const taut_twice *net, double *sum)
 /* The map is linear, so its norm is the largest sum of sizes over unit data: point j of row 0 (then
  * P_u = -n times it) and of row 1 (P_u = n times it). */
 double taut_harmonic_derivative_amplification(int n, int m, taut_twice mu, taut_twice *net,
-                                              double *sum)
+                                              double *sum, taut_pulse *pulse)
 {
     memset(sum, 0, (size_t)(n + 1) * (size_t)(m + 1) * sizeof *sum);
-    for (int first = 0; first < 2 * (m + 1); first += 3) {
+    for (int first = 0; first < 2 * (m + 1) && !taut_pulse_is_stopped(pulse); first += 3) {
         double row[SIZE * 3] = {0}, cross[SIZE * 3] = {0};
         for (int c = 0; c < 3 && first + c < 2 * (m + 1); c++) {
             const int j = (first + c) % (m + 1);
@@ -233,7 +242,7 @@ double taut_harmonic_derivative_amplification(int n, int m, taut_twice mu, taut_
             row[3 * j + c] = next ? 0 : 1;
             cross[3 * j + c] = next ? n : -n;
         }
-        wide_from_derivative(n, m, mu, row, 1, cross, net);
+        wide_from_derivative(n, m, mu, row, 1, cross, net, pulse);
         add_sizes(n, m, net, sum);
     }
     return find_largest((n + 1) * (m + 1), sum);

@@ -47,7 +47,7 @@ static void derive_g1(const taut_neighbour *e, const taut_extension_g1 *p, doubl
 }
 
 static taut_status complete_g1(const taut_neighbour *e, const taut_extension_g1 *g1, double *out,
-                               double *amplification, taut_error *error)
+                               double *amplification, taut_pulse *pulse, taut_error *error)
 {
     const int n = e->n, m = e->m;
     const taut_twice ratio =
@@ -80,8 +80,8 @@ static taut_status complete_g1(const taut_neighbour *e, const taut_extension_g1 
                          "here (the top difference is %.6g)",
                          m, defect * e->map.size);
     }
-    taut_harmonic_from_derivative(n, m, mu, e->net + 3 * n * (m + 1), 1, cross, net, out);
-    *amplification = taut_harmonic_derivative_amplification(n, m, mu, net, sum);
+    taut_harmonic_from_derivative(n, m, mu, e->net + 3 * n * (m + 1), 1, cross, net, out, pulse);
+    *amplification = taut_harmonic_derivative_amplification(n, m, mu, net, sum, pulse);
     return TAUT_OK;
 }
 
@@ -202,7 +202,8 @@ static taut_status add_beyond(const taut_neighbour *e, double *net, int exact, t
 
 /* Contact g1. */
 static taut_status add_tangent(const taut_neighbour *e, const taut_extension_g1 *g1,
-                               double *amplification, taut_model *model, taut_error *error)
+                               double *amplification, taut_pulse *pulse, taut_model *model,
+                               taut_error *error)
 {
     const size_t line = 3 * (size_t)(e->m + 1);
     double *net = taut_arena_take(e->arena, (size_t)(e->n + 1) * line, sizeof(double));
@@ -211,7 +212,7 @@ static taut_status add_tangent(const taut_neighbour *e, const taut_extension_g1 
     if (net == NULL) {
         return taut_fail_memory(error);
     }
-    status = complete_g1(e, g1, net, amplification, error);
+    status = complete_g1(e, g1, net, amplification, pulse, error);
     if (status != TAUT_OK) {
         return status;
     }
@@ -277,6 +278,7 @@ static taut_status turn_surface(taut_neighbour *e, double width, int exact, taut
 typedef struct request {
     const taut_harmonic_extension_problem *problem;
     int exact;
+    taut_pulse *pulse;
 } request;
 
 static taut_status fill_model(void *context, taut_arena *arena, taut_model *model,
@@ -302,8 +304,11 @@ static taut_status fill_model(void *context, taut_arena *arena, taut_model *mode
         return status;
     }
     status = problem->given == TAUT_EXTENSION_G1
-                 ? add_tangent(&e, &problem->g1, &amplification, model, error)
+                 ? add_tangent(&e, &problem->g1, &amplification, asked->pulse, model, error)
                  : add_carried(&e, asked->exact, model, error);
+    if (asked->pulse->is_stopped) {
+        return taut_fail_status(error, TAUT_INTERRUPTED);
+    }
     if (status != TAUT_OK) {
         return status;
     }
@@ -323,7 +328,10 @@ taut_status taut_harmonic_extension_make(const taut_harmonic_extension_problem *
                                          const taut_make_options *options, taut_model **model,
                                          taut_error *error)
 {
-    request asked = {problem, options != NULL && options->exact};
+    taut_pulse pulse = {.monitor = options != NULL ? &options->monitor : NULL,
+                        .what = "solving",
+                        .done = taut_none};
+    request asked = {problem, options != NULL && options->exact, &pulse};
     const taut_status status = check_problem(problem, asked.exact, error);
 
     return status == TAUT_OK ? taut_construct_build(fill_model, &asked, model, error) : status;

@@ -43,7 +43,7 @@ taut_status taut_harmonic_fit(taut_harmonic_task *task, taut_error *error)
     const double along = taut_basis_hi(problem->v) - taut_basis_lo(problem->v);
     task->net = taut_arena_copy(task->arena, problem->boundary.points, 3 * points, sizeof(double));
     if (task->net == NULL ||
-        !taut_space_harmonic(task->n, task->m, across, along, task->arena, &space) ||
+        !taut_space_harmonic(task->n, task->m, across, along, task->arena, task->pulse, &space) ||
         !taut_rim_solve(&space, task->arena, &boundary)) {
         return taut_fail_memory(error);
     }

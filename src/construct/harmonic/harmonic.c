@@ -23,7 +23,8 @@ static taut_status measure_amplification(taut_harmonic_task *task, taut_error *e
     const size_t points = (size_t)(n + 1) * (size_t)(m + 1);
 
     if (task->problem->given == TAUT_HARMONIC_ROWS) {
-        task->amplification = taut_harmonic_rows_amplification(n, m, taut_twice_round(task->mu));
+        task->amplification =
+            taut_harmonic_rows_amplification(n, m, taut_twice_round(task->mu), task->pulse);
         return TAUT_OK;
     }
     taut_twice *net = taut_arena_take(task->arena, 3 * points, sizeof *net);
@@ -31,7 +32,8 @@ static taut_status measure_amplification(taut_harmonic_task *task, taut_error *e
     if (taut_arena_status(task->arena) != TAUT_OK) {
         return taut_fail_memory(error);
     }
-    task->amplification = taut_harmonic_derivative_amplification(n, m, task->mu, net, sum);
+    task->amplification =
+        taut_harmonic_derivative_amplification(n, m, task->mu, net, sum, task->pulse);
     return TAUT_OK;
 }
 
@@ -91,10 +93,10 @@ static taut_status complete_net(taut_harmonic_task *task, taut_error *error)
     }
     if (task->problem->given == TAUT_HARMONIC_DERIVATIVE) {
         taut_harmonic_from_derivative(task->n, task->m, task->mu, task->row[0], task->width,
-                                      task->row[1], wide, task->net);
+                                      task->row[1], wide, task->net, task->pulse);
     } else {
         taut_harmonic_from_rows(task->n, task->m, task->mu, task->row[0], task->row[1], wide,
-                                task->net);
+                                task->net, task->pulse);
     }
     taut_unit_map_undo(&task->map, numbers / 3, task->net);
     if (!is_finite(task)) {
@@ -287,15 +289,19 @@ static taut_status solve_net(taut_harmonic_task *task, int exact, taut_error *er
 typedef struct request {
     const taut_harmonic_problem *problem;
     int exact;
+    taut_pulse *pulse;
 } request;
 
 static taut_status fill_model(void *context, taut_arena *arena, taut_model *model,
                               taut_error *error)
 {
     const request *asked = context;
-    taut_harmonic_task task = {.problem = asked->problem, .arena = arena};
+    taut_harmonic_task task = {.problem = asked->problem, .arena = arena, .pulse = asked->pulse};
     taut_status status = solve_net(&task, asked->exact, error);
 
+    if (asked->pulse->is_stopped) {
+        return taut_fail_status(error, TAUT_INTERRUPTED);
+    }
     if (status != TAUT_OK) {
         return status;
     }
@@ -307,7 +313,10 @@ taut_status taut_harmonic_make(const taut_harmonic_problem *problem,
                                const taut_make_options *options, taut_model **model,
                                taut_error *error)
 {
-    request asked = {problem, options != NULL && options->exact};
+    taut_pulse pulse = {.monitor = options != NULL ? &options->monitor : NULL,
+                        .what = "solving",
+                        .done = taut_none};
+    request asked = {problem, options != NULL && options->exact, &pulse};
     const taut_status status = check_problem(problem, error);
 
     return status == TAUT_OK ? taut_construct_build(fill_model, &asked, model, error) : status;

@@ -59,6 +59,12 @@ static taut_twice point_on_side(const taut_space *space, int side, int k, const 
     return j == (side == 2 ? 0 : space->m) ? along[i] : taut_twice_of(0);
 }
 
+/* Nonzero when it is to end: so many rows of so many numbers. */
+static int beat(const taut_space *space, int rows, int numbers)
+{
+    return taut_pulse_beat(space->pulse, (double)TAUT_TWICE_WORK * rows * numbers);
+}
+
 int taut_rim_solve(const taut_space *space, taut_arena *arena, taut_rim *boundary)
 {
     const int unknowns = space->count, points = 2 * (space->n + space->m),
@@ -77,7 +83,7 @@ int taut_rim_solve(const taut_space *space, taut_arena *arena, taut_rim *boundar
     }
     taut_gauss_rule(nodes, t, w);
     for (int side = 0; side < 4; side++) {
-        for (int s = 0; s < nodes; s++) {
+        for (int s = 0; s < nodes && !beat(space, unknowns, nodes); s++) {
             taut_twice along[TAUT_SPACE_DEGREE_MAX + 1], *row = block + s * width;
             const taut_twice weight = taut_twice_root(taut_twice_of(w[s] / 2));
             const taut_twice at = taut_twice_sum(t[s] / 2, 0.5);
@@ -90,14 +96,14 @@ int taut_rim_solve(const taut_space *space, taut_arena *arena, taut_rim *boundar
                 row[unknowns + k] = taut_twice_times(weight, point_on_side(space, side, k, along));
             }
         }
-        taut_wide_append(unknowns, width, r, nodes, block, scratch);
+        taut_wide_append(unknowns, width, r, nodes, block, scratch, space->pulse);
     }
-    taut_wide_back(unknowns, width, r);
+    taut_wide_back(unknowns, width, r, space->pulse);
     for (int i = 0; i < unknowns; i++) {
         memcpy(response + i * points, r + i * width + unknowns, (size_t)points * sizeof *r);
     }
     *boundary = (taut_rim){space, points, response};
-    return 1;
+    return !taut_pulse_is_stopped(space->pulse);
 }
 
 /* net += sum_k coefficient_k net_k with the coefficients of the rest: given minus net so far. */
@@ -115,14 +121,14 @@ static void improve_net(const taut_rim *boundary, const double *given, taut_twic
             rest[3 * k + c] = taut_twice_less(taut_twice_of(given[at]), net[at]);
         }
     }
-    for (int f = 0; f < space->count; f++) {
+    for (int f = 0; f < space->count && !beat(space, 3, boundary->count); f++) {
         const taut_twice *response = boundary->response + f * boundary->count;
         memset(coefficients + 3 * f, 0, 3 * sizeof *coefficients);
         for (int k = 0; k < boundary->count; k++) {
             taut_wide_gain(3, response[k], rest + 3 * k, coefficients + 3 * f);
         }
     }
-    for (int f = 0; f < space->count; f++) {
+    for (int f = 0; f < space->count && !beat(space, 3, numbers); f++) {
         const taut_twice *function = space->nets + (size_t)f * (size_t)numbers;
         for (int k = 0; k < numbers; k++) {
             taut_wide_gain(3, function[k], coefficients + 3 * f, net + 3 * k);
@@ -151,7 +157,7 @@ double taut_rim_amplification(const taut_rim *boundary)
     const int numbers = (space->n + 1) * (space->m + 1);
     double most = 0;
 
-    for (int at = 0; at < numbers; at++) {
+    for (int at = 0; at < numbers && !beat(space, space->count, boundary->count); at++) {
         double sum = 0;
         taut_twice entries[4 * TAUT_SPACE_DEGREE_MAX];
         memset(entries, 0, (size_t)boundary->count * sizeof *entries);

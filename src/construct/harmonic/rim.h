@@ -19,7 +19,7 @@ typedef struct taut_rim {
 /* The index (i, j) of boundary point k: row 0, row n, then the rest of column 0 and of column m. */
 void taut_rim_place(int n, int m, int k, int *i, int *j);
 
-/* Returns 0 when memory runs out. */
+/* Returns 0 when memory runs out, and when the pulse of the space says stop; it is told of what follows too. */
 int taut_rim_solve(const taut_space *space, taut_arena *arena, taut_rim *boundary);
 
 /* The nearest net to the boundary points of `given`, double[n+1][m+1][3], of which the others are

@@ -6,6 +6,9 @@
 #include <math.h>
 #include <string.h>
 
+/* Operations in twice the precision a complex number of a net, as pulses count them. */
+enum { OF_RAISE = 10, OF_SUBTRACT = 6, OF_MULTIPLY = 30 };
+
 /* A complex number, or a factor of the recurrence. */
 typedef struct complex_wide {
     taut_twice re, im;
@@ -21,6 +24,7 @@ typedef struct recurrence {
     double *weight;      /* [samples] */
     int samples;
     taut_twice last; /* leading coefficient of the last polynomial over that of the one before */
+    taut_pulse *pulse;
 } recurrence;
 
 static complex_wide times(complex_wide x, complex_wide y)
@@ -33,6 +37,12 @@ static complex_wide times(complex_wide x, complex_wide y)
 static complex_wide divide(complex_wide x, double by)
 {
     return (complex_wide){taut_twice_over_number(x.re, by), taut_twice_over_number(x.im, by)};
+}
+
+/* Nonzero when it is to end; so many operations in twice the precision for each number of a net. */
+static int beat(const recurrence *r, int operations)
+{
+    return taut_pulse_beat(r->pulse, (double)TAUT_TWICE_WORK * operations * r->size * r->size);
 }
 
 static void add_scaled(double share, complex_wide x, complex_wide *sum)
@@ -169,18 +179,19 @@ static void advance(recurrence *r, int k)
         value[s] = times(r->z[s], before[s]);
     }
     r->degree = k;
-    for (int j = 0; j < k; j++) {
+    for (int j = 0; j < k && !beat(r, OF_RAISE); j++) {
         raise_net(r, k - 1, net_of(r, j));
     }
     for (int pass = 0; pass < 2; pass++) {
-        for (int j = 0; j < k; j++) {
+        for (int j = 0; j < k && !beat(r, OF_SUBTRACT); j++) {
             subtract_polynomial(r, inner(r, r->value + j * r->samples, value), j, k);
         }
     }
     r->last = normalise(r, k);
 }
 
-static int recurrence_run(int steps, double across, double along, taut_arena *arena, recurrence *r)
+static int recurrence_run(int steps, double across, double along, taut_arena *arena,
+                          taut_pulse *pulse, recurrence *r)
 {
     const int nodes = steps + 2;
     const double side = fmax(across, along);
@@ -189,7 +200,8 @@ static int recurrence_run(int steps, double across, double along, taut_arena *ar
                       .b = taut_twice_scale(2, taut_twice_over_number(taut_twice_of(along), side)),
                       .steps = steps,
                       .size = steps + 1,
-                      .samples = 4 * nodes};
+                      .samples = 4 * nodes,
+                      .pulse = pulse};
     const size_t polynomials = (size_t)steps + 1, samples = (size_t)r->samples;
     r->net = taut_arena_take(arena, polynomials * polynomials * polynomials, sizeof *r->net);
     r->value = taut_arena_take(arena, polynomials * samples, sizeof *r->value);
@@ -204,7 +216,7 @@ static int recurrence_run(int steps, double across, double along, taut_arena *ar
         r->value[s].re = taut_twice_of(1);
     }
     (void)normalise(r, 0);
-    for (int k = 1; k <= steps; k++) {
+    for (int k = 1; k <= steps && !taut_pulse_is_stopped(pulse); k++) {
         advance(r, k);
     }
     return 1;
@@ -287,8 +299,15 @@ static int larger(int a, int b)
     return a > b ? a : b;
 }
 
+/* Before two nets are brought to the space's bidegree. */
+static int beat_of_lines(const taut_space *space, const recurrence *r)
+{
+    const int most = larger(space->n, space->m);
+    return beat(r, 4 * (1 + larger(0, most - r->degree)));
+}
+
 int taut_space_harmonic(int n, int m, double across, double along, taut_arena *arena,
-                        taut_space *space)
+                        taut_pulse *pulse, taut_space *space)
 {
     const int least = n < m ? n : m;
     /* which part of z^(least+1) lacks the pure powers that the bidegree forbids; -1: neither */
@@ -298,21 +317,23 @@ int taut_space_harmonic(int n, int m, double across, double along, taut_arena *a
     taut_twice *work = taut_arena_take(arena, (size_t)size * (size_t)size, sizeof *work);
     recurrence r;
 
-    *space = (taut_space){.n = n, .m = m};
+    *space = (taut_space){.n = n, .m = m, .pulse = pulse};
     space->nets = taut_arena_take(arena, (size_t)(2 * least + 2) * numbers, sizeof(taut_twice));
-    if (work == NULL || space->nets == NULL || !recurrence_run(steps, across, along, arena, &r)) {
+    if (work == NULL || space->nets == NULL ||
+        !recurrence_run(steps, across, along, arena, pulse, &r)) {
         return 0;
     }
-    for (int k = 0; k <= least; k++) { /* all were raised along: one degree too many */
+    for (int k = 0; k <= least && !beat_of_lines(space, &r);
+         k++) { /* all were raised along: one degree too many */
         add_part(space, &r, r.degree, net_of(&r, k), 0, size, work);
         if (k > 0) {
             add_part(space, &r, r.degree, net_of(&r, k), 1, size, work);
         }
     }
-    if (extra >= 0) {
+    if (extra >= 0 && !taut_pulse_is_stopped(pulse)) {
         add_part(space, &r, r.degree, net_of(&r, steps), extra, size, work);
     }
-    return 1;
+    return !taut_pulse_is_stopped(pulse);
 }
 
 /* to = x + factor y, complex nets of the recurrence's size. */
@@ -344,7 +365,8 @@ static void add_extras(taut_space *space, const recurrence *r, const complex_wid
     }
 }
 
-int taut_space_biharmonic(int n, double across, double along, taut_arena *arena, taut_space *space)
+int taut_space_biharmonic(int n, double across, double along, taut_arena *arena, taut_pulse *pulse,
+                          taut_space *space)
 {
     const int steps = n + 1, size = steps + 1;
     const size_t numbers = (size_t)size * (size_t)size;
@@ -353,22 +375,23 @@ int taut_space_biharmonic(int n, double across, double along, taut_arena *arena,
     recurrence r;
 
     if (n == 1) { /* every bilinear surface */
-        return taut_space_harmonic(1, 1, across, along, arena, space);
+        return taut_space_harmonic(1, 1, across, along, arena, pulse, space);
     }
-    *space = (taut_space){.n = n, .m = n};
+    *space = (taut_space){.n = n, .m = n, .pulse = pulse};
     space->nets = taut_arena_take(arena, 4 * (size_t)n * (size_t)(n + 1) * (size_t)(n + 1),
                                   sizeof(taut_twice));
     if (work == NULL || product == NULL || space->nets == NULL ||
-        !recurrence_run(steps, across, along, arena, &r)) {
+        !recurrence_run(steps, across, along, arena, pulse, &r)) {
         return 0;
     }
-    for (int k = 0; k <= n; k++) {
+    for (int k = 0; k <= n && !beat_of_lines(space, &r); k++) {
         add_part(space, &r, n + 1, net_of(&r, k), 0, size, work);
         if (k > 0) {
             add_part(space, &r, n + 1, net_of(&r, k), 1, size, work);
         }
     }
-    for (int k = 1; k <= n; k++) { /* conj(z) q_k, k < n, has degree n at most */
+    /* conj(z) q_k, k < n, has degree n at most */
+    for (int k = 1; k <= n && !beat_of_lines(space, &r) && !beat(&r, OF_MULTIPLY); k++) {
         complex_wide *low = product + numbers;
         memcpy(low, net_of(&r, k), numbers * sizeof *low);
         for (int pass = 0; pass < 2; pass++) { /* back to bidegree (n, n), each part */
@@ -394,6 +417,9 @@ int taut_space_biharmonic(int n, double across, double along, taut_arena *arena,
                 add_part(space, &r, n + 1, product, 1, size, work);
             }
         }
+    }
+    if (taut_pulse_is_stopped(pulse)) {
+        return 0;
     }
     add_extras(space, &r, product, product + numbers, work);
     return 1;

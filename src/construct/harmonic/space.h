@@ -12,21 +12,25 @@
 
 #include "construct/harmonic/lidstone.h"
 #include "core/arena.h"
+#include "core/pulse.h"
 
 enum { TAUT_SPACE_DEGREE_MAX = 64 };
 
 typedef struct taut_space {
     int n, m;
-    int count;        /* functions */
-    taut_twice *nets; /* [count][n+1][m+1] */
+    int count;         /* functions */
+    taut_twice *nets;  /* [count][n+1][m+1] */
+    taut_pulse *pulse; /* told of the work with it, or NULL */
 } taut_space;
 
 /* All harmonic polynomials of bidegree (n, m): 2 min(n, m) + 2 of them, one less for even n = m.
- * across, along > 0: the sides. Degrees 1..TAUT_SPACE_DEGREE_MAX. Returns 0 when memory runs out.
+ * across, along > 0: the sides. Degrees 1..TAUT_SPACE_DEGREE_MAX. Returns 0 when memory runs out, and
+ * when the pulse says stop.
  */
 int taut_space_harmonic(int n, int m, double across, double along, taut_arena *arena,
-                        taut_space *space);
+                        taut_pulse *pulse, taut_space *space);
 /* All biharmonic polynomials of bidegree (n, n): 4 n. */
-int taut_space_biharmonic(int n, double across, double along, taut_arena *arena, taut_space *space);
+int taut_space_biharmonic(int n, double across, double along, taut_arena *arena, taut_pulse *pulse,
+                          taut_space *space);
 
 #endif /* TAUT_HARMONIC_SPACE_H */

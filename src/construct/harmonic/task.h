@@ -5,15 +5,17 @@
 #include "construct/harmonic/lidstone.h"
 #include "construct/harmonic/unit_map.h"
 #include "core/arena.h"
+#include "core/pulse.h"
 #include "taut/harmonic.h"
 
 typedef struct taut_harmonic_task {
     const taut_harmonic_problem *problem;
     taut_arena *arena;
-    int turned;    /* nonzero: the known lines are columns, so u and v change places in here */
-    int n;         /* degree across the known rows; may grow by one when raised */
-    int m;         /* degree along them */
-    taut_twice mu; /* (width across / width along)^2 */
+    taut_pulse *pulse; /* told of the work; once it says stop the net has no meaning */
+    int turned;        /* nonzero: the known lines are columns, so u and v change places in here */
+    int n;             /* degree across the known rows; may grow by one when raised */
+    int m;             /* degree along them */
+    taut_twice mu;     /* (width across / width along)^2 */
     taut_unit_map map;
     double *row[2]; /* double[m+1][3], in unit size: two rows, or a row and the derivative across by
                      * parameter length; `width` times it is that by the normalised parameter */

@@ -4,6 +4,12 @@
 
 #include <string.h>
 
+/* Nonzero when it is to end: so many rows of so many numbers. */
+static int beat(taut_pulse *pulse, int rows, int numbers)
+{
+    return taut_pulse_beat(pulse, (double)TAUT_TWICE_WORK * rows * numbers);
+}
+
 /* The reflection of column k that takes block[.][k] to zero against r[k][k]. */
 static void reflect_column(int k, int n, taut_twice *r, int rows, taut_twice *block,
                            taut_twice *dots)
@@ -38,17 +44,17 @@ static void reflect_column(int k, int n, taut_twice *r, int rows, taut_twice *bl
 }
 
 void taut_wide_append(int columns, int n, taut_twice *r, int rows, taut_twice *block,
-                      taut_twice *scratch)
+                      taut_twice *scratch, taut_pulse *pulse)
 {
-    for (int k = 0; k < columns; k++) {
+    for (int k = 0; k < columns && !beat(pulse, 2 * rows, n - k); k++) {
         reflect_column(k, n, r, rows, block, scratch);
     }
 }
 
-void taut_wide_back(int columns, int n, taut_twice *r)
+void taut_wide_back(int columns, int n, taut_twice *r, taut_pulse *pulse)
 {
     const int sides = n - columns;
-    for (int k = columns - 1; k >= 0; k--) {
+    for (int k = columns - 1; k >= 0 && !beat(pulse, columns - k, sides); k--) {
         taut_twice *x = r + k * n + columns;
         for (int s = 0; s < sides; s++) {
             x[s] = taut_twice_negative(x[s]);
@@ -96,9 +102,9 @@ static int find_longest(int rows, int n, const taut_twice *c)
 
 /* The null space: of all unit vectors the one that is farthest from what there is, again and again.
  */
-static void complete_basis(int n, int rank, taut_twice *basis)
+static void complete_basis(int n, int rank, taut_twice *basis, taut_pulse *pulse)
 {
-    for (int k = rank; k < n; k++) {
+    for (int k = rank; k < n && !beat(pulse, 4 * k, n); k++) {
         taut_twice *row = basis + k * n;
         double most = -1;
         int at = 0;
@@ -125,10 +131,10 @@ static void complete_basis(int n, int rank, taut_twice *basis)
 }
 
 void taut_wide_constrain(int rows, int n, int rank, int sides, taut_twice *c, taut_twice *d,
-                         taut_twice *basis, taut_twice *x)
+                         taut_twice *basis, taut_twice *x, taut_pulse *pulse)
 {
     memset(x, 0, (size_t)sides * (size_t)n * sizeof *x);
-    for (int k = 0; k < rank; k++) {
+    for (int k = 0; k < rank && !beat(pulse, 2 * rows, n + sides); k++) {
         const int at = k + find_longest(rows - k, n, c + k * n);
         taut_twice *row = c + k * n, *side = d + k * sides;
         for (int i = 0; i < n && at != k; i++) { /* change places */
@@ -157,5 +163,5 @@ void taut_wide_constrain(int rows, int n, int rank, int sides, taut_twice *c, ta
         }
     }
     memcpy(basis, c, (size_t)rank * (size_t)n * sizeof *basis);
-    complete_basis(n, rank, basis);
+    complete_basis(n, rank, basis, pulse);
 }

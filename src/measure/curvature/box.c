@@ -15,7 +15,9 @@
 #include <stdint.h>
 #include <string.h>
 
-enum { CLIMBS = 3, STEPS = 60, SAMPLES_MAX = 24, CELL_WORK = 1000 /* as pulses count */ };
+enum { CLIMBS = 3, STEPS = 60, SAMPLES_MAX = 24 };
+/* Operations, as pulses count them, of a cell and of a control point that a value takes in. */
+enum { CELL_WORK = 1000, POINT_WORK = 10 };
 
 typedef struct climb {
     const taut_surface *surface;
@@ -25,13 +27,22 @@ typedef struct climb {
     double sign; /* +1 looks for the largest, -1 for the smallest */
     int scale;
     int shift[2];
+    const taut_crew *crew;
 } climb;
+
+/* Nonzero when it is to end: of one value. */
+static int beat_of_value(const taut_surface *surface, const taut_crew *crew)
+{
+    return taut_crew_beat(crew, (double)POINT_WORK * taut_basis_local(taut_surface_u(surface)) *
+                                    taut_basis_local(taut_surface_v(surface)));
+}
 
 /* sign * coordinate, its gradient and second derivatives by parameters divided by 2^shift. */
 static void eval_coordinate(const climb *c, const double t[2], int order, double *f, double g[2],
                             double h[3])
 {
     taut_spot spot;
+    (void)beat_of_value(c->surface, c->crew);
     taut_spot_at(c->surface, c->span[0], c->span[1], t[0], t[1], order, c->scale, c->shift, &spot);
     const double *x = spot.x[c->axis].c;
     *f = c->sign * x[0];
@@ -186,6 +197,7 @@ static void corner_box(const taut_surface *surface, const taut_crew *crew, doubl
     for (int i = 0; i <= taut_basis_span_count(u); i++) {
         for (int j = 0; j <= taut_basis_span_count(v); j++) {
             double x[3];
+            (void)beat_of_value(surface, crew);
             taut_surface_eval(surface, bu[i], bv[j], 0, x);
             take_into_box(x, box);
         }
@@ -236,7 +248,7 @@ void taut_box_of(const taut_surface *surface, const taut_crew *crew, double box[
     const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
     const double size = taut_half_size(taut_point_count(surface), taut_surface_points(surface));
     const double slack = 1e-12 * size;
-    climb c = {.surface = surface, .scale = taut_exponent(size) + 1};
+    climb c = {.surface = surface, .scale = taut_exponent(size) + 1, .crew = crew};
 
     c.shift[0] = taut_range_exponent(u);
     c.shift[1] = taut_range_exponent(v);

@@ -289,11 +289,12 @@ taut_status taut_surface_area(const taut_surface *surface, double *area, double 
 
 /* One number out of the integrals of some fields. */
 static taut_status integrate_to(const taut_surface *surface, const taut_integrand *integrand,
+                                const taut_crew *crew,
                                 double (*to_figure)(const taut_integrals *, const double *),
                                 double *figure)
 {
     taut_integrals in;
-    const taut_status status = taut_integrate(surface, integrand, NULL, &in);
+    const taut_status status = taut_integrate(surface, integrand, crew, &in);
     if (status != TAUT_OK) {
         return status;
     }
@@ -301,14 +302,20 @@ static taut_status integrate_to(const taut_surface *surface, const taut_integran
     return TAUT_OK;
 }
 
+taut_status taut_surface_dirichlet_of(const taut_surface *surface, const taut_crew *crew,
+                                      double *energy)
+{
+    const taut_integrand integrand = {stretch_fields, 2, 1, is_polynomial(surface),
+                                      square_goals,   0, 0};
+    return integrate_to(surface, &integrand, crew, dirichlet_of, energy);
+}
+
 taut_status taut_surface_dirichlet_energy(const taut_surface *surface, double *energy)
 {
     if (surface == NULL || energy == NULL) {
         return TAUT_BAD_ARGUMENT;
     }
-    const taut_integrand integrand = {stretch_fields, 2, 1, is_polynomial(surface),
-                                      square_goals,   0, 0};
-    return integrate_to(surface, &integrand, dirichlet_of, energy);
+    return taut_surface_dirichlet_of(surface, NULL, energy);
 }
 
 taut_status taut_surface_bending_energy(const taut_surface *surface, double *energy)
@@ -318,15 +325,16 @@ taut_status taut_surface_bending_energy(const taut_surface *surface, double *ene
     }
     const taut_integrand integrand = {bending_fields, 3, 2, is_polynomial(surface),
                                       square_goals,   0, 0};
-    return integrate_to(surface, &integrand, bending_of, energy);
+    return integrate_to(surface, &integrand, NULL, bending_of, energy);
 }
 
-taut_status taut_surface_bending_of(const taut_surface *surface, double *energy, double *error)
+taut_status taut_surface_bending_of(const taut_surface *surface, const taut_crew *crew,
+                                    double *energy, double *error)
 {
     const taut_integrand integrand = {bending_fields, 3, 2, is_polynomial(surface),
                                       square_goals,   0, 0};
     taut_integrals in;
-    const taut_status status = taut_integrate(surface, &integrand, NULL, &in);
+    const taut_status status = taut_integrate(surface, &integrand, crew, &in);
 
     if (status != TAUT_OK) {
         return status;
@@ -337,13 +345,19 @@ taut_status taut_surface_bending_of(const taut_surface *surface, double *energy,
     return TAUT_OK;
 }
 
-taut_status taut_surface_isothermality(const taut_surface *surface, double *isothermality)
+taut_status taut_surface_isothermality_of(const taut_surface *surface, const taut_crew *crew,
+                                          double *isothermality)
 {
     const taut_integrand integrand = {isothermality_fields, 3, 1, 0, square_goals, 0, 0};
+    return integrate_to(surface, &integrand, crew, isothermality_of, isothermality);
+}
+
+taut_status taut_surface_isothermality(const taut_surface *surface, double *isothermality)
+{
     if (surface == NULL || isothermality == NULL) {
         return TAUT_BAD_ARGUMENT;
     }
-    return integrate_to(surface, &integrand, isothermality_of, isothermality);
+    return taut_surface_isothermality_of(surface, NULL, isothermality);
 }
 
 static void take_area(const taut_integrals *in, taut_surface_integrals *made)

@@ -21,8 +21,13 @@ typedef struct taut_surface_integrals {
 taut_status taut_surface_integrals_of(const taut_surface *surface, int order, const taut_crew *crew,
                                       taut_surface_integrals *integrals);
 
-/* The bending energy alone. TAUT_NO_MEMORY. */
-taut_status taut_surface_bending_of(const taut_surface *surface, double *energy, double *error);
+/* One alone. TAUT_NO_MEMORY, TAUT_INTERRUPTED. */
+taut_status taut_surface_bending_of(const taut_surface *surface, const taut_crew *crew,
+                                    double *energy, double *error);
+taut_status taut_surface_dirichlet_of(const taut_surface *surface, const taut_crew *crew,
+                                      double *energy);
+taut_status taut_surface_isothermality_of(const taut_surface *surface, const taut_crew *crew,
+                                          double *isothermality);
 
 /* Of these only the area and those of H; the others 0. */
 taut_status taut_surface_mean(const taut_surface *surface, const taut_crew *crew,

@@ -10,13 +10,14 @@
  *     f = sum a_i B[p,i], g = sum b_k B[q,k]:  f g = sum_l B[p+q,l] sum_(i+k=l) W_ik a_i b_k,
  *     W_ik = C(p,i) C(q,k) / C(p+q,l),  which sum to 1 for each l           [Farin2002] 5.5
  */
+#include "measure/integrate/jacobian.h"
+
 #include "core/arena.h"
 #include "core/constants.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 #include "geometry/exponent.h"
 #include "taut/limits.h"
-#include "taut/measure.h"
 #include "taut/operations.h"
 
 #include <float.h>
@@ -25,6 +26,9 @@
 #include <string.h>
 
 enum { CELLS = 4096, CELLS_LEAST = 64, POLISH = 256 };
+/* Operations, as pulses count them: of a pair of coefficients, of a mean with its error, of a point against a plane; and
+ * points between two beats. */
+enum { OF_PAIR = 20, OF_MEAN = 8, OF_POINT = 60, SOME_POINTS = 4096 };
 
 /* Points this near to a plane, over their size, are in it. */
 static const double flatness = 0x1p-40;
@@ -93,8 +97,8 @@ static void sum_coefficient(const planar_patch *patch, const double *wu, const d
 
 /* The coefficients of scale (x_u y_v - x_v y_u), du = 2n-1, dv = 2m-1: values double[2][2n][2m] as
  * above. scale > 0. scratch double[n (n+1) + m (m+1)]. Cost O(n^2 m^2). */
-static void find_coefficients(const planar_patch *patch, double scale, double *scratch,
-                              double *values)
+static void find_coefficients(const planar_patch *patch, double scale, taut_pulse *pulse,
+                              double *scratch, double *values)
 {
     const int n = patch->n, m = patch->m;
     double *wu = scratch, *wv = scratch + n * (n + 1);
@@ -103,6 +107,9 @@ static void find_coefficients(const planar_patch *patch, double scale, double *s
     weights_of(n - 1, n, wu); /* i of x_u with k of x_v */
     weights_of(m - 1, m, wv); /* h of x_v with j of x_u */
     for (int l = 0; l < 2 * n; l++) {
+        if (taut_pulse_beat(pulse, 0.5 * OF_PAIR * (n + 1) * m * (m + 1))) {
+            return;
+        }
         for (int r = 0; r < 2 * m; r++) {
             double value = 0, error = 0;
             sum_coefficient(patch, wu, wv, l, r, &value, &error);
@@ -130,24 +137,31 @@ static void halve_line(int degree, int64_t stride, double *value, double *error,
     }
 }
 
+/* Nonzero when it is to end: of one line halved. */
+static int beat_of_line(taut_pulse *pulse, int degree)
+{
+    return taut_pulse_beat(pulse, 0.5 * OF_MEAN * degree * (degree + 1));
+}
+
 /* Halves the cell along both directions: children [2][2], low u slowest, whose `values` are there.
  * Means only, so errors grow by one rounding a step. scratch double[2][du+1][dv+1]. */
-static void quarter_cell(int du, int dv, const jacobian_cell *cell, double *scratch,
-                         jacobian_cell children[4])
+static void quarter_cell(int du, int dv, const jacobian_cell *cell, taut_pulse *pulse,
+                         double *scratch, jacobian_cell children[4])
 {
     const size_t count = (size_t)(du + 1) * (size_t)(dv + 1);
     const double middle[2] = {0.5 * cell->lo[0] + 0.5 * cell->hi[0],
                               0.5 * cell->lo[1] + 0.5 * cell->hi[1]};
 
     memcpy(children[0].values, cell->values, 2 * count * sizeof(double));
-    for (int j = 0; j <= dv; j++) { /* low u in child 0, high u in the scratch */
+    for (int j = 0; j <= dv && !beat_of_line(pulse, du);
+         j++) { /* low u in child 0, high u in the scratch */
         halve_line(du, dv + 1, children[0].values + j, children[0].values + count + j, scratch + j,
                    scratch + count + j);
     }
     memcpy(children[2].values, scratch, 2 * count * sizeof(double));
     for (int half = 0; half < 4; half += 2) {
         double *low = children[half].values, *high = children[half + 1].values;
-        for (int i = 0; i <= du; i++) {
+        for (int i = 0; i <= du && !beat_of_line(pulse, 2 * dv); i++) {
             const int64_t row = (int64_t)i * (dv + 1);
             halve_line(dv, 1, low + row, low + count + row, high + row, high + count + row);
         }
@@ -164,9 +178,10 @@ static void quarter_cell(int du, int dv, const jacobian_cell *cell, double *scra
 typedef struct search {
     const taut_surface *surface;
     taut_arena *arena;
-    int axes[2];  /* the coordinates that are kept */
-    int scale;    /* points are divided by 2^scale */
-    double apart; /* rounding in the points of pieces, scaled */
+    taut_pulse *pulse; /* or NULL */
+    int axes[2];       /* the coordinates that are kept */
+    int scale;         /* points are divided by 2^scale */
+    double apart;      /* rounding in the points of pieces, scaled */
     int du, dv;
     double sign;
     jacobian_cell *cells; /* those to look at; their values are slots of the pool */
@@ -184,13 +199,19 @@ static size_t numbers_of(const search *s)
     return (size_t)(s->du + 1) * (size_t)(s->dv + 1);
 }
 
+/* Nonzero when it is to end: before point k. */
+static int beat_of_points(size_t k, taut_pulse *pulse)
+{
+    return k % SOME_POINTS == 0 && taut_pulse_beat(pulse, (double)OF_POINT * SOME_POINTS);
+}
+
 /* The coordinate to drop, 0..2, of points that are in one plane; -1 where they are not, 3 where
  * they are on one line. The scaled points are at most 1 in size. */
-static int plane_of(size_t count, const double *points, int scale)
+static int plane_of(size_t count, const double *points, int scale, taut_pulse *pulse)
 {
     double a[3] = {0, 0, 0}, normal[3] = {0, 0, 0}, size = 0, area = 0, off = 0;
 
-    for (size_t k = 1; k < count; k++) {
+    for (size_t k = 1; k < count && !beat_of_points(k, pulse); k++) {
         double d[3];
         for (int c = 0; c < 3; c++) {
             d[c] = ldexp(points[3 * k + (size_t)c], -scale) - ldexp(points[c], -scale);
@@ -201,7 +222,7 @@ static int plane_of(size_t count, const double *points, int scale)
         }
     }
     for (int pass = 0; pass < 2; pass++) {
-        for (size_t k = 1; k < count; k++) {
+        for (size_t k = 1; k < count && !beat_of_points(k, pulse); k++) {
             double d[3], n[3];
             for (int c = 0; c < 3; c++) {
                 d[c] = ldexp(points[3 * k + (size_t)c], -scale) - ldexp(points[c], -scale);
@@ -276,7 +297,7 @@ static int halve_worst(search *s)
     for (int k = 0; k < 4; k++) {
         children[k].values = pool + 2 * count * (size_t)k;
     }
-    quarter_cell(s->du, s->dv, &cell, s->scratch, children);
+    quarter_cell(s->du, s->dv, &cell, s->pulse, s->scratch, children);
     s->cells[worst] = s->cells[--s->count];
     for (int k = 0; k < 4; k++) {
         judge_cell(s, &children[k]);
@@ -311,7 +332,7 @@ static taut_status open_cell(search *s, const taut_surface *piece, jacobian_cell
         scale *= (taut_basis_hi(whole) - taut_basis_lo(whole)) / (cell->hi[d] - cell->lo[d]);
     }
     const planar_patch patch = {n, m, x, s->apart};
-    find_coefficients(&patch, scale, s->weights, cell->values);
+    find_coefficients(&patch, scale, s->pulse, s->weights, cell->values);
     return TAUT_OK;
 }
 
@@ -326,7 +347,7 @@ static taut_status open_all(search *s, const taut_model *pieces)
     if (first == NULL) {
         return TAUT_NO_MEMORY;
     }
-    for (int k = 0; k < count; k++) {
+    for (int k = 0; k < count && !taut_pulse_is_stopped(s->pulse); k++) {
         double sum = 0;
         if (open_cell(s, taut_model_surface(pieces, k), &first[k]) != TAUT_OK) {
             return TAUT_NO_MEMORY;
@@ -335,6 +356,9 @@ static taut_status open_all(search *s, const taut_model *pieces)
             sum += first[k].values[i];
         }
         integral += sum * (first[k].hi[0] - first[k].lo[0]) * (first[k].hi[1] - first[k].lo[1]);
+    }
+    if (taut_pulse_is_stopped(s->pulse)) {
+        return TAUT_INTERRUPTED;
     }
     s->sign = integral < 0 ? -1 : 1;
     for (int k = 0; k < count; k++) {
@@ -371,11 +395,18 @@ static taut_status prove_sign(search *s, const taut_model *pieces, taut_jacobian
     s->cells = taut_arena_take(s->arena, (size_t)s->limit + 4, sizeof *s->cells);
     s->scratch = taut_arena_take(s->arena, 2 * numbers_of(s), sizeof(double));
     s->weights = taut_arena_take(s->arena, (size_t)(n * (n + 1) + m * (m + 1)), sizeof(double));
-    if (taut_arena_status(s->arena) != TAUT_OK || open_all(s, pieces) != TAUT_OK) {
+    if (taut_arena_status(s->arena) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
-    while (more > 0) {
+    const taut_status status = open_all(s, pieces);
+    if (status != TAUT_OK) {
+        return status;
+    }
+    while (more > 0 && !taut_pulse_is_stopped(s->pulse)) {
         more = halve_worst(s);
+    }
+    if (taut_pulse_is_stopped(s->pulse)) {
+        return TAUT_INTERRUPTED;
     }
     if (more == 0) {
         report_sign(s, jacobian);
@@ -406,19 +437,20 @@ static taut_status prove_planar(search *s, taut_jacobian *jacobian)
     return status;
 }
 
-taut_status taut_surface_jacobian(const taut_surface *surface, taut_jacobian *jacobian)
+taut_status taut_jacobian_of(const taut_surface *surface, taut_pulse *pulse,
+                             taut_jacobian *jacobian)
 {
-    search s = {.surface = surface, .lowest = INFINITY};
+    search s = {.surface = surface, .lowest = INFINITY, .pulse = pulse};
     taut_jacobian found = {TAUT_JACOBIAN_NONE, 0, taut_none, {taut_none, taut_none}, 0};
     taut_status status = TAUT_OK;
 
-    if (surface == NULL || jacobian == NULL) {
-        return TAUT_BAD_ARGUMENT;
-    }
     const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
     const size_t count = taut_point_count(surface);
     s.scale = taut_exponent(taut_largest(count, taut_surface_points(surface)));
-    const int dropped = plane_of(count, taut_surface_points(surface), s.scale);
+    const int dropped = plane_of(count, taut_surface_points(surface), s.scale, pulse);
+    if (taut_pulse_is_stopped(pulse)) {
+        return TAUT_INTERRUPTED;
+    }
     if (dropped == 3) {
         found.state = TAUT_JACOBIAN_FOLDS;
         found.lowest = 0;
@@ -435,4 +467,12 @@ taut_status taut_surface_jacobian(const taut_surface *surface, taut_jacobian *ja
     }
     *jacobian = found;
     return TAUT_OK;
+}
+
+taut_status taut_surface_jacobian(const taut_surface *surface, taut_jacobian *jacobian)
+{
+    if (surface == NULL || jacobian == NULL) {
+        return TAUT_BAD_ARGUMENT;
+    }
+    return taut_jacobian_of(surface, NULL, jacobian);
 }

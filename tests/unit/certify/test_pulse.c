@@ -6,6 +6,7 @@
 #include "monitors.h"
 #include "problems.h"
 
+#include "taut/biharmonic.h"
 #include "taut/construct.h"
 #include "taut/measure.h"
 #include "taut/read.h"
@@ -170,6 +171,88 @@ static void test_measure(int count)
     problem_free(&made);
 }
 
+/* x, y, z x y on bezier bases of degree n, one point inside raised by `lift`. */
+static taut_surface *bilinear(int n, double z, double lift)
+{
+    enum { MOST = 41 };
+    static double points[3 * MOST * MOST];
+    const taut_basis_spec spec = {.type = "bezier", .degree = n};
+    taut_basis *basis = NULL;
+    taut_surface *surface = NULL;
+    for (int i = 0; i <= n; i++) {
+        for (int j = 0; j <= n; j++) {
+            const double u = (double)i / n, v = (double)j / n;
+            const double x[3] = {u, v, z * u * v + (i == 1 && j == 1 ? lift : 0)};
+            memcpy(points + 3 * (i * (n + 1) + j), x, sizeof x);
+        }
+    }
+    CHECK(n < MOST && taut_basis_new(&spec, n + 1, &basis, NULL) == TAUT_OK &&
+              taut_surface_new("p", basis, basis, points, NULL, &surface, NULL) == TAUT_OK,
+          "surface");
+    taut_basis_free(basis);
+    return surface;
+}
+
+/* Of a planar patch there is a proof of the sign of its Jacobian, whose coefficients are n (n + 1) m (m + 1) products of two
+ * differences each, seven operations at least. */
+static void test_planar(int n)
+{
+    const double operations = 7.0 * n * n * (n + 1) * (n + 1);
+    taut_surface *flat = bilinear(n, 0, 0), *lifted = bilinear(n, 0, 1);
+    watch of_flat = {.stop_at = 0}, of_lifted = {.stop_at = 0};
+    taut_surface_measure figures;
+
+    CHECK(measure(flat, &of_flat, &figures) == TAUT_OK &&
+              figures.jacobian.state == TAUT_JACOBIAN_ONE_SIGN,
+          "flat");
+    CHECK(measure(lifted, &of_lifted, &figures) == TAUT_OK &&
+              figures.jacobian.state == TAUT_JACOBIAN_NONE,
+          "lifted");
+    const int reports = of_flat.reports;
+    for (int k = reports; k > 0 && k > reports - operations / TAUT_PULSE_WORK; k--) {
+        watch stop = {.stop_at = k};
+        CHECK(measure(flat, &stop, &figures) == TAUT_INTERRUPTED && stop.reports == k,
+              "stopped at %d of %d: went on to %d", k, reports, stop.reports);
+    }
+    CHECK(reports >= 4 + 1 + operations / TAUT_PULSE_WORK, "%d reports", reports);
+    taut_surface_free(flat);
+    taut_surface_free(lifted);
+}
+
+/* Least bending is looked at along 2 (n - 1) directions at least, at (n + 1)^2 places each, with a power series of half as many
+ * terms, six operations each. */
+static void test_bending(int n)
+{
+    const double places = (n + 1.0) * (n + 1), operations = 2 * (n - 1) * places * places / 2 * 6;
+    taut_surface *surface = bilinear(n, 1, 0);
+    const taut_biharmonic_problem problem = {
+        .given = TAUT_BIHARMONIC_NEIGHBOUR,
+        .neighbour = {
+            .surface = surface, .edge = TAUT_EDGE_U1, .contact = 1, .allow_ill_conditioned = 1}};
+    taut_model *model = NULL;
+    taut_certificate *certificate = NULL;
+    watch all = {.stop_at = 0};
+    const taut_certify_options options = {.monitor = monitor_of(&all)};
+
+    CHECK(taut_biharmonic_make(&problem, NULL, &model, NULL) == TAUT_OK, "made");
+    CHECK(taut_biharmonic_certify(model, &problem, &options, &certificate, NULL) == TAUT_OK,
+          "certified");
+    taut_certificate_free(certificate);
+    CHECK(all.reports >= operations / TAUT_PULSE_WORK, "%d reports of %.3g operations", all.reports,
+          operations);
+    for (int k = 1; k <= all.reports; k = next_stop(k, all.reports)) {
+        watch stop = {.stop_at = k};
+        const taut_certify_options stopped = {.monitor = monitor_of(&stop)};
+        certificate = NULL;
+        CHECK(taut_biharmonic_certify(model, &problem, &stopped, &certificate, NULL) ==
+                      TAUT_INTERRUPTED &&
+                  certificate == NULL && stop.reports == k,
+              "stopped at %d: went on to %d", k, stop.reports);
+    }
+    taut_model_free(model);
+    taut_surface_free(surface);
+}
+
 static _Thread_local int is_caller; /* on the thread of main */
 
 static int report_here(void *context, double done, const char *what)
@@ -222,5 +305,7 @@ int main(void)
     test_examples();
     test_net(160);
     test_measure(160);
+    test_planar(40);
+    test_bending(21);
     return check_failures != 0;
 }

@@ -6,10 +6,13 @@
 #include "monitors.h"
 #include "problems.h"
 
+#include "taut/biharmonic.h"
 #include "taut/construct.h"
+#include "taut/harmonic.h"
 #include "taut/mesh.h"
 #include "taut/read.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 static taut_status make_net(const test_problem *problem, watch *w)
@@ -173,8 +176,99 @@ static void test_witness(void)
     }
 }
 
+/* One of two problems. */
+typedef struct dense {
+    taut_harmonic_problem harmonic;
+    taut_biharmonic_problem biharmonic; /* where the harmonic one has no bases */
+} dense;
+
+static taut_status make_dense(const dense *d, watch *w)
+{
+    const taut_make_options options = {.monitor = monitor_of(w)};
+    taut_error error = {.status = TAUT_OK};
+    taut_model *model = NULL;
+    const taut_status status = d->harmonic.u != NULL
+                                   ? taut_harmonic_make(&d->harmonic, &options, &model, &error)
+                                   : taut_biharmonic_make(&d->biharmonic, &options, &model, &error);
+    CHECK((model != NULL) == (status == TAUT_OK), "status %d", (int)status);
+    CHECK(status == TAUT_OK || strcmp(error.reason, "interrupted") == 0, "%s", error.message);
+    taut_model_free(model);
+    return status;
+}
+
+/* `operations` in twice the precision, each a product of two doubles with what it rounds off, 17 operations ([Dekker1971]),
+ * at least. */
+static void check_dense(const dense *d, double operations, const char *name)
+{
+    watch all = {.stop_at = 0};
+    CHECK(make_dense(d, &all) == TAUT_OK, "%s", name);
+    CHECK(all.reports >= 17 * operations / TAUT_PULSE_WORK, "%s: %d reports of %.3g operations",
+          name, all.reports, 17 * operations);
+    for (int k = 1; k <= all.reports; k += k < 3 ? 1 : 1 + all.reports / 6) {
+        watch stop = {.stop_at = k};
+        CHECK(make_dense(d, &stop) == TAUT_INTERRUPTED && stop.reports == k,
+              "%s: stopped at %d of %d: went on to %d", name, k, all.reports, stop.reports);
+    }
+}
+
+/* Harmonic and biharmonic surfaces of high degree are small nets, and long work. */
+static void test_dense(int n)
+{
+    const size_t row = (size_t)n + 1;
+    const double columns = n + 1.0, unknown = 2.0 * (n - 1), sides = 2 * columns + 3;
+    double *points = calloc(row * row, 3 * sizeof *points);
+    double *cross = calloc(row, 3 * sizeof *cross);
+    unsigned char *edge = calloc(row * row, 1);
+    taut_basis *basis = NULL;
+    taut_surface *surface = NULL;
+    const taut_basis_spec spec = {.type = "bezier", .degree = n};
+
+    CHECK(taut_basis_new(&spec, n + 1, &basis, NULL) == TAUT_OK && points != NULL &&
+              cross != NULL && edge != NULL,
+          "bases");
+    for (size_t i = 0; i < row; i++) {
+        for (size_t j = 0; j < row; j++) {
+            const double u = (double)i / n, v = (double)j / n;
+            const double x[3] = {u, v, u * v};
+            memcpy(points + 3 * (i * row + j), x, sizeof x);
+            edge[i * row + j] = i == 0 || j == 0 || i + 1 == row || j + 1 == row;
+        }
+        cross[3 * i] = 1;
+        cross[3 * i + 2] = (double)i / n;
+    }
+    const dense fit = {
+        .harmonic = {
+            .u = basis, .v = basis, .given = TAUT_HARMONIC_BOUNDARY, .boundary = {points, edge}}};
+    /* its growth: each point by each function and each point of the boundary */
+    check_dense(&fit, columns * columns * 2 * n * 4 * n, "fit");
+
+    const dense derivative = {
+        .harmonic = {.u = basis,
+                     .v = basis,
+                     .given = TAUT_HARMONIC_DERIVATIVE,
+                     .derivative = {.edge = points, .cross = cross, .allow_ill_conditioned = 1}}};
+    /* its growth: of each third of 2 (n + 1) rows the sum of the products of (n + 1)/2 terms, twice, with the net */
+    check_dense(&derivative, 2 * columns / 3 * columns * 3 * columns * columns, "derivative");
+
+    CHECK(taut_surface_new("p", basis, basis, points, NULL, &surface, NULL) == TAUT_OK, "surface");
+    const dense neighbour = {.biharmonic = {.given = TAUT_BIHARMONIC_NEIGHBOUR,
+                                            .neighbour = {.surface = surface,
+                                                          .edge = TAUT_EDGE_U1,
+                                                          .contact = 1,
+                                                          .allow_ill_conditioned = 1}}};
+    /* least squares: 3 (n + 1)^2 rows against all columns to the right of each */
+    check_dense(&neighbour, 3 * columns * columns * 2 * unknown * (unknown / 2 + sides),
+                "neighbour");
+    taut_surface_free(surface);
+    taut_basis_free(basis);
+    free(points);
+    free(cross);
+    free(edge);
+}
+
 int main(void)
 {
+    test_dense(25);
     test_dirichlet(160);
     test_dirichlet(240);
     test_branches();
