@@ -53,6 +53,7 @@ static taut_status write_json(const taut_model *model, const taut_write_options 
                               taut_error *error)
 {
     taut_json_out json = taut_json_out_to(out);
+    taut_sink_watch(&json.sink, &options->monitor);
     json.short_knots = options->short_knots;
     json.threads = options->threads;
     write_model(&json, model, options);
@@ -63,6 +64,7 @@ static taut_status write_list(int count, const taut_model *const *models,
                               const taut_write_options *options, FILE *out, taut_error *error)
 {
     taut_json_out json = taut_json_out_to(out);
+    taut_sink_watch(&json.sink, &options->monitor);
     json.short_knots = options->short_knots;
     json.threads = options->threads;
     taut_json_open(&json, '[');

@@ -84,7 +84,7 @@ static void put_page(taut_sink *sink, const json_text texts[2])
 static taut_status document_text(const taut_model *model, const taut_write_options *options,
                                  json_text *document, taut_error *error)
 {
-    const taut_write_options only = {.surface = options->surface};
+    const taut_write_options only = {.surface = options->surface, .monitor = options->monitor};
     const taut_status status =
         taut_model_write_text(model, "json", &only, &document->text, &document->length, error);
 

@@ -415,6 +415,7 @@ static taut_status put_page(const taut_page_model *p, char **text, size_t *lengt
     taut_json_out out = taut_json_out_to(NULL);
     taut_status status = TAUT_OK, ended = TAUT_OK;
 
+    taut_sink_watch(&out.sink, &p->options->monitor);
     taut_json_open(&out, '{');
     put_head(&out, p);
     taut_json_key(&out, "surfaces");

@@ -99,6 +99,9 @@ static taut_status finish_output(taut_staged *staged, taut_status status, taut_e
     if (status == TAUT_OK) {
         return taut_staged_close(staged, error);
     }
+    if (status == TAUT_INTERRUPTED) {
+        (void)taut_fail_status(error, status);
+    }
     if (staged->file != NULL && ferror(staged->file)) {
         status = staged->kind == TAUT_TARGET_FILE
                      ? taut_fail_file(error, staged->path, "write", reason)

@@ -4,13 +4,18 @@
 #include "core/number_text.h"
 
 #include <errno.h>
+#include <math.h>
 #include <string.h>
 
-enum { BUFFER_ROOM = 1 << 16, FIRST_ROOM = 1 << 10 };
+enum {
+    BUFFER_ROOM = 1 << 16,
+    FIRST_ROOM = 1 << 10,
+    BYTE_WORK = 30 /* operations, as pulses count them: numbers become decimals */
+};
 
 taut_sink taut_sink_to(FILE *file)
 {
-    taut_sink sink = {file, NULL, 0, 0, TAUT_OK, 0};
+    taut_sink sink = {.file = file, .status = TAUT_OK};
     sink.room = file != NULL ? BUFFER_ROOM : FIRST_ROOM;
     sink.text = taut_alloc(sink.room, 1);
     if (sink.text == NULL) {
@@ -18,6 +23,12 @@ taut_sink taut_sink_to(FILE *file)
         sink.room = 0;
     }
     return sink;
+}
+
+void taut_sink_watch(taut_sink *sink, const taut_monitor *monitor)
+{
+    sink->pulse = (taut_pulse){
+        .monitor = monitor->progress != NULL ? monitor : NULL, .what = "writing", .done = NAN};
 }
 
 static void send_bytes(taut_sink *sink, const char *bytes, size_t length)
@@ -53,6 +64,10 @@ static void make_room(taut_sink *sink, size_t length)
 
 void taut_sink_bytes(taut_sink *sink, const char *bytes, size_t length)
 {
+    if (sink->pulse.monitor != NULL && sink->status == TAUT_OK &&
+        taut_pulse_beat(&sink->pulse, (double)BYTE_WORK * (double)length)) {
+        sink->status = TAUT_INTERRUPTED;
+    }
     if (sink->status == TAUT_OK && length > sink->room - sink->length) {
         make_room(sink, length);
     }
@@ -75,6 +90,9 @@ void taut_sink_text(taut_sink *sink, const char *text)
 void taut_sink_number(taut_sink *sink, double x)
 {
     char text[TAUT_NUMBER_ROOM];
+    if (sink->status != TAUT_OK) {
+        return;
+    }
     const size_t length = taut_number_text(x, text);
     taut_sink_bytes(sink, text, length);
 }

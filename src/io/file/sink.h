@@ -5,6 +5,7 @@
 #ifndef TAUT_IO_FILE_SINK_H
 #define TAUT_IO_FILE_SINK_H
 
+#include "core/pulse.h"
 #include "taut/status.h"
 
 #include <stddef.h>
@@ -15,12 +16,15 @@ typedef struct taut_sink {
     FILE *file; /* NULL: into memory */
     char *text; /* the buffer, or all of the text */
     size_t length, room;
-    taut_status status; /* TAUT_OK, TAUT_IO or TAUT_NO_MEMORY */
+    taut_status status; /* TAUT_OK, TAUT_IO, TAUT_NO_MEMORY or TAUT_INTERRUPTED */
     int reason;         /* errno with TAUT_IO */
+    taut_pulse pulse;   /* its monitor NULL: nobody watches */
 } taut_sink;
 
 /* file may be NULL: then the text grows in memory. */
 taut_sink taut_sink_to(FILE *file);
+/* From here on the monitor, which has to live as long, is told of what is written; an end is TAUT_INTERRUPTED. */
+void taut_sink_watch(taut_sink *sink, const taut_monitor *monitor);
 void taut_sink_bytes(taut_sink *sink, const char *bytes, size_t length);
 void taut_sink_text(taut_sink *sink, const char *text);
 void taut_sink_number(taut_sink *sink, double x); /* null where it is not finite */

@@ -34,7 +34,7 @@ static taut_status write_stream(const taut_format_ops *ops, const taut_model *mo
         (status == TAUT_OK || status == TAUT_IO)) {
         return taut_fail_memory(error); /* nothing else ends a stream into memory */
     }
-    return status;
+    return status == TAUT_INTERRUPTED ? taut_fail_status(error, status) : status;
 }
 
 taut_status taut_model_write_text(const taut_model *model, const char *format,

@@ -77,12 +77,14 @@ static void put_curve(taut_json_out *out, const taut_curve *curve)
     taut_json_close(out, '}');
 }
 
-static taut_status write_nurbs(const taut_model *nurbs, FILE *file, taut_error *error)
+static taut_status write_nurbs(const taut_model *nurbs, const taut_monitor *monitor, FILE *file,
+                               taut_error *error)
 {
     const int surfaces = taut_model_surface_count(nurbs), curves = taut_model_curve_count(nurbs);
     taut_json_out out = taut_json_out_to(file);
     taut_status status = TAUT_OK;
 
+    taut_sink_watch(&out.sink, monitor);
     taut_json_open(&out, '{');
     taut_json_open_pair(&out, "shape", '{');
     taut_json_pair_text(&out, "type", surfaces > 0 ? "surface" : "curve");
@@ -112,7 +114,7 @@ static taut_status write_geomdl(const taut_model *model, const taut_write_option
     if (status != TAUT_OK) {
         return status;
     }
-    status = write_nurbs(nurbs, out, error);
+    status = write_nurbs(nurbs, &options->monitor, out, error);
     taut_model_free(nurbs);
     if (status == TAUT_OK && options->bound != NULL) {
         *options->bound = bound;

@@ -510,8 +510,8 @@ static void write_indices(taut_sink *sink, const glb_plan *plan)
     }
 }
 
-static taut_status write_file(const glb_plan *plan, const taut_model *model, FILE *out,
-                              taut_error *error)
+static taut_status write_file(const glb_plan *plan, const taut_model *model,
+                              const taut_monitor *monitor, FILE *out, taut_error *error)
 {
     const size_t data = data_length(plan);
     taut_sink sink;
@@ -525,6 +525,7 @@ static taut_status write_file(const glb_plan *plan, const taut_model *model, FIL
     }
     const size_t padded = (length + 3) / 4 * 4;
     sink = taut_sink_to(out);
+    taut_sink_watch(&sink, monitor);
     taut_sink_text(&sink, "glTF");
     taut_mesh_out_u32(&sink, 2);
     taut_mesh_out_u32(&sink, (uint32_t)(12 + 8 + padded + 8 + data));
@@ -567,7 +568,7 @@ static taut_status write_planned(glb_plan *plan, const taut_model *model,
     if (plan_file(plan, model, options) != TAUT_OK) {
         return taut_fail_memory(error);
     }
-    return write_file(plan, model, out, error);
+    return write_file(plan, model, &options->monitor, out, error);
 }
 
 static taut_status write_glb(const taut_model *model, const taut_write_options *options, FILE *out,

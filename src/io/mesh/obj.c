@@ -72,6 +72,7 @@ static taut_status write_obj(const taut_model *model, const taut_write_options *
         return taut_fail_memory(error);
     }
     sink = taut_sink_to(out);
+    taut_sink_watch(&sink, &options->monitor);
     taut_sink_text(&sink, "# unit: ");
     taut_sink_text(&sink, taut_model_unit(model));
     taut_sink_text(&sink, "\n");

@@ -84,6 +84,7 @@ static taut_status write_ply(const taut_model *model, const taut_write_options *
         return taut_fail_memory(error);
     }
     sink = taut_sink_to(out);
+    taut_sink_watch(&sink, &options->monitor);
     put_header(&sink, model, mesh);
     put_vertices(&sink, mesh, normals);
     for (int i = 0; i < taut_mesh_group_count(mesh); i++) {

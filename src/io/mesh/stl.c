@@ -55,8 +55,8 @@ static void write_triangle(taut_sink *sink, const double *positions, const uint3
     taut_mesh_out_u16(sink, 0);
 }
 
-static taut_status write_mesh(const taut_model *model, const taut_mesh *mesh, FILE *out,
-                              taut_error *error)
+static taut_status write_mesh(const taut_model *model, const taut_mesh *mesh,
+                              const taut_monitor *monitor, FILE *out, taut_error *error)
 {
     taut_sink sink;
     const taut_status status = taut_mesh_out_check_float(mesh, "STL", error);
@@ -64,6 +64,7 @@ static taut_status write_mesh(const taut_model *model, const taut_mesh *mesh, FI
         return status;
     }
     sink = taut_sink_to(out);
+    taut_sink_watch(&sink, monitor);
     write_header(&sink, model);
     taut_mesh_out_u32(&sink, (uint32_t)taut_mesh_out_count(mesh, NULL));
     for (int g = 0; g < taut_mesh_group_count(mesh); g++) {
@@ -87,7 +88,7 @@ static taut_status write_stl(const taut_model *model, const taut_write_options *
     if (status != TAUT_OK) {
         return status;
     }
-    status = write_mesh(model, mesh, out, error);
+    status = write_mesh(model, mesh, &options->monitor, out, error);
     taut_mesh_free(mesh);
     return status;
 }

@@ -280,7 +280,8 @@ static void put_model(threemf *file, const char *unit)
     taut_sink_text(sink, "</build>\n</model>\n");
 }
 
-static taut_status write_archive(const char *text, size_t length, FILE *out, taut_error *error)
+static taut_status write_archive(const char *text, size_t length, const taut_monitor *monitor,
+                                 FILE *out, taut_error *error)
 {
     taut_sink sink;
     taut_zip zip;
@@ -291,6 +292,7 @@ static taut_status write_archive(const char *text, size_t length, FILE *out, tau
                          length);
     }
     sink = taut_sink_to(out);
+    taut_sink_watch(&sink, monitor);
     zip = taut_zip_to(&sink);
     taut_zip_add(&zip, "[Content_Types].xml", types_text, strlen(types_text));
     taut_zip_add(&zip, "_rels/.rels", relations_text, strlen(relations_text));
@@ -299,8 +301,8 @@ static taut_status write_archive(const char *text, size_t length, FILE *out, tau
     return taut_mesh_out_finish(&sink, error);
 }
 
-static taut_status write_mesh(threemf *file, const char *unit, taut_arena *arena, FILE *out,
-                              taut_error *error)
+static taut_status write_mesh(threemf *file, const char *unit, taut_arena *arena,
+                              const taut_monitor *monitor, FILE *out, taut_error *error)
 {
     const size_t vertices = taut_mesh_vertex_count(file->mesh);
     file->groups = taut_mesh_group_count(file->mesh);
@@ -313,11 +315,13 @@ static taut_status write_mesh(threemf *file, const char *unit, taut_arena *arena
         return taut_fail_memory(error);
     }
     file->sink = taut_sink_to(NULL);
+    taut_sink_watch(&file->sink, monitor);
     put_model(file, unit);
-    if (taut_sink_finish(&file->sink) != TAUT_OK) {
-        return taut_fail_memory(error);
+    taut_status status = taut_mesh_out_finish(&file->sink, error);
+    if (status != TAUT_OK) {
+        return status;
     }
-    const taut_status status = write_archive(file->sink.text, file->sink.length, out, error);
+    status = write_archive(file->sink.text, file->sink.length, monitor, out, error);
     taut_free(file->sink.text);
     return status;
 }
@@ -332,7 +336,7 @@ static taut_status write_3mf(const taut_model *model, const taut_write_options *
     }
     taut_arena *arena = taut_arena_new();
     threemf file = {.model = model, .mesh = mesh};
-    status = write_mesh(&file, taut_model_unit(model), arena, out, error);
+    status = write_mesh(&file, taut_model_unit(model), arena, &options->monitor, out, error);
     taut_arena_free(arena);
     taut_mesh_free(mesh);
     return status;

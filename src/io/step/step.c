@@ -193,10 +193,12 @@ static taut_status put_data(taut_part21 *out, int count, taut_step_part *parts,
     return status;
 }
 
-static taut_status put_file(const taut_model *nurbs, taut_cad_facts *facts, FILE *file,
-                            taut_arena *arena, taut_error *error)
+static taut_status put_file(const taut_model *nurbs, taut_cad_facts *facts,
+                            const taut_monitor *monitor, FILE *file, taut_arena *arena,
+                            taut_error *error)
 {
     taut_part21 out = {.sink = taut_sink_to(file)};
+    taut_sink_watch(&out.sink, monitor);
     taut_step_part *parts = NULL;
     double moved = 0;
     int count = 0;
@@ -221,7 +223,7 @@ static taut_status write_step(const taut_model *model, const taut_write_options 
         status = check_faces(nurbs, error);
     }
     if (status == TAUT_OK) {
-        status = put_file(nurbs, &facts, file, arena, error);
+        status = put_file(nurbs, &facts, &options->monitor, file, arena, error);
     }
     taut_model_free(nurbs);
     taut_arena_free(arena);

@@ -350,6 +350,7 @@ static taut_status write_file(vtu_file *file, const taut_model *model,
         return status;
     }
     sink = taut_sink_to(out);
+    taut_sink_watch(&sink, &options->monitor);
     const vtu_out written = {&sink, options->lagrange};
     write_begin(&written, taut_model_unit(model));
     write_piece(&written, &file->surfaces, 0);
