@@ -13,6 +13,7 @@ import textwrap
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SCHEMA, OUT = ROOT / "docs/schema/problem.json", ROOT / "python/taut/constructions.py"
+LONGEST = 480  # a form that is told whole
 LEFT_OUT = {"taut", "construct"}
 OPTIONS = {
     "tolerance": ("float | None = None", "largest distance from the exact surface over its size, where one is approximated; 1e-6 if not given"),
@@ -61,7 +62,7 @@ def annotation_of(schema, member):
         return "Literal[" + ", ".join(json.dumps(value) for value in body["enum"]) + "]"
     if "const" in body:
         return f"Literal[{json.dumps(body['const'])}]"
-    if "oneOf" in body:
+    if "oneOf" in body and "properties" not in body:
         kinds = list(dict.fromkeys(annotation_of(schema, one) for one in body["oneOf"]))
         return kinds[0] if len(kinds) == 1 else "Union[" + ", ".join(kinds) + "]"
     kind = body.get("type")
@@ -94,10 +95,38 @@ def packed(items, first, rest, width=124):
     return "\n".join([*lines, line.rstrip()])
 
 
+NAMED = {"basis": "a basis", "curve": "a Curve", "point": "(3,)"}
+PLAIN = {"number": "number", "integer": "whole number", "string": "text", "boolean": "True or False", "null": "None"}
+
+
+def form_of(schema, member, depth=3):
+    """What a member looks like, in a line: {"point": (3,), "handle"?: number}; the question mark where it may be left out."""
+    body, name = resolved(schema, member)
+    if name in NAMED:
+        return NAMED[name]
+    if "enum" in body or "const" in body:
+        return " | ".join(json.dumps(value) for value in body.get("enum", [body.get("const")]))
+    if "oneOf" in body and "properties" not in body:
+        return " | ".join(dict.fromkeys(form_of(schema, one, depth) for one in body["oneOf"]))
+    if body.get("type") == "array":
+        inner = form_of(schema, body.get("items", {}), depth)
+        return {"(3,)": "(n, 3)", "(n, 3)": "(nu, nv, 3)", "number": "numbers"}.get(inner, f"[{inner}, ..]")
+    if body.get("type") != "object":
+        return PLAIN.get(body.get("type"), "..")
+    members = body.get("properties", {})
+    if {"u", "v", "points"} <= set(members) <= {"name", "u", "v", "points", "weights"}:
+        return "a Surface"
+    forms = {}
+    for key, one in members.items():
+        mark = "" if key in body.get("required", ()) else "?"
+        forms.setdefault(form_of(schema, one, depth - 1) if depth > 0 else "..", []).append(json.dumps(key) + mark)
+    return "{" + ", ".join(", ".join(keys) + ": " + form for form, keys in forms.items()) + "}" if forms else "a dict"
+
+
 def description_of(schema, name, key, member, has_mask):
     """The lines of the docstring about one argument."""
     about, _ = resolved(schema, member)
-    said = [about["description"]] if "description" in about else []
+    said = [about["description"].rstrip(".")] if "description" in about else []
     if key == "points":
         said = ["(nu, nv, 3); a point with a NaN" + (", or where `known` is False," if has_mask else "") + " is to be found"] + said
     if "enum" in about:
@@ -106,7 +135,11 @@ def description_of(schema, name, key, member, has_mask):
         said.append(f"at least {about['minimum']}" if "minimum" in about else f"above {about['exclusiveMinimum']}")
     if "default" in about:
         said.append(f"{json.dumps(about['default'])} if not given")
-    said = said or ["as in docs/format.md"]
+    if about is not member and member.get("$ref", "").endswith("/basis"):
+        said.append("such as taut.bspline(3, count=8)")
+    form = form_of(schema, member)
+    if "{" in form or not said:
+        said.append(form if len(form) <= LONGEST else form_of(schema, member, 1))
     return textwrap.wrap(f"    {argument_of(key):<22} " + "; ".join(said), 120, subsequent_indent=" " * 27)
 
 

@@ -29,15 +29,17 @@ def asymptotic(*, unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, degr
 
     unit                   of lengths; nothing is converted; one of "mm", "m", "cm", "in", "ft"; "mm" if not given
     degree                 of the edges; at least 3
-    corners                as in docs/format.md
-    edges                  as in docs/format.md
-    curves                 as in docs/format.md
+    corners                {"u0v0", "u1v0", "u0v1", "u1v1": (3,) | None | {"near": (3,)} | {"line": {"point",
+                           "direction": (3,)}, "near"?: (3,)} | {"plane": {"point", "normal": (3,)}, "near"?: (3,)}}
+    edges                  {"v0", "v1", "u0", "u1": {"legs": (n, 3), "curvature"?, "weights": numbers}}
+    curves                 {"v0", "v1", "u0", "u1": a Curve}
     branch                 or four signs such as +-+-; "lowest" if not given
     surface                one of "5n-7", "n+3"; "5n-7" if not given
     singular               one of "refuse", "report"; "refuse" if not given
     free                   one of "points", "all"; "points" if not given
     boundary               a file with four curves (.step, .igs, .dxf, .json), beside this document; they bound the net;
-                           or with others that are joined to four; or a file and which of its curves and edges
+                           or with others that are joined to four; or a file and which of its curves and edges; text |
+                           {"file": text, "edges"?: [text | whole number, ..]}
     tolerance              largest distance from the exact surface over its size, where one is approximated; 1e-6 if not
                            given
     threads                how many, 1 to 256; 1 if not given; the result is the same
@@ -70,11 +72,13 @@ def biharmonic(points: npt.ArrayLike | None = None, *, u: BasisLike | None = Non
 
     points                 (nu, nv, 3); a point with a NaN, or where `known` is False, is to be found; the four boundary
                            rows; null inside
-    u                      A function basis on a parameter range; its functions are as many as the points along it.
-    v                      A function basis on a parameter range; its functions are as many as the points along it.
+    u                      A function basis on a parameter range; its functions are as many as the points along it; such
+                           as taut.bspline(3, count=8)
+    v                      A function basis on a parameter range; its functions are as many as the points along it; such
+                           as taut.bspline(3, count=8)
     unit                   of lengths; nothing is converted; one of "mm", "m", "cm", "in", "ft"; "mm" if not given
     name                   at most 255 bytes of UTF-8
-    surface                as in docs/format.md
+    surface                a Surface
     edge                   one of "u0", "u1", "v0", "v1"
     width                  default: that of the surface; above 0
     contact                one of "c1", "c2"; "c1" if not given
@@ -151,19 +155,23 @@ def dirichlet(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None
 
     points                 (nu, nv, 3); a point with a NaN, or where `known` is False, is to be found; points[i][j];
                            null is to be found
-    u                      A function basis on a parameter range; its functions are as many as the points along it.
-    v                      A function basis on a parameter range; its functions are as many as the points along it.
+    u                      A function basis on a parameter range; its functions are as many as the points along it; such
+                           as taut.bspline(3, count=8)
+    v                      A function basis on a parameter range; its functions are as many as the points along it; such
+                           as taut.bspline(3, count=8)
     unit                   of lengths; nothing is converted; one of "mm", "m", "cm", "in", "ft"; "mm" if not given
     name                   at most 255 bytes of UTF-8
     weights                weights[i][j], the shape of points
     aspect                 1 if not given
     boundary               a file with four curves (.step, .igs, .dxf, .json), beside this document; they bound the net;
-                           or with others that are joined to four; or a file and which of its curves and edges
+                           or with others that are joined to four; or a file and which of its curves and edges; text |
+                           {"file": text, "edges"?: [text | whole number, ..]}
     degree                 at least these along u and v
     refine                 how often the spans along u and v are halved
     regular                true: the certificate claims `regular`, the surface has a tangent plane everywhere; false if
                            not given
-    through                points that the surface passes through; not with "aspect": "auto"
+    through                points that the surface passes through; not with "aspect": "auto"; [{"u"?, "v"?: number,
+                           "point": numbers}, ..]
     known                  (nu, nv) of truth values: which points are given
     tolerance              largest distance from the exact surface over its size, where one is approximated; 1e-6 if not
                            given
@@ -203,23 +211,43 @@ def film(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None, v: 
 
     points                 (nu, nv, 3); a point with a NaN, or where `known` is False, is to be found; in place of
                            corners: the rows of edges that are held, of others where they start; null inside
-    u                      A function basis on a parameter range; its functions are as many as the points along it.
-    v                      A function basis on a parameter range; its functions are as many as the points along it.
+    u                      A function basis on a parameter range; its functions are as many as the points along it; such
+                           as taut.bspline(3, count=8)
+    v                      A function basis on a parameter range; its functions are as many as the points along it; such
+                           as taut.bspline(3, count=8)
     unit                   of lengths; nothing is converted; one of "mm", "m", "cm", "in", "ft"; "mm" if not given
     name                   at most 255 bytes of UTF-8
-    corners                where no curve ends; null: free; of a ring there are none
-    edges                  as in docs/format.md
+    corners                where no curve ends; null: free; of a ring there are none; {"u0v0"?, "u1v0"?, "u0v1"?,
+                           "u1v1"?: (3,) | None | {"near": (3,)} | {"line": {"point", "direction": (3,)}, "near"?: (3,)}
+                           | {"plane": {"point", "normal": (3,)}, "near"?: (3,)}}
+    edges                  {"u0"?, "u1"?, "v0"?, "v1"?: "fixed" | {"fixed": a Curve | {"arc": (n, 3)} | {"line": (n, 3)}
+                           | {"circle": {"center", "normal", "radius", "start"?: ..}}} | {"cable": {"force": number} |
+                           {"length": number} | {"sag": number} | {"unstressed", "stiffness": number}, "plane"?:
+                           {"point", "normal": (3,)}} | {"slide": {"point", "normal": (3,)}} | {"mirror": {"point",
+                           "normal": (3,)}} | {"pole": ..}}
     seams                  of one patch a ring: the two edges, u0 and u1 or v0 and v1, are one curve inside the film,
-                           which goes around; of many, edges that are one
-    patches                in place of u, v, corners, edges and tension: a film of many patches
-    cables                 one cable along several edges, as it runs, with one force; its law counts the whole length
-    cells                  what sides of the film bound, each under a pressure or of a volume
-    curves                 in place of patches: curves that go round, in their order, each run either way
+                           which goes around; of many, edges that are one; [[text, ..] | {"edges": [text, ..], "cable"?:
+                           {"force": number} | {"length": number} | {"sag": number} | {"unstressed", "stiffness":
+                           number}, "plane"?: {"point", "normal": (3,)}}, ..]
+    patches                in place of u, v, corners, edges and tension: a film of many patches; [{"name"?: text, "u"?,
+                           "v"?: a basis, "corners"?, "edges"?: a dict, "points"?: [[(3,) | None, ..], ..], "tension"?:
+                           number, "force_density"?, "prestress"?: numbers, "reference"?: a Surface}, ..]
+    cables                 one cable along several edges, as it runs, with one force; its law counts the whole length;
+                           [{"name"?: text, "along": [text, ..], "force"?, "length"?, "sag"?, "unstressed"?,
+                           "stiffness"?: number}, ..]
+    cells                  what sides of the film bound, each under a pressure or of a volume; [{"name"?: text, "sides":
+                           [text, ..], "pressure"?, "volume"?: number, "from"?: (3,)}, ..]
+    curves                 in place of patches: curves that go round, in their order, each run either way; [a Curve |
+                           {"arc": (n, 3)} | {"line": (n, 3)} | {"circle": {"center", "normal", "start"?: (3,),
+                           "radius": number}}, ..]
     boundary               in place of curves: those of a file, 3 to 12 that go round, in any order, or one or two
-                           closed ones; or a file and which of its curves and edges
+                           closed ones; or a file and which of its curves and edges; text | {"file": text, "edges"?:
+                           [text | whole number, ..]}
     degree                 of the patches between curves, those of a boundary too; at least 2; 4 if not given
     count                  of their points either way; at least 3; 12 if not given
-    images                 each in turn adds its images of all surfaces so far
+    images                 each in turn adds its images of all surfaces so far; [{"mirror"?: {"point", "normal": (3,)},
+                           "half_turn"?, "turn"?: {"point", "direction": (3,)}, "angle"?: number, "translate"?: (3,),
+                           "count"?: whole number}, ..]
     tension                of the film: a force per length; above 0; 1 if not given
     force_density          in place of a tension: along the threads, u and v over [0, 1]
     prestress              in place of a tension: forces per width along u and v on the reference
@@ -272,18 +300,21 @@ def harmonic(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None,
 
     points                 (nu, nv, 3); a point with a NaN is to be found; two opposite boundary rows or columns; null
                            elsewhere
-    u                      A function basis on a parameter range; its functions are as many as the points along it.
-    v                      A function basis on a parameter range; its functions are as many as the points along it.
+    u                      A function basis on a parameter range; its functions are as many as the points along it; such
+                           as taut.bspline(3, count=8)
+    v                      A function basis on a parameter range; its functions are as many as the points along it; such
+                           as taut.bspline(3, count=8)
     unit                   of lengths; nothing is converted; one of "mm", "m", "cm", "in", "ft"; "mm" if not given
     name                   at most 255 bytes of UTF-8
     from_                  complete from edge and cross_derivative; one of "derivative"
-    edge                   as in docs/format.md
-    cross_derivative       as in docs/format.md
+    edge                   (n, 3)
+    cross_derivative       (n, 3)
     even                   one of "refuse", "corner", "project", "raise"; "refuse" if not given
     allow_ill_conditioned  build also where rounding grows past 1e15; false if not given
     fit                    the harmonic surface nearest to four boundary rows; false if not given
     boundary               a file with four curves (.step, .igs, .dxf, .json), beside this document; they bound the net;
-                           or with others that are joined to four; or a file and which of its curves and edges
+                           or with others that are joined to four; or a file and which of its curves and edges; text |
+                           {"file": text, "edges"?: [text | whole number, ..]}
     known                  with boundary: edges u0 and u1, or v0 and v1, are kept; one of "u", "v"; "v" if not given
     widths                 with boundary: of the parameter rectangle; [1, 1] if not given
     members                also as the document spells them: from, insist
@@ -316,7 +347,7 @@ def harmonic_extension(*, surface: SurfaceLike, edge: Literal["u0", "u1", "v0", 
         progress: Progress | None = None, strict: bool = False, exact: bool = False) -> Model:
     """The harmonic neighbour of a harmonic surface across an edge.
 
-    surface                as in docs/format.md
+    surface                a Surface
     edge                   one of "u0", "u1", "v0", "v1"
     unit                   of lengths; nothing is converted; one of "mm", "m", "cm", "in", "ft"; "mm" if not given
     neighbour              the other piece, to be merged; without width and contact g1
@@ -365,19 +396,22 @@ def pipe(*, unit: Literal["mm", "m", "cm", "in", "ft"] | None = None, radius: fl
     radii                  of pipe 1 and pipe 2
     surface                with radii: envelope of spheres, or circles swept across the axis; one of "canal", "naive-
                            sweep"; "canal" if not given
-    sections               elliptic pipes: semi-axes of pipe 1 and pipe 2
+    sections               elliptic pipes: semi-axes of pipe 1 and pipe 2; [{"a", "b": number, "direction": (3,)}, ..]
     polygon                V_0, V_1 on axis 1, V_2, V_3 on axis 2
-    from_                  as in docs/format.md
-    to                     as in docs/format.md
-    run                    a chain of pipes: corners, or straight pipes in order of flow
+    from_                  {"point", "direction": (3,), "handle"?: number}
+    to                     {"point", "direction": (3,), "handle"?: number}
+    run                    a chain of pipes: corners, or straight pipes in order of flow; (n, 3) | [{"from", "to": (3,)}
+                           | {"point", "direction": (3,)}, ..]
     closed                 the run comes round to where it begins; false if not given
     bend_radius            least radius of curvature of the axis, also in diameters; of corners three radii if not given
     elbow                  of corners: blends, or circular arcs of the bend radius; one of "blend", "arc"; "blend" if
                            not given
     caps                   discs over the free ends; false if not given
     wall                   of an open run: how thick it is, inwards from the radius; above 0
-    axes                   two lines: V_1 and V_2 are the feet of their common perpendicular
-    shape                  "auto" if not given
+    axes                   two lines: V_1 and V_2 are the feet of their common perpendicular; [{"point", "direction":
+                           (3,), "handle"?: number}, ..]
+    shape                  "auto" if not given; "auto" | {"auto": "bending" | "curvature"} | {"alpha", "beta"?, "gamma":
+                           number}
     joint                  equal tangent planes, or equal curvatures too; one of "g1", "g2"; "g1" if not given
     domain                 one of "strict", "extended"; "strict" if not given
     frame                  one of "rotation-minimizing", "frenet"; "rotation-minimizing" if not given
@@ -420,8 +454,10 @@ def plateau(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None, 
 
     points                 (nu, nv, 3); a point with a NaN, or where `known` is False, is to be found; points[i][j];
                            null is to be found
-    u                      A function basis on a parameter range; its functions are as many as the points along it.
-    v                      A function basis on a parameter range; its functions are as many as the points along it.
+    u                      A function basis on a parameter range; its functions are as many as the points along it; such
+                           as taut.bspline(3, count=8)
+    v                      A function basis on a parameter range; its functions are as many as the points along it; such
+                           as taut.bspline(3, count=8)
     unit                   of lengths; nothing is converted; one of "mm", "m", "cm", "in", "ft"; "mm" if not given
     name                   at most 255 bytes of UTF-8
     weights                weights[i][j], the shape of points
@@ -429,9 +465,11 @@ def plateau(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None, 
     tolerance              above 0; 1e-10 if not given
     max_iterations         at least 1; 500 if not given
     method                 one of "full", "normal"; "full" if not given
-    curves                 the boundary, in place of points: fitted to u and v where these are given
+    curves                 the boundary, in place of points: fitted to u and v where these are given; {"u0", "u1", "v0",
+                           "v1": a Curve}
     boundary               a file with four curves (.step, .igs, .dxf, .json), beside this document; they bound the net;
-                           or with others that are joined to four; or a file and which of its curves and edges
+                           or with others that are joined to four; or a file and which of its curves and edges; text |
+                           {"file": text, "edges"?: [text | whole number, ..]}
     degree                 with boundary: at least these along u and v
     refine                 how many finer spaces tell of the least area; with boundary: how often its spans are halved
     tolerance_area         at least 1e-11
@@ -440,7 +478,8 @@ def plateau(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None, 
                            above 1e-12
     regular                true: the certificate claims `regular`, the surface has a tangent plane everywhere; false if
                            not given
-    through                points that the surface passes through; not with refine, tolerance_area or gap
+    through                points that the surface passes through; not with refine, tolerance_area or gap; [{"u"?, "v"?:
+                           number, "point": numbers}, ..]
     known                  (nu, nv) of truth values: which points are given
     threads                how many, 1 to 256; 1 if not given; the result is the same
     progress               called as progress(done, what), done in [0, 1] or NaN; what it raises stops the work
@@ -478,13 +517,20 @@ def trace(*, trace: Literal["asymptotic", "principal", "geodesic", "isoparametri
     carry                  curves go on to the model's other surfaces, across edges that join smoothly; false if not
                            given
     families               only these
-    seeds                  where the curves begin; { "cells": 8 } if not given
+    seeds                  where the curves begin; { "cells": 8 } if not given; [{"at"?, "direction"?, "to"?: numbers,
+                           "surface"?, "lath"?: text, "both"?, "ends"?: True or False, "edge"?: "u0" | "u1" | "v0" |
+                           "v1", "line"?: [numbers, ..], "count"?, "cells"?: whole number, "cell"?: number, "by"?:
+                           "conformal" | "length" | "parameter", "family"?: "+" | "-" | "max" | "min" | "G" | "u" |
+                           "v"}, ..]
     max_length             of a curve each way; 20 sizes if not given; above 0
     panels                 principal nets: judge the quads between nodes; false if not given
     untrim                 STEP, IGES: trimmed faces of the file in of are read as the whole surfaces under them; false
                            if not given
-    laths                  laths on the curves: how they are cut, and what bending and twisting does to them
-    sheet                  what laths with a width are cut from
+    laths                  laths on the curves: how they are cut, and what bending and twisting does to them; {"strip":
+                           "standing" | "plank" | "developable" | "envelope", "width"?, "thickness"?, "play"?: number,
+                           "material"?: "steel-s235" | "timber-c24" | {"E", "G", "strength": number}, "cut"?: "mean" |
+                           "axis"}
+    sheet                  what laths with a width are cut from; {"size"?: numbers, "gap"?: number}
     tolerance              largest distance from the exact surface over its size, where one is approximated; 1e-6 if not
                            given
     threads                how many, 1 to 256; 1 if not given; the result is the same
@@ -521,23 +567,33 @@ def pattern(*, pattern: Literal["cloth"], of: Union[ModelLike, Surface, str, os.
 
     pattern                what it is cut of
     of                     the surface: a model, a problem that is made first, or the name of a file that holds one
-    seams                  how it is cut in pieces
+    seams                  how it is cut in pieces; [{"across"?: ["u0" | "u1" | "v0" | "v1", ..], "radial"?: "u0" | "u1"
+                           | "v0" | "v1", "count"?: whole number, "width"?: true | number, "strain"?, "trim"?,
+                           "spacing"?: number, "by"?: "length" | "parameter", "parallel"?, "geodesic"?: [numbers |
+                           {"edge": "u0" | "u1" | "v0" | "v1", "part"?, "length"?, "parameter"?: number}, ..], "line"?:
+                           {"u"?, "v"?: number | numbers}, "curve"?, "butt"?, "surface"?: text, "at"?: number |
+                           numbers}, ..]
     unit                   of lengths; nothing is converted; one of "mm", "m", "cm", "in", "ft"; "mm" if not given
     surface                of several, the one to cut; all if not given
     seam_length            the mean of what both sides have alone, or that of the surface; one of "shared", "true";
                            "shared" if not given
-    cloth                  the roll that the pieces are cut from
+    cloth                  the roll that the pieces are cut from; {"width"?, "length"?, "gap"?: number, "material"?:
+                           "default" | "etfe" | "ptfe-glass" | "pvc-pes" | {"E": numbers, "nu", "G": number}, "thread"?:
+                           "along" | "across" | number, "nap"?: True or False, "side"?: "upper" | "lower"}
     untrim                 STEP, IGES: trimmed faces of the file in of are read as the whole surfaces under them; false
                            if not given
-    compensation           the shares by which the cloth is cut smaller than it is mounted
+    compensation           the shares by which the cloth is cut smaller than it is mounted; {"warp"?, "weft"?, "seam"?:
+                           number}
     prestress              of warp and weft, in kN/m, in place of their compensation: e = D^-1 s, c = e/(1 + e)
-    decompensate           edges that do not yield, near which compensation fades out
-    allowance              cloth that is left beyond the lines to sew
+    decompensate           edges that do not yield, near which compensation fades out; [{"edge": "u0" | "u1" | "v0" |
+                           "v1", "length": number, "component"?: "along" | "both"}, ..]
+    allowance              cloth that is left beyond the lines to sew; {"seam"?, "border"?, "overlap"?, "butt"?: number,
+                           "split"?: True or False, "corner"?: "mitre" | "square" | "mirror"}
     held                   edges to which nothing is sewn, held at the length of the surface less the compensation
     ends                   straight: start and end of flat pieces are straight, and square to the warp; one of "free",
                            "straight"; "free" if not given
-    hems                   borders that are folded over
-    marks                  marks that meet when a seam is sewn
+    hems                   borders that are folded over; [{"edge": "u0" | "u1" | "v0" | "v1", "pocket": number}, ..]
+    marks                  marks that meet when a seam is sewn; {"spacing"?: number, "notch"?: "slit" | "v" | "dot"}
     strain                 claimed: no principal strain is larger; above 0
     flatten                so that cloth is strained least, or by angles, which are kept: for prints; one of "elastic",
                            "conformal"; "elastic" if not given

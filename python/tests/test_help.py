@@ -1,11 +1,13 @@
 """help() is enough: all that is public says what it is, what is raised, and where constructions come from."""
 import importlib
 import inspect
+import json
 import re
 
 import pytest
 
 import taut
+from conftest import ROOT
 
 MODULES = ["taut"] + ["taut." + name for name in ("gismo", "hosts", "neighbours")]
 
@@ -53,3 +55,28 @@ def test_constructions(name):
     assert re.search(r"Source: .*docs/[a-z]+\.md", text, re.DOTALL) and "Raises" in text
     for key in inspect.signature(function).parameters:
         assert re.search(rf"(?m)^{key}\b", text), key
+
+
+def test_forms_are_told():
+    """What the objects in a document look like: all their members, also of those in lists, with a mark at what may be left out."""
+    definitions = json.loads((ROOT / "docs/schema/problem.json").read_text())["$defs"]
+
+    def objects(member):
+        member = definitions[member["$ref"].rsplit("/", 1)[1]] if "$ref" in member else member
+        for one in [*member.get("oneOf", ()), *([member["items"]] if isinstance(member.get("items"), dict) else ())]:
+            yield from objects(one)
+        if "points" not in member.get("properties", {"points": 0}):
+            yield member
+    seen = 0
+    for option in definitions["problem"]["oneOf"]:
+        body = definitions[option["$ref"].rsplit("/", 1)[1]]
+        text = inspect.getdoc(getattr(taut, body["properties"]["construct"]["const"].replace("-", "_")))
+        assert "as in docs/format.md" not in text
+        for key, member in body["properties"].items():
+            for one in objects(member):
+                lines = re.search(rf"(?m)^{key}_? .*(\n  +.*)*", text)[0] if member.get("type") != "string" else ""
+                for name in one["properties"] if member.get("$ref") != "#/$defs/basis" else ():
+                    seen += 1
+                    assert f'"{name}"' + "?" * (name not in one.get("required", ())) in lines, (key, name, lines)
+    assert seen > 50
+    assert '"point", "direction": (3,), "handle"?: number' in inspect.getdoc(taut.pipe)
