@@ -191,12 +191,12 @@ typedef struct taut_film_problem {
     int accepts_stationary; /* nonzero: films at rest that are no minimum too */
     int refine;             /* 0 to 6: found anew so often, each time with all spans halved */
     /* Films of many patches: then of what stands above tolerance, max_iterations, method, without_least, accepts_stationary,
-     * equilibrium and refine alone count. Of a patch name, u, v, corners, edges, start and tension, or threads without updates, count; an edge in a seam is left all zero. */
+     * equilibrium and refine alone count. Of a patch name, u, v, corners, edges, start and tension, or threads, count; an edge in a seam is left all zero. */
     int patch_count;
     const taut_film_problem *patches;
     int seam_count;
     const taut_film_seam *seams;
-    /* Of films of one patch too, without updates. */
+    /* Of films of one patch too. */
     int cell_count;
     const taut_film_cell *cells;
     /* Of films of one patch too, as cells. */

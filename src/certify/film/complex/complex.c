@@ -476,6 +476,17 @@ static taut_status settle(request *r)
     return TAUT_OK;
 }
 
+static const char updated[] = "updates: the last reference is no part of the model";
+
+static int has_updates(const taut_film_problem *problem)
+{
+    int has = 0;
+    for (int p = 0; p < problem->patch_count; p++) {
+        has |= problem->patches[p].updates > 0;
+    }
+    return has;
+}
+
 static taut_status add_stationary(const request *r, taut_certificate *certificate,
                                   taut_error *error)
 {
@@ -487,6 +498,12 @@ static taut_status add_stationary(const request *r, taut_certificate *certificat
                         .where = where};
     int k = 0, p = 0;
 
+    if (has_updates(r->problem)) {
+        claim.residual = taut_none;
+        claim.where = updated;
+        claim.holds = TAUT_UNDECIDED;
+        return add(certificate, &claim, error);
+    }
     while (k < r->complex.points - 1 && r->complex.node[k] != r->at) {
         k++;
     }

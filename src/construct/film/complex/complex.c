@@ -2,7 +2,7 @@
  *
  *     1. check the data
  *     2. nodes, holds, the start (construct/film/complex/layout.h)
- *     3. Newton's steps to the least energy (construct/film/complex/solve.h)
+ *     3. Newton's steps to the least energy (construct/film/complex/solve.h), and again where it becomes its own reference
  *     4. a witness of how near it is to the least area of all (construct/film/complex/witness.h)
  *     5. a surface of each patch, and each cable as a curve, "NAME.u0", the row of points at its edge, bit for bit
  */
@@ -10,6 +10,7 @@
 
 #include "construct/common/build.h"
 #include "construct/film/complex/refine.h"
+#include "construct/film/complex/updates.h"
 #include "construct/film/complex/witness.h"
 #include "construct/film/edges.h"
 #include "construct/film/images.h"
@@ -108,12 +109,6 @@ static taut_status check_threads(const taut_film_problem *patch, int p, taut_err
         snprintf(member, sizeof member, "%.31s", error->where);
         snprintf(where, sizeof where, "/patches/%d%s", p, member);
         snprintf(error->where, sizeof error->where, "%s", where);
-    }
-    if (status == TAUT_OK && patch->updates > 0) {
-        snprintf(where, sizeof where, "/patches/%d/updates", p);
-        return taut_fail(error, TAUT_BAD_INPUT, "not-yet", where, patch->updates, 0,
-                         "films of many patches, with cells or cables along several edges cannot "
-                         "have \"updates\" in this version: leave them out");
     }
     return status;
 }
@@ -356,8 +351,9 @@ static void add_tension(const taut_film_problem *problem, taut_record *details)
 }
 
 static taut_record *details_of(const taut_film_layout *l, const taut_film_rest *rest,
-                               taut_arena *arena)
+                               const double *changes, taut_arena *arena)
 {
+    const int updates = taut_film_complex_updates(l->complex.problem);
     const taut_film_complex *c = &l->complex;
     taut_record *details = taut_record_new();
     unsigned char *seen = taut_arena_take(arena, (size_t)c->nodes, 1);
@@ -407,6 +403,9 @@ static taut_record *details_of(const taut_film_layout *l, const taut_film_rest *
             taut_record_add_number(rival, "area", rest->rival);
         }
     }
+    if (updates > 0) {
+        taut_record_add_numbers(details, "updates", updates, changes);
+    }
     if (l->fitted > 0) {
         taut_record_add_number(details, "deviation", l->deviation);
     }
@@ -423,10 +422,14 @@ static taut_status build(void *context, taut_arena *arena, taut_model *model, ta
     const request *r = context;
     taut_film_layout layout;
     taut_film_rest rest;
+    double changes[TAUT_FILM_UPDATES_MAX];
     taut_status status = taut_film_layout_new(r->problem, arena, &layout, error);
 
     if (status == TAUT_OK) {
         status = taut_film_rest_find(&layout, r->monitor, arena, &rest, error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_film_complex_update(&layout, &rest, r->monitor, changes, arena, error);
     }
     for (int p = 0; status == TAUT_OK && p < r->problem->patch_count; p++) {
         status = add_patch(&layout.complex, p, rest.points, arena, model, error);
@@ -440,7 +443,7 @@ static taut_status build(void *context, taut_arena *arena, taut_model *model, ta
     if (status != TAUT_OK) {
         return status;
     }
-    taut_record *details = details_of(&layout, &rest, arena);
+    taut_record *details = details_of(&layout, &rest, changes, arena);
     if (details != NULL && !r->problem->without_least) {
         status = taut_complex_witness_add(&layout, &rest, r->monitor, details);
         status = status == TAUT_OK ? TAUT_OK : taut_plateau_witness_fail(status, error);

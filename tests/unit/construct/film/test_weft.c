@@ -106,6 +106,98 @@ static void check_strip(const char *threads)
     taut_certificate_free(found);
 }
 
+/* Makes: the model, whose claims hold or, of updates, are undecided. */
+static taut_model *make_updated(const char *text, taut_certificate **certificate, const char *what)
+{
+    taut_problem *problem = NULL;
+    taut_model *model = NULL;
+    taut_error said = {.status = TAUT_OK};
+
+    CHECK(taut_problem_read_text(text, strlen(text), "text", &problem, &said) == TAUT_OK, "%s: %s",
+          what, said.message);
+    CHECK(taut_make(problem, NULL, &model, &said) == TAUT_OK, "%s: %s", what, said.message);
+    CHECK(taut_certify(model, problem, NULL, certificate, &said) == TAUT_OK, "%s: %s", what,
+          said.message);
+    CHECK(taut_certificate_holds(*certificate) != TAUT_FALSE, "%s", what);
+    for (int k = 0; k < taut_certificate_claim_count(*certificate); k++) {
+        const taut_claim *claim = taut_certificate_claim(*certificate, k);
+        CHECK(strcmp(claim->claim, "stationary") != 0 || claim->holds == TAUT_UNDECIDED, "%s",
+              what);
+    }
+    taut_problem_free(problem);
+    return model;
+}
+
+/* Threads twice as strong as the film beside them, on a reference of width L: they rest at L / 2, and at half of that after each
+ * update. */
+static void test_updates(void)
+{
+    char text[ROOM];
+    taut_certificate *found = NULL;
+
+    snprintf(text, sizeof text, strip, "\"updates\":2,\"prestress\":[2,6]," REFERENCE);
+    taut_model *model = make_updated(text, &found, "a strip");
+    CHECK_NEAR(taut_record_number(taut_record_at(find_figure(found, "areas"), 0)), 2 - 0.0625,
+               1e-10, "its film");
+    const taut_record *updates = taut_record_get(taut_model_details(model), "updates");
+    CHECK(taut_record_count(updates) == 2, "two of them");
+    CHECK_NEAR(taut_record_number(taut_record_at(updates, 0)), 0.125 / sqrt(5), 1e-10, "first");
+    CHECK_NEAR(taut_record_number(taut_record_at(updates, 1)), 0.0625 / sqrt(5), 1e-10, "second");
+    taut_certificate_free(found);
+    taut_model_free(model);
+}
+
+static size_t write_half(const taut_model *model, int k, const char *arcs, int updates, char *text,
+                         size_t room)
+{
+    const taut_surface *half = taut_model_surface(model, k);
+    const double *points = taut_surface_points(half);
+    size_t at = (size_t)snprintf(
+        text, room,
+        "%s{\"name\":\"%s\",\"u\":" B(4, 12) ",\"v\":" B(
+            4, 10) ",\"prestress\":[1,1],\"updates\":%d,\"edges\":{%s},\"reference\":"
+                   "{\"u\":" B(4, 12) ",\"v\":" B(4, 10) ",\"points\":[",
+        k == 0 ? "" : ",", k == 0 ? "f" : "b", updates, arcs);
+    for (int i = 0; i < 120; i++) {
+        at += (size_t)snprintf(text + at, room - at, "%s[%.17g,%.17g,%.17g]%s",
+                               i == 0        ? "["
+                               : i % 10 == 0 ? ",["
+                                             : ",",
+                               points[3 * i], points[3 * i + 1], points[3 * i + 2],
+                               i % 10 == 9 ? "]" : "");
+    }
+    return at + (size_t)snprintf(text + at, room - at, "]}}");
+}
+
+#define ARCS(q)                                                                                    \
+    "\"v0\":{\"fixed\":{\"arc\":[[1,0,0],[0," q ",0],[-1,0,0]]}},"                                 \
+    "\"v1\":{\"fixed\":{\"arc\":[[1,0,1],[0," q ",1],[-1,0,1]]}}"
+
+/* Threads as strong along as across, and updates, from the orthotropic tube in two halves to the catenoid; of one half the reference is
+ * updated less often, and it is a film of its last one. */
+static void test_catenoid(void)
+{
+    enum { LONG = 40000 };
+    static char text[LONG];
+    taut_certificate *found = NULL;
+    taut_problem *problem = NULL;
+    taut_model *first = NULL;
+
+    CHECK(taut_problem_read_text(tube, strlen(tube), "text", &problem, NULL) == TAUT_OK, "tube");
+    CHECK(taut_make(problem, NULL, &first, NULL) == TAUT_OK, "tube");
+    size_t at = (size_t)snprintf(text, LONG, "{\"taut\":1,\"construct\":\"film\",\"patches\":[");
+    at += write_half(first, 0, ARCS("1"), 30, text + at, LONG - at);
+    at += write_half(first, 1, ARCS("-1"), 26, text + at, LONG - at);
+    snprintf(text + at, LONG - at, "],\"seams\":[[\"f.u0\",\"b.u0\"],[\"f.u1\",\"b.u1\"]]}");
+    taut_model *model = make_updated(text, &found, "a catenoid");
+    CHECK_NEAR(number(found, "area"), 5.99179697580228191, 3e-10, "catenoid");
+    CHECK(taut_record_count(taut_record_get(taut_model_details(model), "updates")) == 30, "rounds");
+    taut_certificate_free(found);
+    taut_model_free(model);
+    taut_model_free(first);
+    taut_problem_free(problem);
+}
+
 static void refuse(const char *threads, const char *reason, const char *where)
 {
     char text[ROOM];
@@ -133,6 +225,9 @@ int main(void)
     refuse("\"tension\":1,\"force_density\":[2,3]", "conflict", "/patches/1/force_density");
     refuse("\"prestress\":[1,6]", "missing", "/patches/1/reference");
     refuse("\"force_density\":[0,3]", "value", "/patches/1/force_density/0");
-    refuse("\"updates\":2,\"prestress\":[1,6]," REFERENCE, "not-yet", "/patches/1/updates");
+    refuse("\"updates\":2,\"force_density\":[2,3]", "conflict", "/patches/1/updates");
+    refuse("\"updates\":101,\"prestress\":[1,6]," REFERENCE, "value", "/patches/1/updates");
+    test_updates();
+    test_catenoid();
     return check_failures != 0;
 }
