@@ -1,4 +1,4 @@
-/* test_layouts.c [COUNT | say COUNT | show K] -- random films of up to 60 patches: each ends in a film whose claims hold, or in a
+/* test_layouts.c [COUNT | say COUNT | show K | try K] -- random films of up to 60 patches: each ends in a film whose claims hold, or in a
  * refusal for one of the reasons that films have, most of them in a film. A flat one without cables is never refused, and has the
  * area of its polygon; one between four lines has the energy that one patch finds between them, or a little more; no bound is above
  * these; no tube is found between circles that the theorem of the cone forbids.
@@ -6,6 +6,7 @@
  *     COUNT    so many in place of 40: tools/nightly.sh makes a thousand
  *     say      each refusal
  *     show     document K
+ *     try      no other than film K
  */
 #include "certificates.h"
 #include "check.h"
@@ -129,12 +130,16 @@ static void try_layout(int trial, layout *l, tally *t)
 int main(int argc, char **argv)
 {
     const int show = argc == 3 && strcmp(argv[1], "show") == 0 ? atoi(argv[2]) : -1;
-    const int trials = show >= 0 ? show + 1 : argc > 1 ? atoi(argv[argc - 1]) : random_trials(40);
+    const int only = argc == 3 && strcmp(argv[1], "try") == 0 ? atoi(argv[2]) : -1;
+    const int trials = show >= 0   ? show + 1
+                       : only >= 0 ? only + 1
+                       : argc > 1  ? atoi(argv[argc - 1])
+                                   : random_trials(40);
     layout *l = malloc(sizeof *l);
     tally t = {0};
 
     says = argc == 3 && show < 0;
-    for (int k = 0; l != NULL && k < trials; k++) {
+    for (int k = only > 0 ? only : 0; l != NULL && k < trials; k++) {
         random_seed((uint64_t)k + 1);
         layout_random(l);
         if (show < 0) {
@@ -149,6 +154,7 @@ int main(int argc, char **argv)
     free(l);
     printf("%d films, %d folded, %d too weak, %d parted, %d unstable, %d not converged\n", t.films,
            t.folded, t.weak, t.parted, t.unstable, t.other);
-    CHECK(trials < 40 || 10 * t.films >= 7 * trials, "%d films of %d", t.films, trials);
+    CHECK(trials < 40 || only >= 0 || 10 * t.films >= 7 * trials, "%d films of %d", t.films,
+          trials);
     return check_failures != 0;
 }
