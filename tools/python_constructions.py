@@ -33,9 +33,9 @@ from typing import Any, Literal, Mapping, Sequence, Union
 import numpy.typing as npt
 
 from ._direct import made_of, take_words
+from ._watch import Progress
 from .bases import BasisLike
 from .geometry import Curve, Surface
-from .making import Progress
 from .model import Model
 
 CurveLike = Union[Curve, Mapping[str, Any]]

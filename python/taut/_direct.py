@@ -6,9 +6,10 @@ from typing import Any, Mapping, Sequence
 import numpy as np
 
 from ._handle import numbers
+from ._watch import Progress
 from .bases import Basis
 from .errors import InputError
-from .making import Progress, dirichlet_direct, make
+from .making import dirichlet_direct, make
 from .model import Model
 
 

@@ -9,8 +9,9 @@ import numpy.typing as npt
 
 from . import _library as c
 from ._handle import Array, library, numbers
+from ._watch import Progress, Watch
 from .errors import InputError, raise_for
-from .making import Document, Progress, Watch, _problems
+from .making import Document, _problems
 from .model import Model
 
 _FIGURES = {"area": 0, "dirichlet_energy": 1}

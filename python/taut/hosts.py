@@ -18,10 +18,11 @@ import numpy as np
 import numpy.typing as npt
 
 from ._handle import expect
+from ._watch import Progress
 from .bases import bspline, bezier
 from .errors import Error, InputError
 from .geometry import Curve, Surface
-from .making import Progress, make
+from .making import make
 from .measuring import join, to_nurbs
 from .model import Certificate, Model
 

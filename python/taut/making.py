@@ -1,27 +1,23 @@
 """From a problem to a model with its certificate."""
 from __future__ import annotations
 
-import importlib
 import json
 import math
 import os
 import re
-import signal
-import sys
-import threading
 from ctypes import byref, c_void_p
-from typing import Any, Callable, Mapping, Sequence, Union, overload
+from typing import Any, Mapping, Sequence, Union, overload
 
 import numpy as np
 
 from . import _library as c
 from ._handle import Handle, address_of, bytes_of, encoded, expect, is_masked, library, made, path_of, real, thread_count
+from ._watch import Progress, Watch
 from .bases import Basis
 from .errors import CheckFailed, InputError, raise_for
 from .geometry import Curve, Surface
 from .model import Certificate, Model, certificate_of
 
-Progress = Callable[[float, str], object]
 Document = Union[Mapping[str, Any], Sequence[Any], str, "os.PathLike[str]"]
 
 # --- Documents -------------------------------------------------------------------------------------------------------
@@ -90,54 +86,7 @@ def _plain_array(array: Any, where: str) -> Any:
 
 # --- Calls that take long --------------------------------------------------------------------------------------------
 
-# What `signal` makes enumerations around, which cost as much as a small construction.
-_signal: Any = importlib.import_module("_signal" if "_signal" in sys.builtin_module_names else "signal")
-_SIGINT = int(signal.SIGINT)
-
-
 _BRIEF = 400  # points of a net that is made in some milliseconds: Ctrl-C waits so long
-
-
-class Watch:
-    """Progress and Ctrl-C for a call of C. While it is entered SIGINT is noted (in the main thread) and stops the call; the
-    handler that was there is called afterwards."""
-
-    def __init__(self, progress: Progress | None = None) -> None:
-        if progress is not None and not callable(progress):
-            raise InputError(f"progress is {progress!r}; expected a function", "", "type")
-        self._progress = progress
-        self._raised: BaseException | None = None
-        self._signals: list[Any] = []
-        self._previous: Any = None
-        self.monitor = c.MonitorStruct()
-
-    def __enter__(self) -> Watch:
-        if threading.current_thread() is threading.main_thread():
-            self._previous = _signal.getsignal(_SIGINT)
-            if callable(self._previous):
-                _signal.signal(_SIGINT, self._noted)
-        if callable(self._previous) or self._progress is not None:
-            self.monitor.progress = c.PROGRESS(self._told)
-        return self
-
-    def _noted(self, number: int, frame: Any) -> None:
-        self._signals.append((number, frame))
-
-    def _told(self, _: Any, done: float, what: bytes) -> int:
-        if self._progress is not None and self._raised is None and not self._signals:
-            try:
-                self._progress(done, what.decode("utf-8", "replace"))
-            except BaseException as error:  # carried over C, and raised again behind it
-                self._raised = error
-        return int(bool(self._signals) or self._raised is not None)
-
-    def __exit__(self, *_: Any) -> None:
-        if callable(self._previous):
-            _signal.signal(_SIGINT, self._previous)
-        for number, frame in self._signals[:1]:
-            self._previous(number, frame)
-        if self._raised is not None:
-            raise self._raised
 
 
 def _made(problem: Any, options: c.MakeOptions | None, proof: c.CertifyOptions | None, make: Any, certify: Any) -> Model:

@@ -7,9 +7,9 @@ from typing import Any, Union
 
 from . import _library as c
 from ._handle import Handle, encoded, expect, library, made, real, text_of, thread_count, whole
+from ._watch import Progress, Watch
 from .errors import InputError, raise_for
 from .geometry import Curve, Surface
-from .making import Progress, Watch
 from .model import Model
 
 _EDGES = ("u0", "u1", "v0", "v1")
