@@ -9,6 +9,7 @@ import numpy.typing as npt
 
 from . import _library as c
 from ._handle import Array, Handle, Referable, encoded, library, made, numbers, real, thread_count, view, whole
+from ._watch import Progress
 from .bases import Basis, BasisLike, basis_of
 from .errors import InputError
 
@@ -376,12 +377,13 @@ class Surface(_Geometry):
         Errors: InputError: another shape, or a number that is not finite or does not stay so."""
         return self._new(library.taut_surface_transform, _matrix(matrix).ctypes.data)
 
-    def mesh(self, tolerance: float = 0.0, divide: int = 0, threads: int | None = None, thickness: float = 0.0) -> Mesh:
+    def mesh(self, tolerance: float = 0.0, divide: int = 0, threads: int | None = None, thickness: float = 0.0,
+             progress: Progress | None = None) -> Mesh:
         """Vertices, normals and faces: as of `Model.mesh`, tolerance over the surface's size.
 
         Errors: as of `Model.mesh`."""
         from .model import Model
-        return Model([self]).mesh(tolerance, divide, None, threads, thickness)
+        return Model([self]).mesh(tolerance, divide, None, threads, thickness, progress)
 
     def plot(self, ax: Any = None, net: bool = False, tolerance: float = 0.0, **options: Any) -> Any:
         """Drawn by matplotlib as a mesh, into `ax` (of projection "3d") or new axes, which come back.

@@ -13,6 +13,7 @@ import numpy.typing as npt
 
 from . import _library as c
 from ._handle import Array, Handle, Referable, bytes_of, encoded, expect, library, made, numbers, path_of, real, text_of, thread_count, view, whole
+from ._watch import Progress, Watch
 from .errors import InputError, raise_for
 from .geometry import Curve, Surface
 
@@ -249,11 +250,13 @@ class Model:
             self._text = text_of(library.taut_model_write_text, self._pointer, b"json", None)
         return self._text
 
-    def write(self, path: str | os.PathLike[str], tolerance: float = 0.0, threads: int | None = None, **options: Any) -> None:
+    def write(self, path: str | os.PathLike[str], tolerance: float = 0.0, threads: int | None = None, progress: Progress | None = None,
+              **options: Any) -> None:
         """To a file whose ending says the format: .json, .step, .iges, .obj, .stl, .ply, .glb, .3mf, .vtu, .dxf, .csv,
         .svg, .pdf, .png, .html.
 
         tolerance   0: the format's own (1e-3 of the size for meshes)
+        progress    as of taut.make
         options     divide, thickness (of meshes), coefficients, lagrange (of VTU), surface (name), colour ("plain", "mean",
                     "gaussian", "isothermality", "gap", "warp", "weft", "strain"), no_net (False: the net of pipes too),
                     view (azimuth, elevation in degrees), title, isolines, reflections, combs, reactions, side_by_side, column, width;
@@ -263,23 +266,30 @@ class Model:
         NoSolution for what the format cannot hold. No file is left behind then, and one that was there stays.
         """
         error, chosen = c.ErrorStruct(), write_options(tolerance, threads, options)
-        status = library.taut_model_write(self._pointer, encoded(path_of(path)), byref(chosen), byref(error))
+        with Watch(progress) as watch:
+            chosen.monitor = watch.monitor
+            status = library.taut_model_write(self._pointer, encoded(path_of(path)), byref(chosen), byref(error))
         if status != c.OK:
             raise_for(status, error)
 
-    def to_text(self, format: str, tolerance: float = 0.0, threads: int | None = None, **options: Any) -> bytes:
+    def to_text(self, format: str, tolerance: float = 0.0, threads: int | None = None, progress: Progress | None = None,
+                **options: Any) -> bytes:
         """The bytes that `write` would put into a file of this ending, such as "svg".
 
         Errors: as of `write`; InputError, `not-a-file`, of formats that are written to files alone."""
-        return text_of(library.taut_model_write_text, self._pointer, encoded(format), byref(write_options(tolerance, threads, options)))
+        chosen = write_options(tolerance, threads, options)
+        with Watch(progress) as watch:
+            chosen.monitor = watch.monitor
+            return text_of(library.taut_model_write_text, self._pointer, encoded(format), byref(chosen))
 
     def mesh(self, tolerance: float = 0.0, divide: int = 0, surface: str | None = None, threads: int | None = None,
-             thickness: float = 0.0) -> Mesh:
+             thickness: float = 0.0, progress: Progress | None = None) -> Mesh:
         """Vertices, normals and faces of all surfaces, or of the one named; closed where the surfaces are.
 
         tolerance   largest chord error over the size of the model; 0: 1e-3
         divide      cells for each knot span, in place of a tolerance
         thickness   of sheets, which are closed then, in the model's unit; 0: none
+        progress    as of taut.make
 
         Errors: InputError: a number below 0, no surface of that name, or too many vertices; NoSolution: a thickness that folds a surface over.
         """
@@ -291,7 +301,9 @@ class Model:
             there = ", ".join(repr(one.name) for one in self.surfaces) or "none"
             raise InputError(f"no surface is called {surface!r}; there are {there}", "", "surface")
         options = c.MeshOptions(threads=thread_count(threads), surface=encoded(surface), **chosen)
-        return Mesh(made(library.taut_mesh_new, library.taut_mesh_free, self._pointer, byref(options)))
+        with Watch(progress) as watch:
+            options.monitor = watch.monitor
+            return Mesh(made(library.taut_mesh_new, library.taut_mesh_free, self._pointer, byref(options)))
 
     def plot(self, ax: Any = None, net: bool = False, tolerance: float = 0.0) -> Any:
         """All surfaces and curves drawn by matplotlib, into `ax` (of projection "3d") or new axes, which come back.

@@ -40,6 +40,29 @@ def test_masked_points_are_to_be_found(net):
         taut.dirichlet(masked, u=u, v=v, known=np.ones((5, 6), bool))
 
 
+class Stopped(Exception):
+    """Raised in the middle of a call."""
+
+
+def test_meshes_and_files_tell_progress_and_stop(net, tmp_path):
+    """What is raised comes out, and no file is left."""
+    surface = taut.dirichlet(net, u=taut.bezier(4), v=taut.bezier(5)).surfaces[0]
+    model, told = taut.Model([surface] * 3), []
+
+    def stop(done, what):
+        raise Stopped(what)
+    for call in (model.mesh, surface.mesh, lambda progress: model.to_text("obj", progress=progress),
+                 lambda progress: model.write(tmp_path / "x.stl", progress=progress)):
+        told.clear()
+        call(progress=lambda done, what: told.append((done, what)))
+        assert told and all(0 <= done <= 1 and what == "mesh" for done, what in told) and told == sorted(told)
+        (tmp_path / "x.stl").unlink(missing_ok=True)
+        with pytest.raises(Stopped):
+            call(progress=stop)
+    assert not list(tmp_path.iterdir())
+    assert model.mesh(progress=lambda done, what: None) == model.mesh()
+
+
 def test_bases_that_are_equal_hash_so():
     """-0 and 0 are two knots."""
     one, other = taut.bspline(1, knots=[0.0, 0.0, 1.0, 1.0]), taut.bspline(1, knots=[-0.0, -0.0, 1.0, 1.0])
