@@ -656,6 +656,46 @@ static void test_umbilics(void)
               1);
 }
 
+/* z = (x^2 + y^2)/2 + 0.3 x^3 + 0.6 x y^2 over [-1, 1]^2 with knots at -1/2, 0 and 1/2: near an umbilic H^2 and K have as
+ * many digits in common as there are, and R of the end is half of them. */
+static void test_umbilic_ends(void)
+{
+    enum { POINTS = 7, ROOM = 8192 };
+    static const double knots[POINTS + 4] = {-1, -1, -1, -1, -0.5, 0, 0.5, 1, 1, 1, 1};
+    static const char basis[] =
+        "{\"type\": \"bspline\", \"degree\": 3, \"knots\": [-1, -1, -1, -1, "
+        "-0.5, 0, 0.5, 1, 1, 1, 1]}";
+    double blossoms[4][POINTS]; /* of 1, x, x^2, x^3 */
+    char surface[ROOM];
+    int length =
+        snprintf(surface, ROOM, "{\"taut\": 1, \"surfaces\": [{\"u\": %s, \"v\": %s, \"points\": [",
+                 basis, basis);
+
+    for (int i = 0; i < POINTS; i++) {
+        const double *t = knots + i + 1;
+        blossoms[0][i] = 1;
+        blossoms[1][i] = (t[0] + t[1] + t[2]) / 3;
+        blossoms[2][i] = (t[0] * t[1] + t[0] * t[2] + t[1] * t[2]) / 3;
+        blossoms[3][i] = t[0] * t[1] * t[2];
+    }
+    for (int k = 0; k < POINTS * POINTS; k++) {
+        const int i = k / POINTS, j = k % POINTS;
+        const double z = (blossoms[2][i] + blossoms[2][j]) / 2 + 0.3 * blossoms[3][i] +
+                         0.6 * blossoms[1][i] * blossoms[2][j];
+        length += snprintf(surface + length, (size_t)(ROOM - length), "%s[%.17g, %.17g, %.17g]%s",
+                           j == 0 ? (i == 0 ? "[" : ", [") : ", ", blossoms[1][i], blossoms[1][j],
+                           z, j == POINTS - 1 ? "]" : "");
+    }
+    snprintf(surface + length, (size_t)(ROOM - length), "]}]}");
+    made_net made =
+        net_make("principal", surface, "\"seeds\": [{ \"at\": [0.17897260477727528, -1] }]");
+    const taut_claim *ends = claim_of(made.proof, "ends");
+    CHECK(ends->holds == TAUT_TRUE, "ends: %g at %s", ends->residual, ends->where);
+    const taut_record *ended = taut_record_get(net_lath(&made, "B1"), "ended");
+    CHECK(strcmp(taut_record_text(taut_record_at(ended, 1)), "umbilic") == 0, "B1 ends elsewhere");
+    net_free(&made);
+}
+
 /* Of degree 2 curvatures jump at knots: curves have corners there, of more than a right angle where the way on would lead
  * back, end where K > 0 begins, and touch the border from outside. */
 static void test_jumps(void)
@@ -690,6 +730,7 @@ static void test_jumps(void)
 int main(void)
 {
     test_umbilics();
+    test_umbilic_ends();
     test_jumps();
     test_straight();
     test_isometric();
