@@ -266,7 +266,8 @@ def map(problems: Iterable[Document], client: Any = None, threads: int | None = 
         out: str | os.PathLike[str] | None = None) -> Iterator[tuple[int, Model | Error]]:
     """Pairs (index, model or error) as they end; an error is a result, it stops nothing.
 
-    problems   documents, one after the other; an iterator is read no faster than results come
+    problems   documents, one after the other, as taut.make takes them, or an open file with one a line, blank ones passed over; an
+               iterator is read no faster than results come
     client     a Dask `distributed.Client` or a `concurrent.futures` executor, which get quick problems many in a task, of about a second;
                None: threads of this process
     threads    how many here; None: as many as processors that this process may use
@@ -419,7 +420,7 @@ def _map(problems: Iterable[Document], client: Any, threads: int | None, out: st
     lines = _Lines(out)
     tasks: _Tasks | None = None
     try:
-        texts = enumerate(problems)
+        texts = enumerate(one for one in problems if not _is_blank_line(one))
         for _ in range(lines.finished):
             index, document = next(texts, (-1, _END))
             if document is _END:
@@ -454,6 +455,11 @@ def _map(problems: Iterable[Document], client: Any, threads: int | None, out: st
         if tasks is not None:
             tasks.close()
         lines.close()
+
+
+def _is_blank_line(document: Any) -> bool:
+    """Of a file: it is passed over, as the program does."""
+    return isinstance(document, (str, bytes)) and document[-1:] in ("\n", b"\n") and not document.strip()
 
 
 def _text_or_error(document: Any) -> tuple[str, Error | None]:

@@ -294,10 +294,10 @@ def test_what_is_no_problem_is_a_result(tmp_path, program):
     (tmp_path / "list.json").write_text(f"[{good}, {good}]")
     found = dict(taut.map([None, good, f"[{good}, {good}]", [json.loads(good)] * 2, tmp_path / "list.json", b"\xff", good.encode()], threads=2))
     assert [getattr(found[i], "reason", "") for i in range(7)] == ["type", "", "type", "type", "type", "text", ""] and found[1] == found[6]
-    (tmp_path / "in.jsonl").write_text(f"[{good}, {good}]\n")
+    (tmp_path / "in.jsonl").write_text(f"\n[{good}, {good}]\n  \n{good}\n\n")
     subprocess.run([program, "make", "--quiet", "--lines", "in.jsonl", "-o", "program.jsonl"], cwd=tmp_path, check=False)
     with open(tmp_path / "in.jsonl", encoding="utf-8") as lines:
-        assert len(list(taut.map(lines, out=tmp_path / "python.jsonl"))) == 1
+        assert len(list(taut.map(lines, out=tmp_path / "python.jsonl"))) == 2
     assert (tmp_path / "python.jsonl").read_bytes() == (tmp_path / "program.jsonl").read_bytes()
 
 
