@@ -118,6 +118,24 @@ static taut_status write_glb(const void *context, void **result, taut_error *err
     return status;
 }
 
+/* A plane in two strips, with its strains and lines. */
+static taut_model *cloth_of_plane(void)
+{
+    static const char text[] =
+        "{ \"taut\": 1, \"pattern\": \"cloth\", \"of\": { \"taut\": 1, \"surfaces\": [{ \"u\": { "
+        "\"type\": "
+        "\"bezier\", \"degree\": 1 }, \"v\": { \"type\": \"bezier\", \"degree\": 1 }, \"points\": "
+        "[[[0, 0, 0], "
+        "[0, 1, 0]], [[1, 0, 0], [1, 1, 0]]] }] }, \"seams\": [{ \"line\": { \"u\": 0.5 } }] }";
+    taut_problem *problem = NULL;
+    taut_model *model = NULL;
+    CHECK(taut_problem_read_text(text, sizeof text - 1, "cloth", &problem, NULL) == TAUT_OK,
+          "read");
+    CHECK(taut_make(problem, NULL, &model, NULL) == TAUT_OK, "make");
+    taut_problem_free(problem);
+    return model;
+}
+
 static taut_status write_3mf(const void *context, void **result, taut_error *error)
 {
     const taut_write_options options = {.divide = 1, .thickness = 0.01};
@@ -235,6 +253,9 @@ int main(void)
     fault_check("step of an assembly", write_step, NULL, plate, 40);
     fault_check("step of a sheet", write_thick, NULL, plate, 40);
     fault_check("glb", write_glb, NULL, surfaces, 20);
+    taut_model *cloth = cloth_of_plane();
+    fault_check("glb of cloth", write_glb, NULL, cloth, 40);
+    taut_model_free(cloth);
     fault_check("3mf", write_3mf, NULL, sheets, 30);
     fault_check("dxf", write_dxf, NULL, frame, 20);
     fault_check("csv", write_csv, NULL, cables, 3);

@@ -61,6 +61,9 @@ static void test_cone(void)
     CHECK_NEAR(cloth_number(&made, "seams", seam_of(&made, "circle"), "length"), 0.6 * pi, 1e-11,
                "circle");
     CHECK(claim_of(made.proof, "isometric")->holds == TAUT_TRUE, "isometric");
+    taut_pattern_flat_piece second;
+    CHECK(taut_pattern_piece_at(made.model, 2, &second, NULL) == TAUT_OK, "P3");
+    CHECK_NEAR(fabs(second.edges[3].part[1] - second.edges[3].part[0]), 0.2, 1e-9, "a fifth");
     cloth_free(&made);
     free_dome(surface);
 }
