@@ -9,7 +9,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { ROUNDS = 16, RULE_ROUNDS = 14, PLACES = 16 };
+enum { ROUNDS = 16, RULE_ROUNDS = 14, PRINT_ROUNDS = 6, PLACES = 16 };
 /* How far a place of a seam is from where it comes back to: of strips, and of pieces that are held all around. */
 static const double strip_away = 1e-7, rule_away = 1e-5;
 
@@ -193,6 +193,32 @@ static void test_rules(void)
     CHECK(2 * made_count > trials, "%d of %d were made", made_count, trials);
 }
 
+/* Laid flat by angles: these are kept within what is claimed, and lengths of seams. */
+static void test_prints(void)
+{
+    const int trials = random_trials(PRINT_ROUNDS);
+    int made_count = 0;
+    for (int round = 0; round < trials; round++) {
+        random_seed((uint64_t)round + 2001);
+        char surface[4096], members[256];
+        surface_of(0.4, surface, sizeof surface);
+        snprintf(members, sizeof members,
+                 "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": %d }], \"flatten\": "
+                 "\"conformal\"",
+                 random_int(2, 5));
+        made_cloth made = cloth_make(surface, members);
+        CHECK(made.status == TAUT_OK || made.status == TAUT_NO_SOLUTION, "%d: %s", round,
+              made.error.message);
+        if (made.status == TAUT_OK) {
+            made_count++;
+            check_cloth(&made, strip_away, members);
+            CHECK(claim_of(made.proof, "conformal")->residual < 1e-3, "%s", members);
+        }
+        cloth_free(&made);
+    }
+    CHECK(2 * made_count > trials, "%d of %d were made", made_count, trials);
+}
+
 int main(void)
 {
     static const char *const edges[] = {"\"v0\", \"v1\"", "\"v1\", \"v0\"", "\"u0\", \"u1\"",
@@ -222,5 +248,6 @@ int main(void)
     }
     CHECK(2 * made_count > trials, "%d of %d were made", made_count, trials);
     test_rules();
+    test_prints();
     return check_failures != 0;
 }
