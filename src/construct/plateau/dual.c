@@ -20,6 +20,8 @@
 #include <string.h>
 
 enum { NODES_BEYOND = 1 }; /* nodes on a span, beyond the functions alive there */
+/* Operations, as pulses count them: to make the state of a node, to look at it, and to zero a number of fresh memory. */
+enum { OF_STATE = 400, OF_LOOK = 60, OF_ZERO = 4 };
 
 static taut_status axis_init(const taut_basis *basis, taut_arena *arena, taut_dual_axis *axis)
 {
@@ -89,6 +91,9 @@ static int look_at_states(taut_dual *dual)
     dual->sign = dual->state[2] > 0 ? 1 : -1;
     for (size_t g = 0; g < all; g++) {
         const double *state = dual->state + g * TAUT_DUAL_STATE;
+        if (g % nodes == 0) {
+            (void)taut_pulse_beat(dual->pulse, (double)OF_LOOK * (double)nodes);
+        }
         if (!(dual->sign * state[2] > 0) || !isfinite(taut_length(state))) {
             return 0;
         }
@@ -110,6 +115,9 @@ static taut_status fill_states(const taut_surface *surface, double frame[3][3], 
     taut_status status = jets != NULL ? TAUT_OK : TAUT_NO_MEMORY;
 
     for (int line = 0; status == TAUT_OK && line < dual->u.spans * dual->u.nodes; line++) {
+        if (taut_pulse_beat(dual->pulse, (double)OF_STATE * nodes)) {
+            return TAUT_INTERRUPTED;
+        }
         status = taut_surface_eval_grid(surface, 1, dual->u.t + line, nodes, dual->v.t, 1, 1, jets);
         if (status == TAUT_OK) {
             fill_line(dual, frame, range, line, jets);
@@ -136,13 +144,16 @@ static taut_status take_system(taut_arena *arena, taut_dual *dual)
     if (taut_arena_status(arena) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
+    if (taut_pulse_beat(dual->pulse, (double)OF_ZERO * n * (width + 1.0))) {
+        return TAUT_INTERRUPTED;
+    }
     return taut_band_init(n, width, &dual->matrix);
 }
 
 taut_status taut_dual_new(const taut_surface *surface, const taut_basis *u, const taut_basis *v,
                           double frame[3][3], taut_arena *arena, taut_dual *dual)
 {
-    taut_dual made = {.sign = 1};
+    taut_dual made = {.sign = 1, .pulse = dual->pulse};
     taut_status status = TAUT_OK;
 
     if (axis_init(u, arena, &made.u) != TAUT_OK || axis_init(v, arena, &made.v) != TAUT_OK) {
@@ -159,7 +170,11 @@ taut_status taut_dual_new(const taut_surface *surface, const taut_basis *u, cons
     if (status != TAUT_OK) {
         return status;
     }
-    if (!look_at_states(&made)) {
+    const int is_sound = look_at_states(&made);
+    if (taut_pulse_is_stopped(dual->pulse)) {
+        return TAUT_INTERRUPTED;
+    }
+    if (!is_sound) {
         return TAUT_NO_SOLUTION;
     }
     status = take_system(arena, &made);
@@ -376,8 +391,13 @@ taut_status taut_dual_assemble(taut_dual *dual, const double *psi)
     const double work = 8.0 * v->spans * (double)(local * local) *
                         (double)(v->nodes + u->local * u->local); /* of a line */
 
-    memset(dual->matrix.a, 0,
-           (size_t)dual->matrix.n * ((size_t)dual->matrix.width + 1) * sizeof(double));
+    const size_t row = (size_t)dual->matrix.width + 1;
+    for (int i = 0; i < dual->matrix.n; i++) {
+        if (taut_pulse_beat(dual->pulse, (double)OF_ZERO * (double)row)) {
+            return TAUT_INTERRUPTED;
+        }
+        memset(taut_band_row(&dual->matrix, i), 0, row * sizeof(double));
+    }
     memset(dual->right, 0, (size_t)dual->matrix.n * sizeof(double));
     for (int line = 0; line < u->spans * u->nodes; line++) {
         if (taut_pulse_beat(dual->pulse, work)) {

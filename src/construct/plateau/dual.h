@@ -50,7 +50,8 @@ typedef struct taut_dual_value {
 /* Where psi is not told, it is double[u.count][v.count]. */
 
 /* `frame`: rows are the axes, the last is e. psi on the bases u and v, whose spans are those of the
- * surface. TAUT_NO_SOLUTION: J vanishes or changes its sign at a node. TAUT_NO_MEMORY. */
+ * surface. Of *dual its pulse is read. TAUT_NO_SOLUTION: J vanishes or changes its sign at a node. TAUT_NO_MEMORY,
+ * TAUT_INTERRUPTED. */
 taut_status taut_dual_new(const taut_surface *surface, const taut_basis *u, const taut_basis *v,
                           double frame[3][3], taut_arena *arena, taut_dual *dual);
 void taut_dual_clear(taut_dual *dual);

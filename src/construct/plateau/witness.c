@@ -148,6 +148,7 @@ static taut_status prepare(const taut_surface *surface, work *w)
     if (status == TAUT_OK) {
         status = taut_plateau_raise(taut_surface_v(surface), more, &made->v);
     }
+    w->dual.pulse = &w->pulse;
     if (status == TAUT_OK) {
         status = taut_dual_new(w->scaled, made->u, made->v, frame, w->arena, &w->dual);
     }
@@ -155,7 +156,6 @@ static taut_status prepare(const taut_surface *surface, work *w)
         return status;
     }
     const size_t count = (size_t)w->dual.u.count * (size_t)w->dual.v.count;
-    w->dual.pulse = &w->pulse;
     w->psi = taut_arena_take(w->arena, count, sizeof(double));
     w->step = taut_arena_take(w->arena, count, sizeof(double));
     w->next = taut_arena_take(w->arena, count, sizeof(double));

@@ -107,11 +107,11 @@ static taut_status make_duals(work *w)
             status = taut_plateau_raise(taut_surface_v(s->scaled), more, &s->v);
         }
         if (status == TAUT_OK) {
+            s->dual.pulse = &w->pulse;
             status = taut_dual_new(s->scaled, s->u, s->v, frame, w->arena, &s->dual);
         }
         if (status == TAUT_OK) {
             w->made++;
-            s->dual.pulse = &w->pulse;
             s->first = w->all;
             w->all += s->dual.u.count * s->dual.v.count;
             w->area += s->dual.area;
