@@ -98,7 +98,7 @@ static taut_status refuse_far(const taut_film_work *w, double share, taut_error 
     snprintf(where, sizeof where, "/edges/%s", taut_film_edge_names[e]);
     return taut_fail(
         error, TAUT_NO_SOLUTION, slides ? "slides-away" : "collapses", where, 1, share,
-        "no film connects the edges: led apart from where there is one, they lose it at "
+        "no film connects the edges: as they are moved apart, a film is found up to "
         "%.6g of their distance, where its neck is %.3g of the shorter edge at the start%s",
         share, find_neck(w),
         slides ? "; it slides off, bring the plane nearer"

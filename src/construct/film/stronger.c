@@ -61,10 +61,10 @@ static taut_status refuse_weak(const taut_film_work *w, double least, taut_error
     snprintf(where, sizeof where, "/edges/%s/cable", name);
     return taut_fail(
         error, TAUT_NO_SOLUTION, "cable-too-weak", where, found, limit,
-        "the cables are too weak for this film of tension %g: lowered together from where there "
-        "is a film, the last found is at %.6g times their forces (%s); "
-        "below it the film draws a cable into another edge, folds, or gets thinner at a "
-        "corner than its knots can tell%s%s",
+        "the cables are too weak for this film of tension %g: lowered together from stronger "
+        "ones, the last film is found at %.6g times their forces (%s); "
+        "below that it draws a cable into another edge, folds, or gets thinner at a "
+        "corner than its knots can resolve%s%s",
         taut_film_tension(problem), least, strong, is_crossed ? "; " : "", note);
 }
 

@@ -549,7 +549,7 @@ static taut_status lead(work *w)
                    : taut_fail(w->error, TAUT_NO_SOLUTION, "pressure-too-high", where,
                                problem->cells[k].pressure, at * problem->cells[k].pressure,
                                "no film is found under a pressure of %.6g: raised from 0, the last "
-                               "one that a film is found for is %.6g; lower it, or give a volume",
+                               "film is found at %.6g; lower it, or give a volume",
                                problem->cells[k].pressure, at * problem->cells[k].pressure);
 }
 
@@ -578,8 +578,8 @@ static taut_status refuse_apart(const work *w, const taut_film_parting *parting,
 {
     return taut_fail(w->error, TAUT_NO_SOLUTION, parting->slides ? "slides-away" : "collapses",
                      "/patches", 1, share,
-                     "no film connects the two rims: led apart from where there is one, they lose "
-                     "it at %.6g of their distance, where its neck is %.3g of the shorter rim%s",
+                     "no film connects the two rims: as they are moved apart, a film is found up "
+                     "to %.6g of their distance, where its neck is %.3g of the shorter rim%s",
                      share, neck,
                      parting->slides ? "; it slides off, bring the plane nearer"
                                      : "; bring them together");

@@ -186,7 +186,8 @@ static void test_slides_away(void)
     say_tube(&t, 4, slid * (1 - 1e-4), 1);
     check_made(&t, 0.5 * catenoid(2 * slid * (1 - 1e-4)), 1e-6, 0);
     say_tube(&t, 4, slid * (1 + 1e-3), 1);
-    check_refused(&t, "slides-away", "led apart", (1 - 2e-4) / (1 + 1e-3), (1 + 2e-4) / (1 + 1e-3));
+    check_refused(&t, "slides-away", "moved apart", (1 - 2e-4) / (1 + 1e-3),
+                  (1 + 2e-4) / (1 + 1e-3));
 }
 
 /* A cap of radius 2 / p: its area less p times its volume; half of a sphere is the last. */
