@@ -63,13 +63,16 @@ static void test_sail(const char *more, double low_room)
 /* A cap and gores, mounted: they meet on the circle, and strains are those that the construction tells, at the tip too. */
 static void test_cap(void)
 {
-    char *surface = dome_text(DOME_CONE, 0);
+    char *surface = dome_text(DOME_RAYS, 0);
     made_cloth made =
         cloth_make(surface, "\"seams\": [{ \"radial\": \"v0\", \"count\": 1, \"trim\": "
-                            "1 }], \"seam_length\": \"true\"");
+                            "0.7 }], \"seam_length\": \"true\"");
     taut_arena *arena = taut_arena_new();
     taut_mounted cap, rest;
     CHECK(made.status == TAUT_OK && arena != NULL, "%s", made.error.message);
+    if (made.status != TAUT_OK || arena == NULL) {
+        return;
+    }
     CHECK(taut_mounted_new(made.model, taut_model_surface(made.model, 1), arena, &cap) == TAUT_OK &&
               taut_mounted_new(made.model, taut_model_surface(made.model, 2), arena, &rest) ==
                   TAUT_OK,
@@ -80,9 +83,9 @@ static void test_cap(void)
         taut_mounted_at(&cap, 1, t, end, normal, &strain);
         taut_mounted_at(&rest, 0, t, start, normal, &strain);
         CHECK_NEAR(hypot(end[0] - start[0], end[1] - start[1]), 0, 1e-13, "circle");
-        CHECK_NEAR(end[2], -0.8, 1e-12, "slant 1");
+        CHECK_NEAR(hypot(end[0], end[1]), 0.7, 1e-9, "distance");
         taut_mounted_at(&cap, 0.25, t, middle, normal, &strain);
-        CHECK_NEAR(strain, 0, 1e-11, "a cone is flat");
+        CHECK_NEAR(strain, 0, 1e-5, "a plane is flat");
         for (int d = 0; d < 3; d++) { /* lines of equal t run into the tip */
             CHECK_NEAR(middle[d], end[d] / 4, 1e-12, "ray");
         }
