@@ -4,6 +4,7 @@
 #include "certify/plateau/fit.h"
 #include "core/constants.h"
 #include "core/fail.h"
+#include "core/vec3.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -54,8 +55,15 @@ static int keep_worst(const taut_film_asked *asked, const taut_curve *found,
     const double roundings = taut_basis_degree(taut_curve_t(found)) + (degree >= 0 ? degree : 5) +
                              taut_basis_count(taut_curve_t(found));
     const double size = asked->size, residual = distance / size;
+    /* what the bound of a distance has for its own rounding: more where the film's size or its first point is not like the edge */
+    const double *first = taut_curve_points(found);
+    const double reach = fmax(taut_certify_reach(found, first), taut_certify_reach(wanted, first)) +
+                         taut_norm(first);
+    const double own = 32 * (taut_basis_degree(taut_curve_t(found)) + fmax(degree, 1)) *
+                       TAUT_UNIT_ROUNDOFF * reach / size;
     const double limit =
-        FIT * fitted / size + 64 * roundings * TAUT_UNIT_ROUNDOFF * (1 + asked->away / size);
+        FIT * fitted / size +
+        fmax(64 * roundings * TAUT_UNIT_ROUNDOFF * (1 + asked->away / size), 2 * own);
     const int is_worst = b->count++ == 0 || !(residual / limit <= b->residual / b->limit);
 
     if (is_worst) {
