@@ -192,9 +192,9 @@ taut_status taut_film_take_nodes(taut_film_work *w, int extra, double factor)
 static int is_folded(const taut_area_functional *functional)
 {
     for (int i = 0; i < functional->u.count; i++) {
+        double here[TAUT_AREA_STATE], next[TAUT_AREA_STATE];
+        taut_area_functional_state(functional, i, 0, here);
         for (int j = 0; j < functional->v.count; j++) {
-            double here[TAUT_AREA_STATE], next[TAUT_AREA_STATE];
-            taut_area_functional_state(functional, i, j, here);
             if (i + 1 < functional->u.count) {
                 taut_area_functional_state(functional, i + 1, j, next);
                 if (!(taut_dot(here, next) > 0)) {
@@ -206,6 +206,7 @@ static int is_folded(const taut_area_functional *functional)
                 if (!(taut_dot(here, next) > 0)) {
                     return 1;
                 }
+                memcpy(here, next, sizeof here);
             }
         }
     }

@@ -26,9 +26,8 @@ enum { ITERATIONS_DEFAULT = 200, PATIENCE = 40, SEEKS = 40, SEEKS_NEAR = 8 };
 static const double tolerance_default = 1e-10;
 static const double gain_enough =
     3e-10; /* of all coordinates: points that slide along themselves creep */
-static const double gain_held = 0.01; /* of the tolerance: of films whose edges do not slide */
 static const double residual_enough =
-    3e-9;                               /* of all coordinates there: the certificate allows 1e-6 */
+    1e-7;                               /* of all coordinates there: the certificate allows 1e-6 */
 static const double moved_near = 0.1;   /* 0.05 of the size: a start that lies at a film */
 static const double area_none = 1e-12;  /* of the size squared */
 static const double theta_least = 1e-6; /* of the metric operator in every step */
@@ -359,7 +358,7 @@ taut_status taut_film_solve(const taut_film_space *space, const taut_monitor *mo
         w.region.gain_enough = gain_enough;
         w.region.patience = PATIENCE;
     } else {
-        w.region.gain_enough = gain_held * w.region.tolerance;
+        w.region.gain_enough = w.region.tolerance;
         w.region.residual_enough = residual_enough;
         w.region.theta_enough = theta_least;
     }
