@@ -1,12 +1,12 @@
 #include "certify/film/moves.h"
 
+#include "certify/common/lowest.h"
 #include "core/vec3.h"
 
 #include <math.h>
 #include <string.h>
 
-enum { INVERSIONS = 60, SHIFTS = 60 };
-static const double settled = 1e-10;   /* share: of the eigenvalue from one inversion to the next */
+enum { SHIFTS = 60 };
 static const double work_of_pair = 20; /* operations of two moves at a node, roughly */
 
 /* ---- which moves there are ---- */
@@ -221,22 +221,49 @@ static size_t entry(const profile *shape, int a, int b)
     return shape->at[i] + (size_t)(j - shape->begin[i]);
 }
 
-/* What a move is in a cell, and at a node of it. */
-typedef struct moved {
-    int index, u, v; /* of the move; which functions of those alive */
-    const double *direction;
-    double value, slope[2]; /* N, N_u, N_v */
-    double along;           /* n . direction */
-    double turned[3];       /* n x direction */
-} moved;
+/* What the moves of a cell are at a node, side by side. Products that belong to one move are made once. */
+typedef struct node_moves {
+    double *along;           /* [count]: n . direction */
+    double *value, *du, *dv; /* N, N_u, N_v */
+    double *along_value;     /* along N, along N_u, along N_v */
+    double *along_du, *along_dv;
+    double *turned[3]; /* n x direction */
+} node_moves;
+
+enum { NODE_ARRAYS = 10, CELL_ARRAYS = 3 };
 
 /* A cell: nodes that see the same functions, and what their moves have together, the lower triangle row by row. */
 typedef struct cell {
     int u, v, end_u, end_v; /* nodes */
-    moved *list;
     int count;
+    int *index, *nu, *nv; /* [count]: of the move; which functions of those alive */
+    double *direction[3];
+    node_moves at;
     double *k, *m; /* [count (count + 1) / 2] */
 } cell;
+
+static taut_status make_cell(const taut_film_sheet *sheet, cell *c)
+{
+    const size_t most = 3 * (size_t)sheet->u.table->local * (size_t)sheet->v.table->local;
+    double *next = taut_arena_take_raw(sheet->arena, (NODE_ARRAYS + 3) * most, sizeof(double));
+    double **arrays[NODE_ARRAYS + 3] = {
+        &c->at.along,     &c->at.value,     &c->at.du,        &c->at.dv,        &c->at.along_value,
+        &c->at.along_du,  &c->at.along_dv,  &c->at.turned[0], &c->at.turned[1], &c->at.turned[2],
+        &c->direction[0], &c->direction[1], &c->direction[2]};
+
+    c->index = taut_arena_take_raw(sheet->arena, CELL_ARRAYS * most, sizeof(int));
+    c->k = taut_arena_take_raw(sheet->arena, most * (most + 1) / 2, sizeof(double));
+    c->m = taut_arena_take_raw(sheet->arena, most * (most + 1) / 2, sizeof(double));
+    if (taut_arena_status(sheet->arena) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    c->nu = c->index + most;
+    c->nv = c->nu + most;
+    for (int i = 0; i < NODE_ARRAYS + 3; i++, next += most) {
+        *arrays[i] = next;
+    }
+    return TAUT_OK;
+}
 
 static void enter_cell(const taut_film_sheet *sheet, const taut_film_moves *moves, cell *c)
 {
@@ -246,9 +273,13 @@ static void enter_cell(const taut_film_sheet *sheet, const taut_film_moves *move
     for (int i = 0; i < u->local; i++) {
         for (int j = 0; j < v->local; j++) {
             const int point = taut_film_sheet_owner(sheet, u->first[c->u] + i, v->first[c->v] + j);
-            for (int k = moves->first[point]; k < moves->first[point + 1]; k++) {
-                c->list[c->count++] =
-                    (moved){.index = k, .u = i, .v = j, .direction = moves->direction + 3 * k};
+            for (int k = moves->first[point]; k < moves->first[point + 1]; k++, c->count++) {
+                c->index[c->count] = k;
+                c->nu[c->count] = i;
+                c->nv[c->count] = j;
+                for (int x = 0; x < 3; x++) {
+                    c->direction[x][c->count] = moves->direction[3 * k + x];
+                }
             }
         }
     }
@@ -264,54 +295,80 @@ static void enter_node(const taut_film_sheet *sheet, int a, int b, const double 
                  *du = taut_table_row(sheet->u.moves, a, 1);
     const double *nv = taut_table_row(sheet->v.moves, b, 0),
                  *dv = taut_table_row(sheet->v.moves, b, 1);
+    node_moves *at = &c->at;
 
     for (int x = 0; x < c->count; x++) {
-        moved *s = &c->list[x];
-        s->value = nu[s->u] * nv[s->v];
-        s->slope[0] = du[s->u] * nv[s->v];
-        s->slope[1] = nu[s->u] * dv[s->v];
-        s->along = taut_dot(n, s->direction);
-        taut_cross(n, s->direction, s->turned);
+        const double way[3] = {c->direction[0][x], c->direction[1][x], c->direction[2][x]};
+        double turned[3];
+        at->value[x] = nu[c->nu[x]] * nv[c->nv[x]];
+        at->du[x] = du[c->nu[x]] * nv[c->nv[x]];
+        at->dv[x] = nu[c->nu[x]] * dv[c->nv[x]];
+        at->along[x] = taut_dot(n, way);
+        at->along_value[x] = at->along[x] * at->value[x];
+        at->along_du[x] = at->along[x] * at->du[x];
+        at->along_dv[x] = at->along[x] * at->dv[x];
+        taut_cross(n, way, turned);
+        for (int i = 0; i < 3; i++) {
+            at->turned[i][x] = turned[i];
+        }
     }
 }
 
 /* Adds a node of threads: alike in every direction. */
 static void add_threads(cell *c, const taut_film_place *place, const double threads[2])
 {
+    const node_moves *at = &c->at;
     double *k = c->k, *m = c->m;
 
-    for (int x = 0; x < c->count; x++) {
-        const moved *s = &c->list[x];
+    for (int x = 0; x < c->count; k += x + 1, m += x + 1, x++) {
+        const double moves = place->weight * place->w * at->along_value[x];
+        const double du = place->weight * threads[0] * at->du[x],
+                     dv = place->weight * threads[1] * at->dv[x];
         for (int y = 0; y <= x; y++) {
-            const moved *o = &c->list[y];
-            *k++ +=
-                place->weight * taut_dot(s->direction, o->direction) *
-                (threads[0] * s->slope[0] * o->slope[0] + threads[1] * s->slope[1] * o->slope[1]);
-            *m++ += place->weight * place->w * s->along * s->value * o->along * o->value;
+            k[y] +=
+                (c->direction[0][x] * c->direction[0][y] + c->direction[1][x] * c->direction[1][y] +
+                 c->direction[2][x] * c->direction[2][y]) *
+                (du * at->du[y] + dv * at->dv[y]);
+            m[y] += moves * at->along_value[y];
         }
+    }
+}
+
+/* k[y] += (p . along)(y) + det(x, y, n) (turn . (N_v, -N_u))(y), m[y] += mass (along N)(y): a loop
+ * that a compiler makes of vectors. */
+static void add_row(int count, const double p[2], const double turn[2], const double turned[3],
+                    double mass, const double *restrict along_value,
+                    const double *restrict along_du, const double *restrict along_dv,
+                    const double *restrict du, const double *restrict dv, const double *restrict d0,
+                    const double *restrict d1, const double *restrict d2, double *restrict k,
+                    double *restrict m)
+{
+    const double pu = p[0], pv = p[1], tu = turn[0], tv = turn[1];
+    const double t0 = turned[0], t1 = turned[1], t2 = turned[2];
+
+    for (int y = 0; y < count; y++) {
+        k[y] += pu * along_du[y] + pv * along_dv[y] +
+                (t0 * d0[y] + t1 * d1[y] + t2 * d2[y]) * (tu * dv[y] - tv * du[y]);
+        m[y] += mass * along_value[y];
     }
 }
 
 /* Adds a node of a film of one tension. */
 static void add_place(cell *c, const taut_film_place *place)
 {
+    const node_moves *at = &c->at;
     const double e = place->weight * place->e / place->w, f = place->weight * place->f / place->w,
                  g = place->weight * place->g / place->w, mass = place->weight * place->w;
     double *k = c->k, *m = c->m;
 
-    for (int x = 0; x < c->count; x++) {
-        const moved *s = &c->list[x];
-        const double along_u = s->along * (g * s->slope[0] - f * s->slope[1]),
-                     along_v = s->along * (e * s->slope[1] - f * s->slope[0]),
-                     moves = mass * s->along * s->value;
-        const double turn_u = place->weight * s->slope[0], turn_v = place->weight * s->slope[1];
-        for (int y = 0; y <= x; y++) {
-            const moved *o = &c->list[y];
-            const double turn = taut_dot(s->turned, o->direction); /* det(s, o, n) */
-            *k++ += o->along * (along_u * o->slope[0] + along_v * o->slope[1]) +
-                    turn * (turn_u * o->slope[1] - turn_v * o->slope[0]);
-            *m++ += moves * o->along * o->value;
-        }
+    for (int x = 0; x < c->count; k += x + 1, m += x + 1, x++) {
+        const double along[2] = {g * at->along_du[x] - f * at->along_dv[x],
+                                 e * at->along_dv[x] - f * at->along_du[x]};
+        const double turn[2] = {place->weight * at->du[x], place->weight * at->dv[x]};
+        const double turned[3] = {at->turned[0][x], at->turned[1][x], at->turned[2][x]};
+        add_row(x + 1, along, turn, turned, mass * at->along_value[x], at->along_value,
+                at->along_du, at->along_dv, at->du, at->dv, c->direction[0], c->direction[1],
+                c->direction[2], k, m);
     }
 }
 
@@ -321,7 +378,7 @@ static void leave_cell(const cell *c, pencil *p)
 
     for (int x = 0; x < c->count; x++) {
         for (int y = 0; y <= x; y++, k++, m++) {
-            const int a = c->list[x].index, b = c->list[y].index;
+            const int a = c->index[x], b = c->index[y];
             const size_t at = entry(&p->shape, a, b);
             const double times = x != y && a == b ? 2 : 1; /* of a pole */
             p->k[at] += times * *k;
@@ -431,13 +488,10 @@ static taut_status add_condition(const taut_film_sheet *sheet, const taut_film_m
 static taut_status fill_pencil(const taut_film_sheet *sheet, const taut_film_moves *moves,
                                double size, int with_lines, pencil *p)
 {
-    const size_t most = 3 * (size_t)sheet->u.table->local * (size_t)sheet->v.table->local;
     const taut_table *u = sheet->u.moves, *v = sheet->v.moves;
-    cell c = {.list = taut_arena_take(sheet->arena, most, sizeof *c.list),
-              .k = taut_arena_take_raw(sheet->arena, most * (most + 1) / 2, sizeof(double)),
-              .m = taut_arena_take_raw(sheet->arena, most * (most + 1) / 2, sizeof(double))};
+    cell c;
 
-    if (taut_arena_status(sheet->arena) != TAUT_OK) {
+    if (make_cell(sheet, &c) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
     for (c.u = 0; c.u < u->count; c.u = c.end_u) {
@@ -624,42 +678,15 @@ static void multiply_stiff(const pencil *p, const double *x, double *y)
     }
 }
 
-/* Inverse iterations by factors of K - shift M that are positive definite. */
-static taut_status iterate(const pencil *p, double *x, double *y, double *stiff, double *lowest)
+static void solve_of(const void *of, double *x)
 {
-    const double work = 10.0 * (double)p->shape.size;
-    const int n = p->shape.count;
-    double before = INFINITY;
-    unsigned seed = 12345;
+    solve(of, x);
+}
 
-    for (int i = 0; i < n; i++) { /* a vector that no symmetry shares */
-        seed = 1664525u * seed + 1013904223u;
-        x[i] = (double)(seed >> 8) * 0x1p-24 - 0.25;
-    }
+static void weigh_of(const void *of, const double *x, double *y)
+{
+    const pencil *p = of;
     multiply(&p->shape, p->m, x, y);
-    double mass = dot(n, x, y);
-    for (int k = 0; k < INVERSIONS; k++) {
-        const double size = sqrt(mass);
-        if (!(size > 0) || !isfinite(size)) {
-            return TAUT_NOT_CONVERGED;
-        }
-        for (int i = 0; i < n; i++) {
-            x[i] = y[i] / size;
-        }
-        solve(p, x);
-        multiply(&p->shape, p->m, x, y);
-        mass = dot(n, x, y);
-        multiply_stiff(p, x, stiff);
-        *lowest = dot(n, x, stiff) / mass;
-        if (fabs(*lowest - before) <= settled * fabs(*lowest)) {
-            return TAUT_OK;
-        }
-        before = *lowest;
-        if (taut_pulse_beat(p->pulse, work)) {
-            return TAUT_INTERRUPTED;
-        }
-    }
-    return isfinite(*lowest) ? TAUT_OK : TAUT_NOT_CONVERGED;
 }
 
 taut_status taut_film_moves_lowest(const taut_film_sheet *sheet, const taut_film_moves *moves,
@@ -675,7 +702,6 @@ taut_status taut_film_moves_lowest(const taut_film_sheet *sheet, const taut_film
     }
     double *x = taut_arena_take(sheet->arena, (size_t)moves->count, sizeof(double));
     double *y = taut_arena_take(sheet->arena, (size_t)moves->count, sizeof(double));
-    double *stiff = taut_arena_take(sheet->arena, (size_t)moves->count, sizeof(double));
     if (taut_arena_status(sheet->arena) != TAUT_OK || make_pencil(sheet, moves, &p) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
@@ -691,7 +717,20 @@ taut_status taut_film_moves_lowest(const taut_film_sheet *sheet, const taut_film
         shift = k == 0 ? -1 : 2 * shift;
         under = factorise(&p, shift);
     }
-    status = taut_pulse_is_stopped(pulse) ? TAUT_INTERRUPTED : iterate(&p, x, y, stiff, lowest);
+    if (taut_pulse_is_stopped(pulse)) {
+        return TAUT_INTERRUPTED;
+    }
+    const taut_lowest form = {.count = p.shape.count,
+                              .of = &p,
+                              .solve = solve_of,
+                              .weigh = weigh_of,
+                              .work = 8.0 * (double)p.shape.size};
+    status = taut_certify_lowest(&form, sheet->arena, pulse, x);
+    if (status == TAUT_OK) {
+        multiply_stiff(&p, x, y);
+        *lowest = dot(p.shape.count, x, y); /* x is of unit mass */
+        status = isfinite(*lowest) ? TAUT_OK : TAUT_NOT_CONVERGED;
+    }
     *below = status == TAUT_OK ? found : -1;
     return status;
 }

@@ -1,5 +1,6 @@
 #include "certify/film/complex/sheets.h"
 
+#include "certify/common/lowest.h"
 #include "certify/common/verdict.h"
 #include "certify/film/sheet.h"
 #include "core/vec3.h"
@@ -944,14 +945,33 @@ static double stored_in(const envelope *e, const border *b, const double *x)
     return sum;
 }
 
-/* Shifts fall until nothing lies below; then powers of (K - shift M)^-1 M. */
+/* What the factors at hand solve. */
+typedef struct bordered {
+    const envelope *e;
+    const border *b;
+} bordered;
+
+static void solve_of(const void *of, double *x)
+{
+    const bordered *s = of;
+    solve(s->e, x);
+    hold(s->e, s->b, x);
+}
+
+static void weigh_of(const void *of, const double *x, double *y)
+{
+    const bordered *s = of;
+    multiply(s->e, s->e->m, x, y);
+}
+
+/* Shifts fall until nothing lies below. */
 static taut_status iterate(const envelope *e, const border *b, taut_arena *arena, double *lowest)
 {
-    enum { STEPS = 400, FALLS = 60 };
+    enum { FALLS = 60 };
     const size_t rows = (size_t)e->rows;
     double *x = taut_arena_take(arena, rows, sizeof(double));
     double *y = taut_arena_take(arena, rows, sizeof(double));
-    double shift = 0, before = INFINITY;
+    double shift = 0;
 
     if (taut_arena_status(arena) != TAUT_OK) {
         return TAUT_NO_MEMORY;
@@ -962,35 +982,21 @@ static taut_status iterate(const envelope *e, const border *b, taut_arena *arena
         }
         shift = shift == 0 ? -1 : 4 * shift;
     }
-    for (int i = 0; i < e->rows; i++) {
-        x[i] = 1 + 0.5 * ((i * 7919) % 101) / 101.0;
+    if (taut_pulse_is_stopped(e->pulse)) {
+        return TAUT_INTERRUPTED;
     }
-    for (int k = 0; k < STEPS; k++) {
-        if (taut_pulse_beat(e->pulse, 10.0 * (double)e->size)) {
-            return TAUT_INTERRUPTED;
-        }
-        multiply(e, e->m, x, y);
-        solve(e, y);
-        hold(e, b, y);
-        memcpy(x, y, rows * sizeof(double));
-        multiply(e, e->m, x, y);
-        const double mass = dot(e->rows, x, y);
+    const bordered at = {e, b};
+    const taut_lowest form = {.count = e->rows,
+                              .of = &at,
+                              .solve = solve_of,
+                              .weigh = weigh_of,
+                              .work = 8.0 * (double)e->size};
+    const taut_status status = taut_certify_lowest(&form, arena, e->pulse, x);
+    if (status == TAUT_OK) {
         multiply(e, e->k, x, y);
-        const double found = (dot(e->rows, x, y) + stored_in(e, b, x)) / mass;
-        for (size_t i = 0; i < rows; i++) {
-            x[i] /= sqrt(mass);
-        }
-        if (!isfinite(found)) {
-            return TAUT_NOT_CONVERGED;
-        }
-        if (fabs(found - before) <= 1e-10 * (fabs(found) + fabs(shift))) {
-            *lowest = found;
-            return TAUT_OK;
-        }
-        before = found;
+        *lowest = dot(e->rows, x, y) + stored_in(e, b, x); /* x is of unit mass */
     }
-    *lowest = before;
-    return TAUT_OK;
+    return status == TAUT_OK && !isfinite(*lowest) ? TAUT_NOT_CONVERGED : status;
 }
 
 /* K and M of all sheets and lines. TAUT_INTERRUPTED. */
