@@ -366,6 +366,10 @@ taut_status taut_film_polish_again(taut_film_work *w, taut_error *error)
     w->enough = residual_settled * w->region.tolerance;
     const taut_status status = polish(w, &before, error);
     w->enough = 0;
+    if (status == TAUT_OK && !(w->any <= most_any(w))) {
+        return taut_fail(error, TAUT_NOT_CONVERGED, "not-converged", NULL, w->any, most_any(w),
+                         "the net is not at rest within its surface");
+    }
     return status;
 }
 
