@@ -26,12 +26,12 @@ enum { ITERATIONS_DEFAULT = 200, PATIENCE = 40, SEEKS = 40, SEEKS_NEAR = 8 };
 static const double tolerance_default = 1e-10;
 static const double gain_enough =
     3e-10; /* of all coordinates: points that slide along themselves creep */
-static const double residual_enough =
-    1e-7;                               /* of all coordinates there: the certificate allows 1e-6 */
-static const double moved_near = 0.1;   /* 0.05 of the size: a start that lies at a film */
-static const double area_none = 1e-12;  /* of the size squared */
-static const double theta_least = 1e-6; /* of the metric operator in every step */
-static const double work_most = 2e11;   /* flops of all films on the way: minutes */
+static const double residual_enough = 1e3,       /* of the tolerance: all coordinates there */
+    residual_least = 3e-9, residual_most = 1e-7; /* its bounds: the certificate allows 1e-6 */
+static const double moved_near = 0.1;            /* 0.05 of the size: a start that lies at a film */
+static const double area_none = 1e-12;           /* of the size squared */
+static const double theta_least = 1e-6;          /* of the metric operator in every step */
+static const double work_most = 2e11;            /* flops of all films on the way: minutes */
 
 /* Are there cables that a stronger film is known of: forces, or laws between ends that are held? */
 static int has_strength(const taut_film_space *space)
@@ -359,7 +359,8 @@ taut_status taut_film_solve(const taut_film_space *space, const taut_monitor *mo
         w.region.patience = PATIENCE;
     } else {
         w.region.gain_enough = w.region.tolerance;
-        w.region.residual_enough = residual_enough;
+        w.region.residual_enough =
+            fmin(residual_most, fmax(residual_least, residual_enough * w.region.tolerance));
         w.region.theta_enough = theta_least;
     }
     w.net = taut_arena_copy(arena, space->start, space->count, 3 * sizeof(double));
