@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from .model import Mesh
 
 _three = c_double * 3
+_SCALARS = frozenset((float, np.float64))  # what ctypes takes for a double as it is
 _surface_eval = library.taut_surface_eval
 _curve_eval = library.taut_curve_eval
 _frombuffer: Callable[..., Array] = np.frombuffer
@@ -147,7 +148,7 @@ class Curve(_Geometry):
         """Points at t: t.shape + (3,). With derivatives 1 to 3: (derivatives + 1,) + that, positions first.
 
         Errors: InputError, `parameter`: a t outside the range of the basis."""
-        if derivatives == 0 and t.__class__ is float:
+        if derivatives == 0 and t.__class__ in _SCALARS:
             buffer = _three()
             if _curve_eval(self._pointer, t, 0, buffer) == 0:
                 return _frombuffer(buffer)
@@ -277,7 +278,7 @@ class Surface(_Geometry):
 
         Errors: InputError: a parameter outside the ranges of the bases (`parameter`), or shapes that do not go together (`size`).
         """
-        if derivatives == 0 and u.__class__ is float and v.__class__ is float:
+        if derivatives == 0 and u.__class__ in _SCALARS and v.__class__ in _SCALARS:
             buffer = _three()
             if _surface_eval(self._pointer, u, v, 0, buffer) == 0:
                 return _frombuffer(buffer)

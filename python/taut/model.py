@@ -119,7 +119,7 @@ def certificate_of(pointer: int) -> Certificate:
 
 
 class _Items(Sequence[Any]):
-    """Surfaces or curves of a model, by number."""
+    """Surfaces or curves of a model, by number; compared by value, with each other and with tuples."""
 
     def __init__(self, items: Sequence[Any]) -> None:
         self._items = tuple(items)
@@ -129,6 +129,15 @@ class _Items(Sequence[Any]):
 
     def __len__(self) -> int:
         return len(self._items)
+
+    def __eq__(self, other: object) -> bool:
+        items = other._items if isinstance(other, _Items) else other
+        if not isinstance(items, tuple):
+            return NotImplemented
+        return self._items == items
+
+    def __hash__(self) -> int:
+        return hash(self._items)
 
     def __repr__(self) -> str:
         return repr(list(self._items))

@@ -67,6 +67,18 @@ def test_surface_is_a_value(weights):
     assert surface.points[0, 0, 0] != points[0, 0, 0]  # a copy was taken
 
 
+def test_scalars_of_numpy_are_scalars():
+    """In a loop over an array, say: the same bits as of Python's numbers."""
+    surface = surface_of(3)[0]
+    curve = taut.Curve(taut.bezier(3), surface.points[0])
+    for u in np.linspace(0, 1, 5):
+        assert surface(u, .25).tobytes() == surface(float(u), .25).tobytes() == surface(np.array([u]), .25).tobytes()
+        assert surface(u, np.float32(.25)).shape == curve(u).shape == (3,) and curve(u).tobytes() == curve(float(u)).tobytes()
+    for wrong in (np.float64("nan"), np.float64(1.5)):
+        with pytest.raises(taut.InputError):
+            surface(wrong, .5)
+
+
 def test_views_survive_the_model():
     model = taut.make({"construct": "dirichlet", "u": taut.bezier(3), "v": taut.bezier(3),
                        "points": [[[i, j, i * j] if i in (0, 3) or j in (0, 3) else None for j in range(4)] for i in range(4)]})

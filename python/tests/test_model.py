@@ -64,6 +64,15 @@ def test_meshes_and_files_tell_progress_and_stop(net, tmp_path):
     assert model.mesh(progress=lambda done, what: None) == model.mesh()
 
 
+def test_lists_of_surfaces_are_values(net):
+    """Of a model: what is equal hashes so, whichever model it is of."""
+    u, v = taut.bspline(2, count=5), taut.bspline(3, count=6)
+    one, other = taut.dirichlet(net, u=u, v=v), taut.dirichlet(net, u=u, v=v)
+    assert one.surfaces == other.surfaces == (one.surfaces[0],) and hash(one.surfaces) == hash(other.surfaces)
+    assert one.curves == other.curves == () and one.surfaces != one.curves and one.surfaces != [one.surfaces[0]]
+    assert copy.deepcopy(one.surfaces) == one.surfaces != taut.dirichlet(net + 1, u=u, v=v).surfaces
+
+
 def test_bases_that_are_equal_hash_so():
     """-0 and 0 are two knots."""
     one, other = taut.bspline(1, knots=[0.0, 0.0, 1.0, 1.0]), taut.bspline(1, knots=[-0.0, -0.0, 1.0, 1.0])
