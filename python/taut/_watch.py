@@ -50,6 +50,16 @@ class Watch:
                 self._raised = error
         return int(bool(self._signals) or self._raised is not None)
 
+    def begun(self, what: str) -> Watch:
+        """Itself, told of the begin of work which C may not tell of, before any of it is done."""
+        self.tell(0.0, what)
+        return self
+
+    def tell(self, done: float, what: str) -> None:
+        """Of a call that C does not tell of: what progress raises is raised here."""
+        if self._progress is not None:
+            self._progress(done, what)
+
     def __exit__(self, *_: Any) -> None:
         if callable(self._previous):
             _signal.signal(_SIGINT, self._previous)

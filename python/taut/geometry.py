@@ -379,11 +379,12 @@ class Surface(_Geometry):
         return self._new(library.taut_surface_transform, _matrix(matrix).ctypes.data)
 
     def mesh(self, tolerance: float = 0.0, divide: int = 0, threads: int | None = None, thickness: float = 0.0,
-             progress: Progress | None = None) -> Mesh:
-        """Vertices, normals and faces: as of `Model.mesh`, tolerance over the surface's size.
+             progress: Progress | None = None, strict: bool = False) -> Mesh:
+        """Vertices, normals and faces: as of `Model.mesh`, tolerance over the surface's size; strict about the model that it is of.
 
         Errors: as of `Model.mesh`."""
-        from .model import Model
+        from .model import Model, strictly
+        strictly(strict, self)
         return Model([self]).mesh(tolerance, divide, None, threads, thickness, progress)
 
     def plot(self, ax: Any = None, net: bool = False, tolerance: float = 0.0, **options: Any) -> Any:

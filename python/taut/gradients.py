@@ -8,11 +8,11 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _library as c
-from ._handle import Array, library, numbers
+from ._handle import Array, library, numbers, thread_count
 from ._watch import Progress, Watch
 from .errors import InputError, raise_for
 from .making import Document, _problems
-from .model import Model
+from .model import Model, strictly
 
 _FIGURES = {"area": 0, "dirichlet_energy": 1}
 _POINTS = 2
@@ -30,7 +30,8 @@ def _request(of: Any, shape: tuple[int, ...]) -> tuple[c.GradientRequest, Array 
     return c.GradientRequest(of=_POINTS, factors=factors.ctypes.data), factors
 
 
-def gradient(problem: Document, model: Model, of: Union[str, npt.ArrayLike] = "area", progress: Progress | None = None) -> Array:
+def gradient(problem: Document, model: Model, of: Union[str, npt.ArrayLike] = "area", progress: Progress | None = None,
+             threads: int | None = None, strict: bool = False) -> Array:
     """dF/dk for all coordinates of the known points k at once: (nu, nv, 3), 0 at points that were found.
 
     problem    the document that the model was made from, as taut.make takes it
@@ -38,6 +39,8 @@ def gradient(problem: Document, model: Model, of: Union[str, npt.ArrayLike] = "a
     of         F: "area", "dirichlet_energy", or dF/dP by the control points P of model.surfaces[0], (nu, nv, 3): any number
                that you can derive by them (a loss, in learning)
     progress   as of taut.make
+    threads    how many; one works: it is one solve
+    strict     CheckFailed where a claim of the model does not hold
 
     By the adjoint: one solve, however many points are known. dirichlet; harmonic and biharmonic from rows; plateau with
     method "normal", with "full" the area alone. Others are an InputError, reason "no-gradient". With rows of even degree that
@@ -48,9 +51,11 @@ def gradient(problem: Document, model: Model, of: Union[str, npt.ArrayLike] = "a
         raise InputError("a gradient is of one problem", "", "argument")
     if not isinstance(model, Model) or not model.surfaces:
         raise InputError("a gradient is of a model with a surface", "", "argument")
+    thread_count(threads)
+    strictly(strict, model)
     request, factors = _request(of, model.surfaces[0].points.shape)
     result, error = np.zeros(model.surfaces[0].points.shape), c.ErrorStruct()
-    with Watch(progress) as watch:
+    with Watch(progress).begun("gradient") as watch:
         request.monitor = watch.monitor
         status = library.taut_gradient(library.taut_problem_list_at(problems.pointer, 0), model._pointer, byref(request),
                                        result.ctypes.data, byref(error))
@@ -85,13 +90,15 @@ def _cables(model: Model) -> list[Any]:
 
 
 def film_gradient(problem: Document, model: Model, of: str = "energy", edge: str = "u0", corner: str = "u0v0", axis: str = "x",
-                  progress: Progress | None = None) -> FilmGradient:
+                  progress: Progress | None = None, threads: int | None = None, strict: bool = False) -> FilmGradient:
     """dF/d(corners, forces, ...) of a film, F a number of its certificate.
 
     problem    the document of one film that the model was made from, as taut.make takes it
     model      taut.make(problem)
     of         F: "energy", "area", "length" or "tension" of the cable `edge`, or "reaction" at the held `corner` along `axis`
     progress   as of taut.make
+    threads    how many; one works
+    strict     CheckFailed where a claim of the model does not hold
 
     By the adjoint: the energy needs no solve, all else one system, however much is given. A film of one patch, open or a ring,
     with the method "full" and no updates of a reference; others are an InputError, reason "no-gradient". Source: docs/gradient.md.
@@ -101,11 +108,13 @@ def film_gradient(problem: Document, model: Model, of: str = "energy", edge: str
         raise InputError("a gradient is of one problem", "", "argument")
     if not isinstance(model, Model) or not model.surfaces:
         raise InputError("a gradient is of a model with a surface", "", "argument")
+    thread_count(threads)
+    strictly(strict, model)
     points, error = np.zeros(model.surfaces[0].points.shape), c.ErrorStruct()
     slopes = c.FilmSlopes(points=points.ctypes.data)
     request = c.FilmGradientRequest(of=_index(of, tuple(_FILM_FIGURES), "of"), edge=_index(edge, _EDGES, "edge"),
                                     corner=_index(corner, _CORNERS, "corner"), axis=_index(axis, _AXES, "axis"))
-    with Watch(progress) as watch:
+    with Watch(progress).begun("gradient") as watch:
         request.monitor = watch.monitor
         status = library.taut_gradient_of_film(library.taut_problem_list_at(problems.pointer, 0), model._pointer, byref(request),
                                                byref(slopes), byref(error))

@@ -30,7 +30,7 @@ CONSTRUCTS = ("dirichlet", "plateau", "harmonic", "asymptotic")
 
 
 def between(construct: str, edges: Sequence[Curve], unit: str = "mm", progress: Progress | None = None, threads: int | None = None,
-            **members: Any) -> Model:
+            strict: bool = False, **members: Any) -> Model:
     """The model of "dirichlet", "plateau", "harmonic" or "asymptotic" between four curves whose ends meet, in any order and
     direction; the first becomes the edge v0. members are those of the construction's document, such as degree=[3, 3].
 
@@ -45,7 +45,8 @@ def between(construct: str, edges: Sequence[Curve], unit: str = "mm", progress: 
         path = os.path.join(folder, "edges.json")
         model = Model(curves=[_bezier(edge) if construct in ("harmonic", "asymptotic") else edge for edge in edges], unit=unit)
         model.write(path)
-        made: Model = make({"construct": construct, "unit": unit, "boundary": path, **members}, threads=threads, progress=progress)
+        made: Model = make({"construct": construct, "unit": unit, "boundary": path, **members}, threads=threads, progress=progress,
+                           strict=strict)
         return made
 
 
@@ -67,7 +68,7 @@ def _line(ends: npt.ArrayLike, where: str) -> npt.NDArray[np.float64]:
 
 
 def blend(one: npt.ArrayLike, other: npt.ArrayLike, radius: Union[float, Sequence[float]], unit: str = "mm",
-          progress: Progress | None = None, threads: int | None = None, **members: Any) -> Model:
+          progress: Progress | None = None, threads: int | None = None, strict: bool = False, **members: Any) -> Model:
     """The pipe that joins two straight ones, (2, 3) each: the ends of their axes. The two ends that are nearest are joined.
 
     radius    one, or two that differ
@@ -83,7 +84,7 @@ def blend(one: npt.ArrayLike, other: npt.ArrayLike, radius: Union[float, Sequenc
     made: Model = make({"construct": "pipe", "unit": unit, **round_pipe, **members,
                         "from": {"point": first[i], "direction": _unit(first[i] - first[1 - i])},
                         "to": {"point": second[j], "direction": _unit(second[1 - j] - second[j])},
-                        }, threads=threads, progress=progress)
+                        }, threads=threads, progress=progress, strict=strict)
     return made
 
 

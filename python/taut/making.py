@@ -14,9 +14,9 @@ from . import _library as c
 from ._handle import Handle, address_of, bytes_of, encoded, expect, is_masked, library, made, path_of, real, thread_count
 from ._watch import Progress, Watch
 from .bases import Basis
-from .errors import CheckFailed, InputError, raise_for
+from .errors import InputError, raise_for
 from .geometry import Curve, Surface
-from .model import Certificate, Model, certificate_of
+from .model import Certificate, Model, certificate_of, failed
 
 Document = Union[Mapping[str, Any], Sequence[Any], str, "os.PathLike[str]"]
 
@@ -107,10 +107,7 @@ def _strict(model: Model, strict: bool, certificate: Certificate | None = None) 
     """The model, unless a claim of its certificate, or of the one given, does not hold; which is not looked at before it is asked for."""
     certificate = (certificate or model.certificate) if strict else None
     if certificate is not None and certificate.holds is False:
-        names = ", ".join(one.claim for one in certificate.claims if one.holds is False)
-        failure = CheckFailed(f"{certificate.construct}: a claim does not hold: {names}", "", "claim")
-        failure.model = model
-        raise failure
+        raise failed(model, certificate)
     return model
 
 
@@ -179,10 +176,15 @@ def make(document: Document, tolerance: float | None = None, threads: int | None
     return models if library.taut_problem_list_is_list(problems.pointer) else models[0]
 
 
-def read(path: str | os.PathLike[str]) -> Model:
+def read(path: str | os.PathLike[str], threads: int | None = None, progress: Progress | None = None, strict: bool = False) -> Model:
     """A model from a file: .json, .step, .iges, and what else `taut convert` reads (docs/formats.md). What it holds is not proved by
-    that: `certify` does. Raises FileError, InputError."""
-    return Model._of(made(library.taut_model_read, library.taut_model_free, encoded(path_of(path))))
+    that: `certify` does. One thread reads; progress is called before and after; strict: CheckFailed where the certificate in the file
+    says that a claim does not hold. Raises FileError, InputError."""
+    thread_count(threads)
+    with Watch(progress).begun("read") as watch:
+        model = Model._of(made(library.taut_model_read, library.taut_model_free, encoded(path_of(path))))
+    watch.tell(1.0, "read")
+    return _strict(model, strict)
 
 
 def certify(model: Model, problem: Document | None = None, tolerance: float | None = None, threads: int | None = None,

@@ -14,7 +14,7 @@ import numpy.typing as npt
 from . import _library as c
 from ._handle import Array, Handle, Referable, bytes_of, encoded, expect, library, made, numbers, path_of, real, text_of, thread_count, view, whole
 from ._watch import Progress, Watch
-from .errors import InputError, raise_for
+from .errors import CheckFailed, InputError, raise_for
 from .geometry import Curve, Surface
 
 _HOLDS = {0: False, 1: True, 2: None}
@@ -260,12 +260,13 @@ class Model:
         return self._text
 
     def write(self, path: str | os.PathLike[str], tolerance: float = 0.0, threads: int | None = None, progress: Progress | None = None,
-              **options: Any) -> None:
+              strict: bool = False, **options: Any) -> None:
         """To a file whose ending says the format: .json, .step, .iges, .obj, .stl, .ply, .glb, .3mf, .vtu, .dxf, .csv,
         .svg, .pdf, .png, .html.
 
         tolerance   0: the format's own (1e-3 of the size for meshes)
         progress    as of taut.make
+        strict      a model of which a claim does not hold is not written: CheckFailed
         options     divide, thickness (of meshes), coefficients, lagrange (of VTU), surface (name), colour ("plain", "mean",
                     "gaussian", "isothermality", "gap", "warp", "weft", "strain"), no_net (False: the net of pipes too),
                     view (azimuth, elevation in degrees), title, isolines, reflections, combs, reactions, side_by_side, column, width;
@@ -275,30 +276,33 @@ class Model:
         NoSolution for what the format cannot hold. No file is left behind then, and one that was there stays.
         """
         error, chosen = c.ErrorStruct(), write_options(tolerance, threads, options)
-        with Watch(progress) as watch:
+        strictly(strict, self)
+        with Watch(progress).begun("write") as watch:
             chosen.monitor = watch.monitor
             status = library.taut_model_write(self._pointer, encoded(path_of(path)), byref(chosen), byref(error))
         if status != c.OK:
             raise_for(status, error)
 
     def to_text(self, format: str, tolerance: float = 0.0, threads: int | None = None, progress: Progress | None = None,
-                **options: Any) -> bytes:
+                strict: bool = False, **options: Any) -> bytes:
         """The bytes that `write` would put into a file of this ending, such as "svg".
 
         Errors: as of `write`; InputError, `not-a-file`, of formats that are written to files alone."""
         chosen = write_options(tolerance, threads, options)
-        with Watch(progress) as watch:
+        strictly(strict, self)
+        with Watch(progress).begun("write") as watch:
             chosen.monitor = watch.monitor
             return text_of(library.taut_model_write_text, self._pointer, encoded(format), byref(chosen))
 
     def mesh(self, tolerance: float = 0.0, divide: int = 0, surface: str | None = None, threads: int | None = None,
-             thickness: float = 0.0, progress: Progress | None = None) -> Mesh:
+             thickness: float = 0.0, progress: Progress | None = None, strict: bool = False) -> Mesh:
         """Vertices, normals and faces of all surfaces, or of the one named; closed where the surfaces are.
 
         tolerance   largest chord error over the size of the model; 0: 1e-3
         divide      cells for each knot span, in place of a tolerance
         thickness   of sheets, which are closed then, in the model's unit; 0: none
         progress    as of taut.make
+        strict      of a model of which a claim does not hold there is none: CheckFailed
 
         Errors: InputError: a number below 0, no surface of that name, or too many vertices; NoSolution: a thickness that folds a surface over.
         """
@@ -309,6 +313,7 @@ class Model:
         if surface is not None and all(one.name != surface for one in self.surfaces):
             there = ", ".join(repr(one.name) for one in self.surfaces) or "none"
             raise InputError(f"no surface is called {surface!r}; there are {there}", "", "surface")
+        strictly(strict, self)
         options = c.MeshOptions(threads=thread_count(threads), surface=encoded(surface), **chosen)
         with Watch(progress) as watch:
             options.monitor = watch.monitor
@@ -345,6 +350,24 @@ class Model:
     def _repr_html_(self) -> str:
         from .notebook import model_page
         return model_page(self)
+
+
+def strictly(strict: bool, *parts: Union[Model, Surface, Curve]) -> None:
+    """Raises CheckFailed where that was asked for and a claim does not hold of a model that is given, or that a surface or curve is of."""
+    for one in parts if strict else ():
+        if not isinstance(one, Model) and one._owner._free is not library.taut_model_free:
+            continue  # of no model
+        model = one if isinstance(one, Model) else Model._of(one._owner)
+        if model.certificate is not None and model.certificate.holds is False:
+            raise failed(model, model.certificate)
+
+
+def failed(model: Model, certificate: Certificate) -> CheckFailed:
+    """What says which claims of a certificate do not hold."""
+    names = ", ".join(one.claim for one in certificate.claims if one.holds is False)
+    failure = CheckFailed(f"{certificate.construct}: a claim does not hold: {names}", "", "claim")
+    failure.model = model
+    return failure
 
 
 class Mesh(Referable):

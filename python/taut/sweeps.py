@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import concurrent.futures
+import contextlib
 import hashlib
 import json
 import math
@@ -10,12 +11,13 @@ import re
 import threading
 import time
 from collections import deque
-from typing import Any, BinaryIO, Iterable, Iterator, Mapping, Sequence
+from typing import Any, BinaryIO, Iterable, Iterator, Mapping, Sequence, Sized
 
 from ._handle import path_of, whole
+from ._watch import Progress, Watch
 from .errors import CheckFailed, Error, FileError, InputError, NoSolution, NotConverged
 from .making import Document, make, plain, with_version
-from .model import Model
+from .model import Model, failed
 
 _EXIT = {InputError: 3, NoSolution: 4, NotConverged: 1, CheckFailed: 1, FileError: 5}
 _AHEAD = 4  # tasks handed out for each worker before the first result is waited for
@@ -262,8 +264,8 @@ def _sum(text: str) -> bytes:
     return hashlib.sha256(data).hexdigest().encode()
 
 
-def map(problems: Iterable[Document], client: Any = None, threads: int | None = None,
-        out: str | os.PathLike[str] | None = None) -> Iterator[tuple[int, Model | Error]]:
+def map(problems: Iterable[Document], client: Any = None, threads: int | None = None, out: str | os.PathLike[str] | None = None,
+        progress: Progress | None = None, strict: bool = False) -> Iterator[tuple[int, Model | Error]]:
     """Pairs (index, model or error) as they end; an error is a result, it stops nothing.
 
     problems   documents, one after the other, as taut.make takes them, or an open file with one a line, blank ones passed over; an
@@ -275,6 +277,9 @@ def map(problems: Iterable[Document], client: Any = None, threads: int | None = 
                were is in a file of its name with .sums: others are an InputError, reason "other-sweep". Results that come before
                their turn wait in one with .early, also for the next start. A file that holds anything else, or that another sweep is
                writing, is a FileError, and stays as it is
+    progress   called as progress(done, what) with each result, done the part of problems that are finished, NaN where they have no
+               length; what it raises ends the sweep, and what is on disk stays
+    strict     the result of a model of which a claim does not hold is CheckFailed, whose `model` is the model; its line is the same
     """
     if threads is not None and whole(threads, "threads") < 1:
         raise InputError(f"threads is {threads}; expected 1 or more", "", "argument", threads)
@@ -284,7 +289,27 @@ def map(problems: Iterable[Document], client: Any = None, threads: int | None = 
         raise InputError(f"found {type(problems).__name__}, expected a list of documents; of a file of lines, open(path)", "", "type")
     if isinstance(problems, Mapping) or not hasattr(problems, "__iter__"):
         raise InputError(f"found {type(problems).__name__}, expected a list of documents", "", "type")
-    return _map(problems, client, threads, None if out is None else path_of(out))
+    Watch(progress)  # refuses what is no function
+    results = _map(problems, client, threads, None if out is None else path_of(out))
+    if strict:
+        results = _strictly(results)
+    return results if progress is None else _told(results, len(problems) if isinstance(problems, Sized) else 0, progress)
+
+
+def _strictly(results: Iterator[tuple[int, Model | Error]]) -> Iterator[tuple[int, Model | Error]]:
+    """The same, but CheckFailed for models of which a claim does not hold."""
+    with contextlib.closing(results):  # type: ignore[type-var]
+        for index, result in results:
+            certificate = result.certificate if isinstance(result, Model) else None
+            yield index, failed(result, certificate) if isinstance(result, Model) and certificate and certificate.holds is False else result
+
+
+def _told(results: Iterator[tuple[int, Model | Error]], total: int, progress: Progress) -> Iterator[tuple[int, Model | Error]]:
+    """The same, told of."""
+    with contextlib.closing(results):  # type: ignore[type-var]
+        for count, pair in enumerate(results, 1):
+            progress(count / total if total > 0 else math.nan, "sweep")
+            yield pair
 
 
 class _Tasks:

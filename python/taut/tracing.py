@@ -8,9 +8,11 @@ from typing import Any, Callable, Optional, Sequence
 import numpy as np
 
 from . import _library as c
-from ._handle import expect, library, numbers, real
+from ._handle import expect, library, numbers, real, thread_count
+from ._watch import Progress, Watch
 from .errors import InputError, raise_for
 from .geometry import Surface
+from .model import strictly
 
 _FAMILIES = {"asymptotic": ("+", "-"), "principal": ("max", "min"), "geodesic": ("G",), "isoparametric": ("u", "v")}
 _NAMES = ("s", "at", "points", "tangents", "normals", "k_n", "k_g", "tau_g")
@@ -28,7 +30,8 @@ def _told(step: Any) -> tuple[Any, ...]:
 
 
 def follow(surface: Surface, net: str, at: Sequence[float], way: Sequence[float], *, family: Optional[str] = None,
-           max_length: Optional[float] = None, sink: Optional[Callable[[dict[str, Any]], object]] = None) -> dict[str, Any]:
+           max_length: Optional[float] = None, sink: Optional[Callable[[dict[str, Any]], object]] = None, threads: Optional[int] = None,
+           progress: Optional[Progress] = None, strict: bool = False) -> dict[str, Any]:
     """The curve of a net through a place, one way, at the steps that it is followed by.
 
     surface     a Surface
@@ -38,6 +41,9 @@ def follow(surface: Surface, net: str, at: Sequence[float], way: Sequence[float]
     family      "+" or "-", "max" or "min", "u" or "v"; the first if not given
     max_length  20 sizes if not given
     sink        called with {"s", "at", ...} of the seed and of each step; what is true ends the curve there
+    threads     how many; one works: a step after the other
+    progress    called as progress(part of max_length, or NaN where none is given, "follow") at each step; what it raises stops the work
+    strict      CheckFailed where a claim does not hold of the model that the surface is of
 
     Gives arrays s, at, points, tangents, normals, k_n, k_g, tau_g, a row a step; "ended", "edge" or another word; and "length".
 
@@ -51,6 +57,9 @@ def follow(surface: Surface, net: str, at: Sequence[float], way: Sequence[float]
         raise InputError(f"family is {family!r}; expected one of {', '.join(families)}", "", "family")
     if sink is not None and not callable(sink):
         raise InputError(f"sink is {sink!r}; expected a function", "", "type")
+    thread_count(threads)
+    watch = Watch(progress)
+    strictly(strict, surface)
     number = 1 + families.index(family) if family is not None else 1
     rows: list[tuple[Any, ...]] = []
     failed: list[BaseException] = []
@@ -58,6 +67,7 @@ def follow(surface: Surface, net: str, at: Sequence[float], way: Sequence[float]
     def take(_: Any, pointer: Any) -> int:
         rows.append(_told(pointer.contents))
         try:
+            watch.tell(min(1.0, rows[-1][0] / most) if most > 0 else math.nan, "follow")
             return int(bool(sink is not None and sink(dict(zip(_NAMES, rows[-1])))))
         except BaseException as error:  # it cannot pass through C
             failed.append(error)
