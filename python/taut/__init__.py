@@ -17,9 +17,10 @@ from .gradients import FilmGradient, film_gradient, gradient
 from .making import certify, make, read
 from .measuring import join, measure, pieces, refine, split, to_nurbs, to_unit
 from .model import Certificate, Claim, Mesh, Model
-from .sweeps import map
+from .sweeps import map as map
 from .tracing import follow
 
+# Not map: `from taut import *` would hide Python's own.
 __all__ = ["Basis", "Certificate", "CheckFailed", "Claim", "Curve", "Error", "FileError", "FilmGradient", "InputError", "Mesh", "Model", "NoSolution",
            "NotConverged", "Surface", "bezier", "bspline", "c_bezier", "c_bspline", "ce_bezier", "certify", "film_gradient", "follow", "gradient", "h_bezier", "h_bspline",
-           "join", "make", "map", "measure", "pieces", "read", "refine", "split", "to_nurbs", "to_unit", *_constructions]
+           "join", "make", "measure", "pieces", "read", "refine", "split", "to_nurbs", "to_unit", *_constructions]

@@ -65,9 +65,11 @@ def view(owner: object, address: int, shape: tuple[int, ...], kind: Any = c_doub
 
 
 def _refuse_others(values: Any, array: npt.NDArray[Any]) -> None:
-    """What numpy would make numbers of in silence: texts, dates, complex and masked ones."""
-    if array.dtype.kind not in "biufO" or (array.dtype.kind == "O" and any(isinstance(one, (str, bytes, complex, np.complexfloating)) for one in array.flat)):
-        raise TypeError("an array of objects with texts or complex numbers" if array.dtype.kind == "O" else f"an array of {array.dtype}")
+    """What numpy would make numbers of in silence: texts, dates, complex and masked ones, and None, of which it makes NaN."""
+    if array.dtype.kind not in "biufO":
+        raise TypeError(f"an array of {array.dtype}")
+    if array.dtype.kind == "O" and any(one is None or isinstance(one, (str, bytes, complex, np.complexfloating)) for one in array.flat):
+        raise TypeError("None is no number" if array.ndim == 0 else "an array of objects with None, texts or complex numbers")
     if is_masked(values):
         raise TypeError("numbers that are masked")
 

@@ -55,6 +55,20 @@ def _outside(*parameters: tuple[str, Any, tuple[float, float]]) -> InputError:
     return InputError("a parameter is outside its range", "", "parameter")
 
 
+def _check_out(out: Any, shapes: tuple[tuple[int, ...], ...]) -> None:
+    """Refuses what numbers cannot be put into as they are."""
+    if not isinstance(out, np.ndarray):
+        raise InputError(f"out is a {type(out).__name__}; expected an array", "", "type")
+    if out.dtype != np.float64:
+        raise InputError(f"out is an array of {out.dtype}; expected float64", "", "type")
+    if out.shape not in shapes:
+        raise InputError(f"out has the shape {out.shape}; expected {' or '.join(map(str, shapes))}", "", "size")
+    if not out.flags.writeable:
+        raise InputError("out is read-only; expected an array that may be written", "", "argument")
+    if not out.flags.c_contiguous:
+        raise InputError("out is not in C order; expected np.ascontiguousarray(out)", "", "argument")
+
+
 def _direction(direction: Any) -> int:
     if direction not in ("u", "v"):
         raise InputError(f"the direction is {direction!r}; expected 'u' or 'v'", "", "name")
@@ -306,18 +320,16 @@ class Surface(_Geometry):
         out      an array to fill in place of a new one: float64, C order, of that shape; for derivatives 0 also without the 1
         threads  how many; the numbers are the same
 
-        Errors: InputError: a parameter outside the ranges of the bases (`parameter`), or an `out` of another kind (`argument`).
+        Errors: InputError: a parameter outside the ranges of the bases (`parameter`), or an `out` of another kind (`type`, `size`; read-only or
+        not in C order: `argument`).
         """
         along_u, along_v, derivatives = numbers(u, None, "u"), numbers(v, None, "v"), _order(derivatives, 2)
         if along_u.ndim != 1 or along_v.ndim != 1:
             raise InputError("grid: u and v are not lists of numbers", "", "argument")
         vectors = (derivatives + 1) * (derivatives + 2) // 2
         shape = (vectors, len(along_u), len(along_v), 3)
-        if out is not None and (not isinstance(out, np.ndarray) or out.dtype != np.float64 or not out.flags.c_contiguous
-                                or not out.flags.writeable or out.shape not in ((shape, shape[1:]) if derivatives == 0 else (shape,))):
-            found = f"{out.dtype} of shape {out.shape}" if isinstance(out, np.ndarray) else f"a {type(out).__name__}"
-            raise InputError(f"out is {found}; expected float64 of shape {shape}, C order, writeable", "",
-                             "argument")
+        if out is not None:
+            _check_out(out, (shape, shape[1:]) if derivatives == 0 else (shape,))
         is_direct = out is not None and derivatives == 0
         values = out if is_direct else np.empty((len(along_u), len(along_v), vectors, 3))
         assert values is not None

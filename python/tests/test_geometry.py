@@ -165,6 +165,12 @@ def test_operations_keep_the_points(p, q, seed):
     assert np.abs(moved(u, v) - (2 * here + [1, 0, 0])).max() < 1e-13
 
 
+def read_only(array):
+    """The array, which cannot be written any more."""
+    array.flags.writeable = False
+    return array
+
+
 S, C = taut.Surface(taut.bezier(2), taut.bezier(2), np.ones((3, 3, 3))), taut.Curve(taut.bezier(2), np.ones((3, 3)))
 
 
@@ -180,7 +186,20 @@ S, C = taut.Surface(taut.bezier(2), taut.bezier(2), np.ones((3, 3, 3))), taut.Cu
     (lambda: S(np.zeros(3), np.zeros(4)), "u has the shape (3,), v (4,)", "size"),
     (lambda: S(0.5, 0.5, 3), "derivatives is 3; expected 0 to 2", "argument"),
     (lambda: C(0.5, 1.5), "derivatives is 1.5; expected a whole number", "type"),
-    (lambda: S.grid([0], [0], 0, out=[1]), "out is a list", "argument"),
+    (lambda: S.grid([0], [0], 0, out=[1]), "out is a list; expected an array", "type"),
+    (lambda: S.grid([0], [0], 0, out=np.empty((1, 1, 3), np.float32)), "out is an array of float32; expected float64", "type"),
+    (lambda: S.grid([0], [0], 1, out=np.empty((1, 1, 3))), "out has the shape (1, 1, 3); expected (3, 1, 1, 3)", "size"),
+    (lambda: S.grid([0], [0], 0, out=read_only(np.empty((1, 1, 3)))), "out is read-only", "argument"),
+    (lambda: S.grid([0, 1], [0], 0, out=np.empty((3, 2, 1)).T.reshape(2, 1, 3, order="A")[::-1]), "out is not in C order", "argument"),
+    (lambda: S(None, 0.3), "u: found NoneType, expected numbers (None is no number)", "type"),
+    (lambda: S(0.3, [0.1, None]), "v: found list, expected numbers", "type"),
+    (lambda: S.grid([None], [0]), "u: found list", "type"),
+    (lambda: C(None), "t: found NoneType", "type"),
+    (lambda: S.u(None), "t: found NoneType", "type"),
+    (lambda: S.transformed([[None] * 4] * 3), "matrix: found list", "type"),
+    (lambda: taut.Surface(taut.bezier(1), taut.bezier(1), [[[0, 0, None]] * 2] * 2), "points: found list", "type"),
+    (lambda: taut.bspline(1, knots=[0, 0, None, 1, 1]), "knots: found list", "type"),
+    (lambda: taut.follow(S, "geodesic", (0.5, None), (1, 0)), "at: found tuple", "type"),
     (lambda: S.grid([0], [0], threads="x"), "threads is 'x'", "type"),
     (lambda: S.elevated("x"), "the direction is 'x'; expected 'u' or 'v'", "name"),
     (lambda: S.elevated("u", 2**32 + 1), "times is 4294967297", "type"),

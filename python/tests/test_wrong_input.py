@@ -133,7 +133,7 @@ WRONG = {
     "text, a parameter": (INPUT, "type", lambda: SURFACE("a", 0)),
     "shapes": (INPUT, "size", lambda: SURFACE(np.zeros(2), np.zeros(3))),
     "derivatives": (INPUT, "argument", lambda: SURFACE.grid([0], [0], 3)),
-    "out": (INPUT, "argument", lambda: SURFACE.grid([0.0], [0.0], 0, out=np.empty((2, 2, 3)))),
+    "out": (INPUT, "size", lambda: SURFACE.grid([0.0], [0.0], 0, out=np.empty((2, 2, 3)))),
     "direction": (INPUT, "name", lambda: SURFACE.reversed("w")),
     "knot": (NONE, "parameter", lambda: SURFACE.inserted("u", 7.0)),
     "matrix": (INPUT, "size", lambda: SURFACE.transformed(np.eye(3))),
