@@ -1,13 +1,16 @@
 """Models, certificates, files, errors."""
 import copy
 import json
+import ctypes
 import pickle
+import pathlib
 import signal
 import subprocess
 import sys
 import threading
 import time
 import weakref
+import types
 
 import numpy as np
 import pytest
@@ -367,5 +370,73 @@ def test_other_library_is_refused(tmp_path):
 
 
 def test_shows_itself(net):
+def test_altered_library_is_refused(tmp_path):
+    """A copy of the library with one thing changed is refused, with its name: another member, another struct, another version."""
+    import os
+    library = taut._library.library
+    data = pathlib.Path(library._name).read_bytes()
+    version = library.taut_version()
+    for old, new, said in ((b"\0", b"\0", None), (b"\0time_limit\0", b"\0tame_limit\0", "lays out taut_make_options otherwise"),
+                           (b"\0taut_claim\0", b"\0taut_clain\0", "does not know taut_claim"),
+                           (version + b"\0", b"9" + version[1:] + b"\0", "is version 9")):
+        assert old in data and len(new) == len(old)
+        copy = tmp_path / pathlib.Path(library._name).name
+        copy.write_bytes(data.replace(old, new))
+        result = subprocess.run([sys.executable, "-c", "import taut"], stderr=subprocess.PIPE, universal_newlines=True, check=False,
+                                env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path), "TAUT_LIBRARY": str(copy)})
+        assert result.returncode == (0 if said is None else 1) and (said is None or f"{copy}" in result.stderr and said in result.stderr), result.stderr
+
+
+def structs(change):
+    """A library whose table of structs is C's, changed."""
+    library = taut._library
+    table = ctypes.cast(library.library.taut_abi(), ctypes.POINTER(library.AbiTable)).contents
+    kept = (library.AbiStruct * table.struct_count)(*(table.structs[i] for i in range(table.struct_count)))
+    members = []
+    for struct in kept:
+        members.append((library.AbiMember * struct.count)(*(struct.members[i] for i in range(struct.count))))
+        struct.members = members[-1]
+    other = library.AbiTable(table.number, table.pointer_size, table.size_size, table.struct_count, kept)
+    change({struct.name: struct for struct in kept}, other)
+    return types.SimpleNamespace(_name="other", taut_version=library.library.taut_version, taut_abi=lambda: ctypes.addressof(other), keep=(kept, members, other))
+
+
+def moved(structs_by_name, _):
+    """A member elsewhere."""
+    structs_by_name[b"taut_mesh_options"].members[1].offset += 4
+
+
+def wider(structs_by_name, _):
+    """A member of another size."""
+    structs_by_name[b"taut_error"].members[0].size = 8
+
+
+def larger(structs_by_name, _):
+    """A struct with room at its end."""
+    structs_by_name[b"taut_monitor"].size += 8
+
+
+def shorter(structs_by_name, _):
+    """A member less."""
+    structs_by_name[b"taut_basis_spec"].count -= 1
+
+
+def fewer(_, table):
+    """Structs that are not there."""
+    table.struct_count = 1
+
+
+@pytest.mark.parametrize("change", [moved, wider, larger, shorter, fewer])
+def test_altered_layout_is_refused(change):
+    sizes = dict(taut._library.sizes)
+    try:
+        taut._library._check(structs(lambda *_: None))
+        taut._library.sizes.clear()
+        with pytest.raises(taut._library.LibraryError, match="other (lays out taut_|does not know taut_)"):
+            taut._library._check(structs(change))
+    finally:
+        taut._library.sizes.update(sizes)
+
+
     page = taut.dirichlet(net, u=taut.bspline(2, count=5), v=taut.bspline(3, count=6))._repr_html_()
     assert "<iframe" in page and "<noscript><img" in page and "stationary" in page
