@@ -351,6 +351,11 @@ class Model:
         from .notebook import model_page
         return model_page(self)
 
+    def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> dict[str, Any]:
+        """What a notebook shows: the page, the picture for where pages are not shown, and a line of text."""
+        from .notebook import model_bundle
+        return model_bundle(self, include, exclude)
+
 
 def strictly(strict: bool, *parts: Union[Model, Surface, Curve]) -> None:
     """Raises CheckFailed where that was asked for and a claim does not hold of a model that is given, or that a surface or curve is of."""

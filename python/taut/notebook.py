@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import base64
 import html
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, Container
 
 from .errors import Error
 
@@ -21,6 +21,30 @@ def certificate_table(certificate: Certificate) -> str:
             f"<tbody>{rows}</tbody></table>")
 
 
+def _picture(model: Model) -> list[tuple[str, bytes]]:
+    """A picture with its kind: PNG, or SVG where cairo is missing; none of a library that does not draw."""
+    for kind, mime in (("png", "image/png"), ("svg", "image/svg+xml")):
+        try:
+            return [(mime, model.to_text(kind))]
+        except Error:
+            continue
+    return []
+
+
+def model_bundle(model: Model, include: Container[str] | None, exclude: Container[str] | None) -> dict[str, Any]:
+    """By kind: what a front end takes the richest of that it can show. include and exclude are IPython's, kinds that are asked for."""
+    def is_asked(mime: str) -> bool:
+        return (not include or mime in include) and not (exclude and mime in exclude)
+    bundle: dict[str, Any] = {"text/plain": repr(model)} if is_asked("text/plain") else {}
+    if is_asked("text/html"):
+        bundle["text/html"] = model_page(model)
+    if is_asked("image/png") or is_asked("image/svg+xml"):
+        for mime, picture in _picture(model):
+            if is_asked(mime):
+                bundle[mime] = base64.b64encode(picture).decode() if mime == "image/png" else picture.decode("utf-8", "replace")
+    return bundle
+
+
 def model_page(model: Model) -> str:
     """The page in an iframe, whose picture stands there where scripts are off; below it the certificate."""
     parts = []
@@ -29,14 +53,9 @@ def model_page(model: Model) -> str:
         parts.append(f'<iframe srcdoc="{html.escape(page)}" width="100%" height="480" style="border:0" title="surface"></iframe>')
     except Error:
         pass  # a library without pages
-    for kind, mime in (("png", "image/png"), ("svg", "image/svg+xml")):
-        try:
-            picture = base64.b64encode(model.to_text(kind)).decode()
-        except Error:
-            continue
-        image = f'<img alt="surface" style="max-width:100%" src="data:{mime};base64,{picture}">'
+    for mime, picture in _picture(model):
+        image = f'<img alt="surface" style="max-width:100%" src="data:{mime};base64,{base64.b64encode(picture).decode()}">'
         parts.append(f"<noscript>{image}</noscript>" if parts else image)
-        break
     if model.certificate is not None:
         parts.append(certificate_table(model.certificate))
     return "\n".join(parts)

@@ -1,16 +1,17 @@
 """Models, certificates, files, errors."""
+import base64
 import copy
-import json
 import ctypes
-import pickle
+import json
 import pathlib
+import pickle
 import signal
 import subprocess
 import sys
 import threading
 import time
-import weakref
 import types
+import weakref
 
 import numpy as np
 import pytest
@@ -369,7 +370,6 @@ def test_other_library_is_refused(tmp_path):
         assert result.returncode == 1 and said in result.stderr
 
 
-def test_shows_itself(net):
 def test_altered_library_is_refused(tmp_path):
     """A copy of the library with one thing changed is refused, with its name: another member, another struct, another version."""
     import os
@@ -438,5 +438,31 @@ def test_altered_layout_is_refused(change):
         taut._library.sizes.update(sizes)
 
 
+def test_shows_itself(net):
     page = taut.dirichlet(net, u=taut.bspline(2, count=5), v=taut.bspline(3, count=6))._repr_html_()
     assert "<iframe" in page and "<noscript><img" in page and "stationary" in page
+
+
+def test_shows_a_picture(net, monkeypatch):
+    """Where pages are not shown, in a printed notebook say: PNG as IPython takes it, SVG where there is none, and nothing where neither is."""
+    model = taut.dirichlet(net, u=taut.bspline(2, count=5), v=taut.bspline(3, count=6))
+    bundle = model._repr_mimebundle_()
+    assert set(bundle) == {"text/plain", "text/html", "image/png"}
+    assert bundle["text/html"] == model._repr_html_() and bundle["text/plain"] == repr(model)
+    assert base64.b64decode(bundle["image/png"], validate=True) == model.to_text("png") and model.to_text("png")[1:4] == b"PNG"
+    assert set(model._repr_mimebundle_(include={"image/png"})) == {"image/png"}
+    assert set(model._repr_mimebundle_(exclude={"text/html"})) == {"text/plain", "image/png"}
+    drawn = taut.Model.to_text
+
+    def without(*kinds):
+        def to_text(self, kind, *rest, **options):
+            if kind in kinds:
+                raise taut.InputError("there is no such module", "", "no-module")
+            return drawn(self, kind, *rest, **options)
+        monkeypatch.setattr(taut.Model, "to_text", to_text)
+    without("png")
+    bundle = model._repr_mimebundle_()
+    assert set(bundle) == {"text/plain", "text/html", "image/svg+xml"} and bundle["image/svg+xml"].startswith(("<svg", "<?xml"))
+    assert "data:image/svg+xml" in bundle["text/html"]
+    without("png", "svg")
+    assert set(model._repr_mimebundle_()) == {"text/plain", "text/html"}

@@ -1,4 +1,5 @@
 """The notebooks run from top to bottom; what a notebook shows; plots. By Jupyter's own client where it is installed, else cell by cell."""
+import base64
 import importlib.util
 import json
 import os
@@ -58,6 +59,10 @@ def test_notebook_by_jupyter(path):
     notebook = nbformat.read(path, as_version=4)
     nbformat.validate(notebook)
     nbclient.NotebookClient(notebook, timeout=300, resources={"metadata": {"path": str(path.parent)}}).execute(env=environment())
+    shown = [output["data"] for cell in notebook["cells"] for output in cell.get("outputs", ()) if "<iframe" in "".join(output.get("data", {}).get("text/html", ""))]
+    for data in shown:  # a model: the page, and a picture for where pages are not shown
+        assert base64.b64decode("".join(data["image/png"]))[1:4] == b"PNG" and "taut.Model" in data["text/plain"]
+    assert shown or path.stem != "tent"
 
 
 def test_plot(examples):
