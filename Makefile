@@ -20,7 +20,7 @@ test:
 	@cmake --preset release
 	@cmake --build --preset release
 	@ctest --preset release -j "$$(nproc)"
-	@tools/python.sh test
+	@tools/python.sh wheel
 	@tools/left_out.sh build/release
 
 build:

@@ -1,7 +1,7 @@
 #!/bin/sh
 # python.sh test|pack|install FOLDER|wheel|windows|bench [ARGUMENT...] -- the Python package: its tests (pytest, types by mypy) against the
-# library of build/release, its wheel (build/python/*.whl; `pack` packs alone, `install` puts it into a folder, `wheel` tests what is
-# installed from it), the wheel around the library for Windows (build/python-windows/*.whl, of build/mingw), whose layouts and functions alone
+# library of build/release, its wheel (build/python/*.whl; `pack` packs alone, `install` puts it into a folder, `wheel` runs all tests on
+# what is installed from it), the wheel around the library for Windows (build/python-windows/*.whl, of build/mingw), whose layouts and functions alone
 # are looked at, its figures. By $PYTHON, or the first python3 that has all they need.
 set -eu
 cd "$(dirname "$0")/.."
@@ -33,15 +33,19 @@ make_wheel() {
     ls "$wheels"/*.whl
 }
 
-case ${1:-} in
-test)
-    shift
-    "$PYTHON" -m pytest -q -p no:cacheprovider python/tests "$@"
+check_types() {
     if has "$PYTHON" mypy; then
         (cd python && "$PYTHON" -m mypy --strict --cache-dir "../$wheels/mypy" taut tests/typed_use.py)
     else
         echo "left out: types are not checked (Debian: mypy)"
     fi
+}
+
+case ${1:-} in
+test)
+    shift
+    "$PYTHON" -m pytest -q -p no:cacheprovider python/tests "$@"
+    check_types
     ;;
 pack) make_wheel ;;
 install)
@@ -53,7 +57,9 @@ wheel)
     make_wheel
     rm -rf "$wheels/installed"
     "$PYTHON" -m pip --quiet install --no-deps --no-index --target "$wheels/installed" "$wheels"/*.whl
+    unset TAUT_LIBRARY # it is the wheel's own
     TAUT_WHEEL=1 PYTHONPATH=$PWD/$wheels/installed "$PYTHON" -m pytest -q -p no:cacheprovider python/tests "$@"
+    check_types
     ;;
 windows)
     TAUT_BUILD=${TAUT_MINGW:-$PWD/build/mingw}
