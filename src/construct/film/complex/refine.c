@@ -9,42 +9,42 @@
 #include <string.h>
 
 static taut_status halve(const taut_surface *surface, taut_arena *arena,
-                         const taut_surface **halved)
+                         const taut_surface **halved, taut_error *error)
 {
     taut_surface *along_u = NULL, *made = NULL;
-    taut_status status = taut_surface_refine(surface, TAUT_ALONG_U, &along_u, NULL);
+    taut_status status = taut_surface_refine(surface, TAUT_ALONG_U, &along_u, error);
 
     if (status == TAUT_OK) {
-        status = taut_surface_refine(along_u, TAUT_ALONG_V, &made, NULL);
+        status = taut_surface_refine(along_u, TAUT_ALONG_V, &made, error);
     }
     taut_surface_free(along_u);
     *halved = made;
-    return status == TAUT_OK && taut_keep_surface(arena, made) ? TAUT_OK : TAUT_NO_MEMORY;
+    return status != TAUT_OK || taut_keep_surface(arena, made) ? status : taut_fail_memory(error);
 }
 
 /* A patch of the film before on halved spans, from where it is; edges that are held on curves are laid anew. */
 static taut_status halve_patch(const taut_film_complex *c, int p, const double *points,
-                               taut_arena *arena, taut_film_problem *patch)
+                               taut_arena *arena, taut_film_problem *patch, taut_error *error)
 {
     const taut_film_problem *before = &c->problem->patches[p];
     const int first = c->first[p], count = c->first[p + 1] - first;
     double *net = taut_arena_take(arena, (size_t)count, 3 * sizeof(double));
     taut_surface *surface = NULL;
     const taut_surface *halved = NULL;
-    taut_status status = net != NULL ? TAUT_OK : TAUT_NO_MEMORY;
+    taut_status status = net != NULL ? TAUT_OK : taut_fail_memory(error);
 
     for (int k = 0; net != NULL && k < count; k++) {
         memcpy(net + 3 * k, points + 3 * c->node[first + k], 3 * sizeof(double));
     }
     if (status == TAUT_OK) {
-        status = taut_surface_new(NULL, before->u, before->v, net, NULL, &surface, NULL);
+        status = taut_surface_new(NULL, before->u, before->v, net, NULL, &surface, error);
     }
     if (status == TAUT_OK) {
-        status = halve(surface, arena, &halved);
+        status = halve(surface, arena, &halved, error);
     }
     taut_surface_free(surface);
     if (status != TAUT_OK) {
-        return TAUT_NO_MEMORY;
+        return status;
     }
     *patch = *before;
     patch->u = taut_surface_u(halved);
@@ -61,9 +61,9 @@ static taut_status halve_patch(const taut_film_complex *c, int p, const double *
     }
     patch->start = start;
     if (start != NULL && before->reference != NULL) {
-        return halve(before->reference, arena, &patch->reference);
+        return halve(before->reference, arena, &patch->reference, error);
     }
-    return start != NULL ? TAUT_OK : TAUT_NO_MEMORY;
+    return start != NULL ? TAUT_OK : taut_fail_memory(error);
 }
 
 /* The film before on halved spans. */
@@ -72,17 +72,17 @@ static taut_status halve_all(const taut_film_complex *c, const double *points, t
 {
     const size_t count = (size_t)c->problem->patch_count;
     taut_film_problem *patches = taut_arena_take(arena, count, sizeof *patches);
-    taut_status status = patches != NULL ? TAUT_OK : TAUT_NO_MEMORY;
+    taut_status status = patches != NULL ? TAUT_OK : taut_fail_memory(error);
     double all = 0;
 
     for (size_t p = 0; status == TAUT_OK && p < count; p++) {
-        status = halve_patch(c, (int)p, points, arena, &patches[p]);
+        status = halve_patch(c, (int)p, points, arena, &patches[p], error);
         all += status == TAUT_OK
                    ? (double)taut_basis_count(patches[p].u) * taut_basis_count(patches[p].v)
                    : 0;
     }
     if (status != TAUT_OK) {
-        return taut_fail_memory(error);
+        return status;
     }
     *problem = *c->problem;
     problem->patches = patches;

@@ -19,7 +19,7 @@ int taut_film_complex_updates(const taut_film_problem *problem)
 
 /* A patch that begins where it was found; edges that are held on curves are laid anew. */
 static taut_status update_patch(const taut_film_complex *c, int p, int round, const double *points,
-                                taut_arena *arena, taut_film_problem *patch)
+                                taut_arena *arena, taut_film_problem *patch, taut_error *error)
 {
     const int first = c->first[p], count = c->first[p + 1] - first;
     double *net = taut_arena_take(arena, (size_t)count, 3 * sizeof(double));
@@ -27,15 +27,19 @@ static taut_status update_patch(const taut_film_complex *c, int p, int round, co
 
     *patch = c->problem->patches[p];
     if (net == NULL) {
-        return TAUT_NO_MEMORY;
+        return taut_fail_memory(error);
     }
     for (int k = 0; k < count; k++) {
         memcpy(net + 3 * k, points + 3 * c->node[first + k], 3 * sizeof(double));
     }
     if (patch->updates >= round) {
-        if (taut_surface_new(NULL, patch->u, patch->v, net, NULL, &surface, NULL) != TAUT_OK ||
-            !taut_keep_surface(arena, surface)) {
-            return TAUT_NO_MEMORY;
+        const taut_status status =
+            taut_surface_new(NULL, patch->u, patch->v, net, NULL, &surface, error);
+        if (status != TAUT_OK) {
+            return status;
+        }
+        if (!taut_keep_surface(arena, surface)) {
+            return taut_fail_memory(error);
         }
         patch->reference = surface;
     }
@@ -68,10 +72,10 @@ taut_status taut_film_complex_update(taut_film_layout *layout, taut_film_rest *r
             return taut_fail_memory(error);
         }
         for (int p = 0; status == TAUT_OK && p < problem->patch_count; p++) {
-            status = update_patch(&layout->complex, p, round, before, arena, &patches[p]);
+            status = update_patch(&layout->complex, p, round, before, arena, &patches[p], error);
         }
         if (status != TAUT_OK) {
-            return taut_fail_memory(error);
+            return status;
         }
         *next = *problem;
         next->patches = patches;
