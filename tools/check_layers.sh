@@ -20,7 +20,7 @@ trace:     core numeric basis geometry pattern
 construct: core platform numeric basis geometry problem trace pattern
 certify:   core platform/parallel.h numeric/kernel/name.h numeric/quadrature.h numeric/sum.h basis geometry measure problem
 mesh:      core basis geometry measure
-shell:     core numeric/quadrature.h numeric/strip.h basis geometry measure mesh
+shell:     core numeric/bernstein.h numeric/quadrature.h numeric/strip.h basis geometry measure mesh
 io:        core platform numeric/bernstein.h basis geometry problem measure mesh shell
 draw:      core platform basis geometry measure mesh io
 page:      core basis geometry measure mesh io draw

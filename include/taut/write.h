@@ -104,8 +104,8 @@ typedef struct taut_write_options {
     const char *const *labels; /* of taut_outputs_models: what stands above each, or NULL */
     taut_monitor monitor;
     /* NULL, or where a format that approximates within a proved bound puts it: a length, 0 where
-     * all is exact; with a thickness the largest distance met between the sides and where they belong. Other formats leave
-     * it alone. */
+     * all is exact; with a thickness the largest distance between the sides and where they belong, NaN where that is not
+     * proved. Other formats leave it alone. */
     double *bound;
     double
         thickness; /* meshes (taut/mesh.h), step, iges: of a sheet, in the model's unit; 0: none */

@@ -28,7 +28,13 @@ sheet d 0.1 --tolerance 1e-8
 sheet p 0.02
 sheet g 0.02
 sheet ring 5
-contains d.step "'sheets of thickness 0.1 mm, found within [0-9.e-]* mm of both sides'"
+contains d.step "'sheets of thickness 0.1 mm, proved to lie within [0-9.e-]* mm of both sides'"
+# what the file approximates has no bound of its normals
+run 0 make "$SOURCE/examples/bonnet-thomsen.json" --quiet -o bonnet.json -o bonnet.step --thickness 0.02 --report bonnet.txt
+contains bonnet.step "'sheets of thickness 0.02 mm, found within [0-9.e-]* mm of both sides'"
+[ "$(tr -d ' \n' < bonnet.txt | grep -o '"distances":.*')" = '"distances":[null,null]}' ] || complain "$(tail -n 3 bonnet.txt)"
+run 0 make "$SOURCE/examples/film-schwarz-d.json" --quiet -o whole.step --thickness 0.02 --report whole.txt
+grep -q "\"distances\": \[[1-9][.0-9]*e-[0-9]*\]" whole.txt || complain "$(tail -n 3 whole.txt)"
 contains d.step "^#[0-9]*=MANIFOLD_SOLID_BREP"
 contains ring.step "^#[0-9]*=BREP_WITH_VOIDS"
 contains d.step "^#[0-9]*=ADVANCED_FACE.'film.top'"

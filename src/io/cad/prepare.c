@@ -80,12 +80,20 @@ static taut_status check_degrees(const taut_model *nurbs, taut_error *error)
     return status;
 }
 
+double taut_cad_bound(const taut_cad_facts *facts)
+{
+    const double bound = facts->bound + (facts->thickness > 0 ? facts->proved : 0);
+    return bound < INFINITY ? bound : taut_none;
+}
+
 void taut_cad_say_bound(const char *unit, taut_cad_facts *facts)
 {
     if (facts->thickness > 0) {
+        const int is_proved = facts->proved < INFINITY;
         snprintf(facts->exact, sizeof facts->exact,
-                 "sheets of thickness %.6g %s, found within %.3g %s of both sides",
-                 facts->thickness, unit, facts->bound + facts->measured, unit);
+                 "sheets of thickness %.6g %s, %s within %.3g %s of both sides", facts->thickness,
+                 unit, is_proved ? "proved to lie" : "found",
+                 facts->bound + (is_proved ? facts->proved : facts->measured), unit);
     } else if (facts->bound > 0) {
         snprintf(facts->exact, sizeof facts->exact,
                  "proved to lie within %.3g %s of the exact model", facts->bound, unit);

@@ -11,6 +11,7 @@ typedef struct taut_cad_facts {
     double bound;     /* how far the NURBS may be from the model: a length, proved */
     double thickness; /* of the sheets that they are; 0: none */
     double measured;  /* how far the sides of these were found from where they belong, a check */
+    double proved;    /* how far they are at most; infinite where it is not proved */
     const int
         *from; /* the surface that each comes from of those that were asked for; NULL: the same */
     double precision;             /* what the file states as its uncertainty, above 0 */
@@ -33,8 +34,10 @@ taut_status taut_cad_prepare(const taut_model *model, const taut_write_options *
                              taut_arena *arena, taut_model **nurbs, taut_cad_facts *facts,
                              taut_error *error);
 
-/* facts->exact, of facts->bound and what was measured. */
+/* facts->exact, of facts->bound and what sheets add to it. */
 void taut_cad_say_bound(const char *unit, taut_cad_facts *facts);
+/* What is proved of the distance from the model, or from the sides of its sheets; NAN: nothing. */
+double taut_cad_bound(const taut_cad_facts *facts);
 
 /* looks.c: details.colours of what comes from `model`, and the parts of facts. TAUT_NO_MEMORY. */
 taut_status taut_cad_keep_looks(const taut_model *model, const taut_write_options *options,

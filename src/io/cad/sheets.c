@@ -31,5 +31,6 @@ taut_status taut_cad_make_sheets(const taut_write_options *options, double toler
     facts->from = sheet.from;
     facts->thickness = options->thickness;
     facts->measured = sheet.distance;
+    facts->proved = facts->bound == 0 ? sheet.bound : INFINITY;
     return TAUT_OK;
 }

@@ -228,7 +228,7 @@ static taut_status write_step(const taut_model *model, const taut_write_options 
     taut_model_free(nurbs);
     taut_arena_free(arena);
     if (status == TAUT_OK && options->bound != NULL) {
-        *options->bound = facts.bound + facts.measured;
+        *options->bound = taut_cad_bound(&facts);
     }
     return status;
 }

@@ -68,4 +68,17 @@ void taut_thick_nodes(const taut_basis *basis, double *nodes);
 /* values double[nu][nv][3] at the nodes become control points. TAUT_NO_MEMORY. */
 taut_status taut_thick_fit(const taut_basis *u, const taut_basis *v, double *values);
 
+/* ---- prove.c ---- */
+
+/* Splines of one surface: nets of x^ and n^. */
+typedef struct taut_thick_sides {
+    taut_basis *u, *v;
+    double *places, *moves;
+} taut_thick_sides;
+
+/* *bound: how far both sides are from where they belong at most, over all of the surface; infinite where nothing is proved (the
+ * degree is above 25, or the surface is not regular). `found` was found, `tolerance` asked for. TAUT_NO_MEMORY. */
+taut_status taut_thick_prove(const taut_thick_work *work, int face, const taut_thick_sides *sides,
+                             double tolerance, double found, double *bound);
+
 #endif /* TAUT_SHELL_THICK_PARTS_H */

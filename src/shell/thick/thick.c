@@ -7,6 +7,7 @@
  *                 spans where it is above the tolerance are halved
  *         until there is none
  *     sides x^ + T/2 n^ and x^ - T/2 n^; walls between their edges where nothing meets
+ *     how far the sides are from where they belong: found at places, and a bound (prove.c)
  */
 #include "shell/thick/thick.h"
 
@@ -26,12 +27,6 @@ enum {
 }; /* places in a span; a span halved so often is 1e-7 of a line */
 
 static const double one_place = 1e-7; /* of the size: nearer points are one */
-
-/* Splines of one surface: nets of x^ and n^. */
-typedef struct fitted {
-    taut_basis *u, *v;
-    double *places, *moves;
-} fitted;
 
 /* ---- how surfaces meet ---- */
 
@@ -161,8 +156,8 @@ static taut_status check_free(const taut_thick_work *work, taut_error *error)
 
 /* ---- splines, and how near they come ---- */
 
-static taut_status fit_face(taut_thick_work *work, int face, taut_arena *arena, fitted *fit,
-                            taut_error *error)
+static taut_status fit_face(taut_thick_work *work, int face, taut_arena *arena,
+                            taut_thick_sides *fit, taut_error *error)
 {
     taut_status status = taut_thick_basis(work, 2 * face, &fit->u, error);
     if (status != TAUT_OK) {
@@ -190,14 +185,15 @@ static taut_status fit_face(taut_thick_work *work, int face, taut_arena *arena, 
     return status;
 }
 
-static void free_fit(fitted *fit)
+static void free_fit(taut_thick_sides *fit)
 {
     taut_basis_free(fit->u);
     taut_basis_free(fit->v);
 }
 
-static taut_status eval_net(const fitted *fit, const double *net, const taut_thick_grid *grid,
-                            int threads, double *values, taut_error *error)
+static taut_status eval_net(const taut_thick_sides *fit, const double *net,
+                            const taut_thick_grid *grid, int threads, double *values,
+                            taut_error *error)
 {
     taut_surface *surface = NULL;
     taut_status status = taut_surface_new("", fit->u, fit->v, net, NULL, &surface, error);
@@ -211,7 +207,7 @@ static taut_status eval_net(const fitted *fit, const double *net, const taut_thi
 
 /* How far the splines are from a grid: off[nu][nv] from what they interpolate; returns in *distance the largest from the sides
  * themselves. */
-static taut_status compare(const taut_thick_work *work, const fitted *fit,
+static taut_status compare(const taut_thick_work *work, const taut_thick_sides *fit,
                            const taut_thick_grid *grid, taut_arena *arena, double *off,
                            double *distance, taut_error *error)
 {
@@ -276,7 +272,7 @@ static void mark_spans(taut_thick_work *work, int face, int along, const taut_th
 }
 
 /* Looks along u (0), along v (1), or everywhere (2), which marks nothing. */
-static taut_status look(taut_thick_work *work, int face, const fitted *fit, int along,
+static taut_status look(taut_thick_work *work, int face, const taut_thick_sides *fit, int along,
                         double tolerance, taut_arena *arena, double *distance, taut_error *error)
 {
     double *u = NULL, *v = NULL;
@@ -301,7 +297,7 @@ static taut_status look(taut_thick_work *work, int face, const fitted *fit, int 
 static taut_status judge_face(taut_thick_work *work, int face, double tolerance, int last,
                               double *distance, taut_error *error)
 {
-    fitted fit = {NULL, NULL, NULL, NULL};
+    taut_thick_sides fit = {NULL, NULL, NULL, NULL};
     double ignored = 0;
     taut_arena *arena = taut_arena_new();
     taut_status status = fit_face(work, face, arena, &fit, error);
@@ -352,7 +348,7 @@ static taut_status add_surface(const char *of, const char *what, int from, const
 }
 
 /* One side: x^ + height n^. */
-static void lay_side(const fitted *fit, double height, double *net)
+static void lay_side(const taut_thick_sides *fit, double height, double *net)
 {
     const size_t count = 3 * (size_t)taut_basis_count(fit->u) * (size_t)taut_basis_count(fit->v);
     for (size_t k = 0; k < count; k++) {
@@ -361,9 +357,9 @@ static void lay_side(const fitted *fit, double height, double *net)
 }
 
 /* The wall along edge e: its own parameter first, then from the bottom to the top. */
-static taut_status add_wall(const taut_thick_work *work, int face, int e, const fitted *fit,
-                            double *const sides[2], taut_arena *arena, taut_thick *sheet,
-                            taut_error *error)
+static taut_status add_wall(const taut_thick_work *work, int face, int e,
+                            const taut_thick_sides *fit, double *const sides[2], taut_arena *arena,
+                            taut_thick *sheet, taut_error *error)
 {
     static const double ends[4] = {0, 0, 1, 1};
     const taut_basis_spec through = {
@@ -386,8 +382,8 @@ static taut_status add_wall(const taut_thick_work *work, int face, int e, const 
     return status;
 }
 
-static taut_status add_face(taut_thick_work *work, int face, const fitted *fit, taut_arena *arena,
-                            taut_thick *sheet, taut_error *error)
+static taut_status add_face(taut_thick_work *work, int face, const taut_thick_sides *fit,
+                            taut_arena *arena, taut_thick *sheet, taut_error *error)
 {
     static const char *const names[2] = {"top", "bottom"};
     const size_t count = (size_t)taut_basis_count(fit->u) * (size_t)taut_basis_count(fit->v);
@@ -410,14 +406,21 @@ static taut_status add_face(taut_thick_work *work, int face, const fitted *fit, 
     return status;
 }
 
-static taut_status add_faces(taut_thick_work *work, taut_thick *sheet, taut_error *error)
+static taut_status add_faces(taut_thick_work *work, double tolerance, taut_thick *sheet,
+                             taut_error *error)
 {
     taut_status status = TAUT_OK;
     for (int f = 0; f < work->count && status == TAUT_OK; f++) {
-        fitted fit = {NULL, NULL, NULL, NULL};
+        taut_thick_sides fit = {NULL, NULL, NULL, NULL};
+        double bound = 0;
         taut_arena *arena = taut_arena_new();
         status = judge_face(work, f, 0, 1, &sheet->distance, error);
         status = status == TAUT_OK ? fit_face(work, f, arena, &fit, error) : status;
+        if (status == TAUT_OK &&
+            taut_thick_prove(work, f, &fit, tolerance, sheet->distance, &bound) != TAUT_OK) {
+            status = taut_fail_memory(error);
+        }
+        sheet->bound = fmax(sheet->bound, bound);
         status = status == TAUT_OK ? add_face(work, f, &fit, arena, sheet, error) : status;
         free_fit(&fit);
         taut_arena_free(arena);
@@ -440,7 +443,7 @@ static taut_status make(taut_thick_work *work, const taut_thick_request *request
     if (status == TAUT_OK) {
         status = refine(work, request->tolerance, error);
     }
-    return status == TAUT_OK ? add_faces(work, sheet, error) : status;
+    return status == TAUT_OK ? add_faces(work, request->tolerance, sheet, error) : status;
 }
 
 taut_status taut_thick_new(const taut_model *nurbs, const taut_thick_request *request,

@@ -65,6 +65,62 @@ static sums sums_of(const taut_model *model)
     return sum;
 }
 
+/* How far a side is from where it belongs, at 8 x 8 places of each of its cells. */
+static double distance_of(const taut_surface *thin, const taut_surface *side, double height)
+{
+    enum { PLACES = 8 };
+    const taut_basis *u = taut_surface_u(side), *v = taut_surface_v(side);
+    const taut_basis *tu = taut_surface_u(thin), *tv = taut_surface_v(thin);
+    double most = 0;
+    for (int i = 0; i <= PLACES * taut_basis_span_count(u); i++) {
+        for (int j = 0; j <= PLACES * taut_basis_span_count(v); j++) {
+            double at[2], x[6][3], y[3], off[3];
+            const int index[2] = {i, j};
+            taut_forms forms;
+            for (int d = 0; d < 2; d++) {
+                const taut_basis *basis = d == 0 ? u : v;
+                const double *breaks = taut_basis_breaks(basis) + index[d] / PLACES;
+                const double part = (double)(index[d] % PLACES) / PLACES;
+                at[d] = part > 0 ? breaks[0] + part * (breaks[1] - breaks[0]) : breaks[0];
+            }
+            const double a = taut_basis_lo(tu) + at[0] * (taut_basis_hi(tu) - taut_basis_lo(tu));
+            const double b = taut_basis_lo(tv) + at[1] * (taut_basis_hi(tv) - taut_basis_lo(tv));
+            taut_surface_eval(side, at[0], at[1], 0, y);
+            taut_surface_eval(thin, fmin(a, taut_basis_hi(tu)), fmin(b, taut_basis_hi(tv)), 2,
+                              &x[0][0]);
+            taut_forms_of((const double(*)[3])x, &forms);
+            for (int c = 0; c < 3; c++) {
+                off[c] = y[c] - x[0][c] - height * forms.normal[c];
+            }
+            most = fmax(most, sqrt(off[0] * off[0] + off[1] * off[1] + off[2] * off[2]));
+        }
+    }
+    return most;
+}
+
+/* The bound of a sheet is not below what is found at many more places, and not much above it. */
+static void check_bound(const taut_model *thin, const taut_thick *sheet, double thickness,
+                        double slack, const char *what)
+{
+    double most = 0;
+    for (int i = 0; i < taut_model_surface_count(sheet->model); i++) {
+        const taut_surface *side = taut_model_surface(sheet->model, i);
+        const taut_surface *of = taut_model_surface(thin, sheet->from[i]);
+        const char *end = strrchr(taut_surface_name(side), '.');
+        end = end != NULL ? end + 1 : taut_surface_name(side);
+        if (strcmp(end, "top") == 0 || strcmp(end, "bottom") == 0) {
+            /* a surface that is turned in its shell has its top below */
+            most = fmax(most, fmin(distance_of(of, side, thickness / 2),
+                                   distance_of(of, side, -thickness / 2)));
+        }
+    }
+    CHECK(sheet->bound >= most * (1 - 1e-9), "%s: bound %.17g, %.17g found", what, sheet->bound,
+          most);
+    CHECK(sheet->bound >= sheet->distance, "%s: bound %.17g, %.17g told as found", what,
+          sheet->bound, sheet->distance);
+    CHECK(sheet->bound <= 1.5 * most + slack, "%s: bound %g, %g found", what, sheet->bound, most);
+}
+
 /* Makes a sheet and counts its bodies; its volume, of `bodies` shells that are all solid. */
 static double volume_of(const taut_model *thin, double thickness, double tolerance, int bodies,
                         int faces, const char *what)
@@ -72,7 +128,7 @@ static double volume_of(const taut_model *thin, double thickness, double toleran
     const taut_thick_request request = {.thickness = thickness, .tolerance = tolerance};
     taut_arena *arena = taut_arena_new();
     const taut_surface *surfaces[400];
-    taut_thick sheet = {NULL, NULL, 0};
+    taut_thick sheet = {NULL, NULL, 0, 0};
     taut_shells shells;
     taut_error error = {.status = TAUT_OK};
     sums sum = {0, 0, 0};
@@ -86,6 +142,7 @@ static double volume_of(const taut_model *thin, double thickness, double toleran
     CHECK(count == faces, "%s: %d faces, expected %d", what, count, faces);
     CHECK(sheet.distance <= 4 * tolerance, "%s: %g off, asked for %g", what, sheet.distance,
           tolerance);
+    check_bound(thin, &sheet, thickness, fmax(tolerance / 8, 1e-11), what);
     for (int i = 0; i < count && i < 400; i++) {
         surfaces[i] = taut_model_surface(sheet.model, i);
         CHECK(sheet.from[i] >= 0 && sheet.from[i] < taut_model_surface_count(thin), "%s: from",
@@ -171,7 +228,7 @@ static void check_refused(taut_model *model, double thickness, const char *reaso
 {
     const taut_thick_request request = {.thickness = thickness, .tolerance = 1e-6};
     taut_arena *arena = taut_arena_new();
-    taut_thick sheet = {NULL, NULL, 0};
+    taut_thick sheet = {NULL, NULL, 0, 0};
     taut_error error = {.status = TAUT_OK};
     CHECK(taut_thick_new(model, &request, arena, &sheet, &error) == TAUT_NO_SOLUTION, "%s", reason);
     CHECK(strcmp(error.reason, reason) == 0, "%s, expected %s: %s", error.reason, reason,
@@ -213,10 +270,11 @@ static void test_nearly_smooth(void)
     taut_model *model = book(2, pi - bend);
     const taut_thick_request request = {.thickness = t, .tolerance = 1e-8};
     taut_arena *arena = taut_arena_new();
-    taut_thick sheet = {NULL, NULL, 0};
+    taut_thick sheet = {NULL, NULL, 0, 0};
     CHECK(taut_thick_new(model, &request, arena, &sheet, NULL) == TAUT_OK, "nearly smooth");
     CHECK(sheet.distance < t / 2 * bend, "moved by %g", sheet.distance);
     CHECK(sheet.distance > t / 2 * bend / 4, "moved by %g", sheet.distance);
+    check_bound(model, &sheet, t, 0, "nearly smooth");
     taut_model_free(sheet.model);
     taut_arena_free(arena);
     /* what the bend adds outside it takes inside */
