@@ -124,7 +124,7 @@ refuse_boundary() { # refuse_boundary CODE PATTERN FILE
 }
 sed '/"top"/s/\[3,3,0\]/[3,3,0.001]/' frame.json > gap.json
 refuse_boundary 4 'gap /boundary found 0\.001 expected 4\.69[0-9]*e-6' gap.json
-contains err.txt 'between curve 1 \(\\"top\\"\) and curve 2 \(\\"right\\"\)'
+contains err.txt 'between curve 2 \(\\"top\\"\) and curve 3 \(\\"right\\"\)'
 refuse_boundary 5 'read /boundary' nowhere.step
 contains err.txt 'nowhere\.step'
 refuse_boundary 3 'size /boundary found 0 expected 4' once.json

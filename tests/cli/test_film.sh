@@ -189,6 +189,54 @@ for picked in '["lens"]' '["many"]' '["low", "open"]' '["open"]'; do
     around 3 "$picked"
     contains err.txt '/boundary/edges: found [12] curves, expected 3 to 12 that go round, or one or two that are closed'
 done
+# lines of a file that round their ends: their start and direction to 12 decimals, as FreeCAD writes them into STEP, or points to 6, as
+# drawings have them; in no order, each run either way
+python3 - <<'END'
+import json, math, random
+def line(name, a, b):
+    return {"name": name, "t": {"type": "bspline", "degree": 1, "knots": [0, 0, math.dist(a, b), math.dist(a, b)]}, "points": [list(a), list(b)]}
+def write(file, curves):
+    random.shuffle(curves)
+    json.dump({"taut": 1, "curves": curves, "surfaces": []}, open(file, "w"))
+for seed in range(4):
+    random.seed(seed)
+    n = 5 + seed % 3
+    around = [2 * math.pi * (k + 0.5 * random.random()) / n for k in range(n)]
+    corners = [[random.uniform(3, 5) * math.cos(a), random.uniform(3, 5) * math.sin(a), random.uniform(0, 2)] for a in around]
+    twelve, six = [], []
+    for k in range(n):
+        a, b = corners[k], corners[(k + 1) % n]
+        length = math.dist(a, b)
+        way = [round((y - x) / length, 12) for x, y in zip(a, b)]
+        way = [x / math.hypot(*way) * round(length, 12) for x in way]
+        start = [round(x, 12) for x in a]
+        twelve.append(line(f"line.{k + 1}", start, [x + y for x, y in zip(start, way)]))
+        ends = [[round(x + random.uniform(-5e-7, 5e-7), 6) for x in p] for p in ((b, a) if k % 2 else (a, b))]
+        six.append(line(f"line.{k + 1}", *ends))
+    write(f"twelve{seed}.json", twelve)
+    write(f"six{seed}.json", six)
+square = [[0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0]]
+open_one = [line(f"line.{k + 1}", square[k], square[(k + 1) % 4]) for k in range(4)]
+open_one[2]["points"][1][1] = 4.001
+json.dump({"taut": 1, "curves": open_one, "surfaces": []}, open("open.json", "w"))
+points = square + [[1e-6, -1e-6, 0]]
+json.dump({"taut": 1, "curves": [{"name": "once", "t": {"type": "bspline", "degree": 1, "knots": [0, 0, 1, 2, 3, 4, 4]}, "points": points}],
+           "surfaces": []}, open("once.json", "w"))
+END
+for file in twelve0 twelve1 twelve2 twelve3 six0 six1; do
+    echo "{ \"taut\": 1, \"construct\": \"film\", \"count\": 6, \"boundary\": { \"file\": \"$file.json\", \"edges\": [\"line\"] } }" > around.json
+    run 0 make around.json --quiet -o around-model.json
+    run 0 certify around-model.json around.json
+done
+echo '{ "taut": 1, "construct": "film", "boundary": "once.json" }' > around.json
+run 0 make around.json -o around-model.json
+contains err.txt 'one closed curve, cut at its 4 corners'
+echo '{ "taut": 1, "construct": "film", "boundary": "open.json" }' > around.json
+run 3 make around.json
+contains err.txt 'curve 3 ends 0.001 away from where curve 4 begins'
+echo '{ "taut": 1, "construct": "film", "boundary": { "file": "open.json", "edges": ["roof"] } }' > around.json
+run 3 make around.json
+contains err.txt 'the name of one curve or edge, or of a layer or face'
 # threads
 film 0 '' '"force_density": [1, 1]'
 contains err.txt 'least +holds'

@@ -77,7 +77,7 @@ static taut_status check_clamped(const taut_curve *const curves[TAUT_SIDES],
             return taut_fail(error, TAUT_NO_SOLUTION, "not-clamped", NULL, taut_none, taut_none,
                              "curve %d, a %s, does not begin and end in control points: convert it "
                              "to a B-spline",
-                             i, taut_basis_type(taut_curve_t(curves[i])));
+                             i + 1, taut_basis_type(taut_curve_t(curves[i])));
         }
     }
     return TAUT_OK;
@@ -137,9 +137,9 @@ static arrangement best_arrangement(const loose_curves *loose)
 static void name_curve(const taut_curve *curve, int i, char *text, size_t size)
 {
     if (taut_curve_name(curve)[0] != '\0') {
-        snprintf(text, size, "curve %d (\"%.40s\")", i, taut_curve_name(curve));
+        snprintf(text, size, "curve %d (\"%.40s\")", i + 1, taut_curve_name(curve));
     } else {
-        snprintf(text, size, "curve %d", i);
+        snprintf(text, size, "curve %d", i + 1);
     }
 }
 

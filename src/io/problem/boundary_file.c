@@ -80,13 +80,15 @@ static taut_status find_source(const taut_json *at, boundary_source *source, tau
 typedef struct loop {
     int count;
     const taut_curve **curves;
+    int *numbers; /* in the list of `taut boundary`, from 1 */
 } loop;
 
 static taut_status take_room(taut_arena *arena, int count, loop *all, taut_error *error)
 {
     all->count = count;
     all->curves = taut_arena_take(arena, (size_t)count, sizeof *all->curves);
-    return all->curves != NULL ? TAUT_OK : taut_fail_memory(error);
+    all->numbers = taut_arena_take(arena, (size_t)count, sizeof *all->numbers);
+    return taut_arena_status(arena) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 }
 
 /* All curves of the file. */
@@ -103,56 +105,97 @@ static taut_status take_all(const taut_json *at, const taut_model *model, taut_a
     const taut_status status = take_room(arena, count, all, error);
     for (int i = 0; i < count && status == TAUT_OK; i++) {
         all->curves[i] = taut_model_curve(model, i);
+        all->numbers[i] = i + 1;
     }
     return status;
 }
 
-/* The curve of this name, which is to be one. */
-static taut_status find_named(const taut_json *at, const taut_model *listed, int *found,
+/* Is it NAME.1, NAME.2, ...: one of several pieces of a layer, or of the edges of a face? */
+static int is_piece_of(const char *piece, const char *name)
+{
+    const size_t length = strlen(name);
+    const char *digits = piece + length + 1;
+    return strncmp(piece, name, length) == 0 && piece[length] == '.' && digits[0] != '\0' &&
+           strspn(digits, "0123456789") == strlen(digits);
+}
+
+static taut_status pick(const taut_json *at, const taut_model *listed, int i, loop *all,
+                        taut_error *error)
+{
+    if (all->count == PICKS_MAX) {
+        return taut_json_refuse(at, error, "size", "no more than %d curves or edges", PICKS_MAX);
+    }
+    all->curves[all->count] = taut_model_curve(listed, i);
+    all->numbers[all->count++] = i + 1;
+    return TAUT_OK;
+}
+
+/* The one curve of this name, else all pieces of that layer or face. */
+static taut_status pick_named(const taut_json *at, const taut_model *listed, loop *all,
                               taut_error *error)
 {
     const char *name = NULL;
-    int count = 0;
-    const taut_status status = taut_json_text(at, &name, error);
+    const int curves = taut_model_curve_count(listed);
+    int found = 0, count = 0, pieces = 0;
+    taut_status status = taut_json_text(at, &name, error);
     if (status != TAUT_OK) {
         return status;
     }
-    for (int i = 0; i < taut_model_curve_count(listed); i++) {
-        if (strcmp(taut_curve_name(taut_model_curve(listed, i)), name) == 0) {
-            *found = i;
+    for (int i = 0; i < curves; i++) {
+        const char *other = taut_curve_name(taut_model_curve(listed, i));
+        if (strcmp(other, name) == 0) {
+            found = i;
             count++;
         }
+        pieces += is_piece_of(other, name);
     }
-    return count == 1 ? TAUT_OK
-                      : taut_json_refuse(at, error, "name",
-                                         "the name of one curve or edge, as `taut boundary` lists "
-                                         "them (%d have this one)",
-                                         count);
+    if (count == 1) {
+        return pick(at, listed, found, all, error);
+    }
+    for (int i = 0; count == 0 && i < curves && status == TAUT_OK; i++) {
+        if (is_piece_of(taut_curve_name(taut_model_curve(listed, i)), name)) {
+            status = pick(at, listed, i, all, error);
+        }
+    }
+    return count > 1 || pieces == 0
+               ? taut_json_refuse(at, error, "name",
+                                  "the name of one curve or edge, or of a layer or face, as "
+                                  "`taut boundary` lists them (%d have this one)",
+                                  count)
+               : status;
 }
 
-/* Those that "edges" picks by number, from 1, or name: `least` or more, or one that closes. */
+/* Those that "edges" picks by number, from 1, or name: `least` or more, or one that closes; a name may pick several. */
 static taut_status take_picked(const taut_json *edges, const taut_model *listed, int least,
                                taut_arena *arena, loop *all, taut_error *error)
 {
     size_t count = 0;
-    const int one = taut_json_kind_at(edges) == TAUT_JSON_ARRAY && taut_json_count_at(edges) == 1;
+    const int is_array = taut_json_kind_at(edges) == TAUT_JSON_ARRAY;
+    int names = 0;
+    for (size_t i = 0; is_array && i < taut_json_count_at(edges); i++) {
+        const taut_json item = taut_json_item(edges, i);
+        names += taut_json_kind_at(&item) == TAUT_JSON_STRING;
+    }
+    const int one = is_array && (names > 0 || taut_json_count_at(edges) == 1);
     taut_status status = taut_json_array(edges, one ? 1 : (size_t)least, PICKS_MAX,
                                          "curves or edges, by number or name", &count, error);
-    status = status == TAUT_OK ? take_room(arena, (int)count, all, error) : status;
+    status = status == TAUT_OK ? take_room(arena, PICKS_MAX, all, error) : status;
+    all->count = 0;
     for (size_t i = 0; i < count && status == TAUT_OK; i++) {
         const taut_json item = taut_json_item(edges, i);
         int number = 0;
         if (taut_json_kind_at(&item) == TAUT_JSON_NUMBER) {
             status = taut_json_integer(&item, 1, taut_model_curve_count(listed), &number, error);
-            number--;
+            status = status == TAUT_OK ? pick(&item, listed, number - 1, all, error) : status;
         } else {
-            status = find_named(&item, listed, &number, error);
-        }
-        if (status == TAUT_OK) {
-            all->curves[i] = taut_model_curve(listed, number);
+            status = pick_named(&item, listed, all, error);
         }
     }
-    return status;
+    return status == TAUT_OK && all->count > 1 && all->count < least
+               ? taut_json_fail(edges, error, "size", all->count, least,
+                                "found %d curves or edges, expected %d or more, or one that closes",
+                                all->count, least)
+               : status;
 }
 
 /* Four sides of a loop; other numbers than four are joined first. */
@@ -286,7 +329,7 @@ static taut_status read_sides(const taut_json *at, taut_problem *problem,
 }
 
 static taut_status keep_all(const loop *all, taut_arena *arena, const taut_curve **curves,
-                            taut_error *error)
+                            int *numbers, taut_error *error)
 {
     for (int k = 0; k < all->count; k++) {
         taut_curve *copy = NULL;
@@ -294,12 +337,13 @@ static taut_status keep_all(const loop *all, taut_arena *arena, const taut_curve
             return taut_fail_memory(error);
         }
         curves[k] = copy;
+        numbers[k] = all->numbers[k];
     }
     return TAUT_OK;
 }
 
 void taut_boundary_file_curves(taut_reader *document, taut_problem *problem, int least, int most,
-                               const taut_curve **curves, int *count)
+                               const taut_curve **curves, int *numbers, int *count)
 {
     const taut_json at = taut_json_member(document->object, "boundary");
     taut_error found = {.status = TAUT_OK}, *const error = document->error;
@@ -325,7 +369,7 @@ void taut_boundary_file_curves(taut_reader *document, taut_problem *problem, int
                                 "lists what \"edges\" may pick",
                                 all.count, least, most);
     }
-    status = status == TAUT_OK ? keep_all(&all, problem->arena, curves, error) : status;
+    status = status == TAUT_OK ? keep_all(&all, problem->arena, curves, numbers, error) : status;
     *count = all.count;
     taut_model_free(listed);
     taut_model_free(model);

@@ -18,9 +18,9 @@ void taut_boundary_curves_net(taut_reader *document, taut_problem *problem,
 void taut_boundary_file_bezier(taut_reader *document, taut_problem *problem,
                                const char *const *others, int agree,
                                const taut_curve *sides[TAUT_SIDES]);
-/* All curves of the file, or those that "edges" picks, in no order: `least` to `most` of them, in the document's unit; the arena owns
- * them. */
+/* All curves of the file, or those that "edges" picks, in no order: `least` to `most` of them, in the document's unit, and their
+ * numbers in the list of `taut boundary`; the arena owns them. */
 void taut_boundary_file_curves(taut_reader *document, taut_problem *problem, int least, int most,
-                               const taut_curve **curves, int *count);
+                               const taut_curve **curves, int *numbers, int *count);
 
 #endif /* TAUT_IO_PROBLEM_BOUNDARY_FILE_H */

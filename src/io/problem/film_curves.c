@@ -14,7 +14,10 @@
 #include <string.h>
 
 enum { DEGREE = 4, COUNT = 12, DEGREE_MOST = 10, COUNT_MOST = 100 };
-static const double gap_closed = 1e-9;              /* of the size */
+static const double gap_closed = 1e-9; /* of the size */
+static const double gap_filed = 1e-6;  /* the same of curves of a file, whose decimals may be few */
+static const double gap_clamped =
+    1e-12; /* of the size, from an end to its control point: rounding */
 static const char *const strangers[] = {"boundary", /* beside "curves" */
                                         "corners",  "edges", "points",        "patches",   "seams",
                                         "u",        "v",     "force_density", "prestress", NULL};
@@ -26,6 +29,7 @@ typedef struct reading {
     const char *member; /* that they come from */
     int count;
     const taut_curve *curves[TAUT_FILM_CURVES_MAX];
+    int numbers[TAUT_FILM_CURVES_MAX]; /* what messages call them */
 } reading;
 
 static taut_status read_curve(const taut_json *at, void *into, taut_error *error)
@@ -33,6 +37,7 @@ static taut_status read_curve(const taut_json *at, void *into, taut_error *error
     reading *r = into;
 
     (void)error; /* that of the document */
+    r->numbers[r->count] = r->count;
     r->read(r->document, at, r->problem->arena, &r->curves[r->count++]);
     return r->document->status;
 }
@@ -102,25 +107,41 @@ static void arrange(reading *r)
             }
         }
         const taut_curve *next = r->curves[nearest];
+        const int number = r->numbers[nearest];
         r->curves[nearest] = r->curves[k];
         r->curves[k] = next;
+        r->numbers[nearest] = r->numbers[k];
+        r->numbers[k] = number;
         end = 1 - other;
     }
 }
 
-/* Ends that meet within rounding of the file become one point, that of the curve which begins there: an edge of the film has one
- * corner, and could not be on both. Where a curve does not end in its last control point it stays as it is. */
-static taut_status close_corner(reading *r, int k, taut_error *error)
+/* The control point that a curve begins or ends in, or NULL where it does so elsewhere. Evaluated there it may be a rounding off. */
+static const double *end_point(const taut_curve *curve, int end, double size)
 {
-    const taut_curve *curve = r->curves[k];
+    const int last = taut_basis_count(taut_curve_t(curve)) - 1;
+    const double *point = taut_curve_points(curve) + (end == 0 ? 0 : 3 * last);
+    double x[3];
+
+    end_of(curve, end, x);
+    return taut_distance(x, point) <= gap_clamped * size ? point : NULL;
+}
+
+/* Ends that meet within the file's decimals become one point, that of the curve which begins there: an edge of the film has one
+ * corner, and could not be on both. Where a curve does not end in its last control point it stays as it is. */
+static taut_status close_corner(reading *r, int k, int next_one, double size, taut_error *error)
+{
+    const taut_curve *curve = r->curves[k], *next = r->curves[next_one];
     const size_t count = (size_t)taut_basis_count(taut_curve_t(curve));
-    double there[3], here[3];
+    const double *here = end_point(curve, 1, size), *begin = end_point(next, 0, size);
+    double there[3];
     taut_curve *made = NULL;
 
-    end_of(r->curves[(k + 1) % r->count], 0, there);
-    end_of(curve, 1, here);
-    if (taut_distance(there, here) == 0 ||
-        taut_distance(here, taut_curve_points(curve) + 3 * (count - 1)) > 0) {
+    end_of(next, 0, there);
+    if (begin != NULL) {
+        memcpy(there, begin, sizeof there);
+    }
+    if (here == NULL || taut_distance(there, here) == 0) {
         return TAUT_OK;
     }
     double *points =
@@ -136,10 +157,17 @@ static taut_status close_corner(reading *r, int k, taut_error *error)
                : status;
 }
 
+/* How far the end of curve k may be from where the next begins: only what ends in a control point can be moved there. */
+static double gap_after(const reading *r, int k, double size)
+{
+    const int is_filed = strcmp(r->member, "boundary") == 0;
+    return (is_filed && end_point(r->curves[k], 1, size) != NULL ? gap_filed : gap_closed) * size;
+}
+
 /* Every curve begins where the one before it ends; the first as the second meets it. */
 static taut_status run_round(reading *r, taut_error *error)
 {
-    const double gap = gap_closed * size_of(r);
+    const double size = size_of(r);
     const taut_curve **c = r->curves;
     taut_status status = TAUT_OK;
 
@@ -154,17 +182,17 @@ static taut_status run_round(reading *r, taut_error *error)
     }
     for (int k = 0; status == TAUT_OK && k < r->count; k++) {
         const int next = (k + 1) % r->count;
-        const double away = distance(c[k], 1, c[next], 0);
+        const double away = distance(c[k], 1, c[next], 0), gap = gap_after(r, k, size);
         if (!(away <= gap)) {
             const taut_json at = taut_json_member(r->document->object, r->member);
             status = taut_json_fail(&at, error, "curve-ends", away, gap,
                                     "curve %d ends %.3g away from where curve %d begins: expected "
                                     "curves that go round, in their order",
-                                    k, away, next);
+                                    r->numbers[k], away, r->numbers[next]);
         }
     }
     for (int k = 0; status == TAUT_OK && k < r->count; k++) {
-        status = close_corner(r, k, error);
+        status = close_corner(r, k, (k + 1) % r->count, size, error);
     }
     return status;
 }
@@ -302,6 +330,22 @@ static taut_status make_patches(reading *r, const taut_basis *basis, taut_film_p
                                                      : make_round(r, &l, basis, data, parts, error);
 }
 
+/* One or two curves of a file that close within its decimals are closed. */
+static void close_each(reading *r)
+{
+    for (int k = 0; k < r->count && r->document->status == TAUT_OK; k++) {
+        const taut_curve *curve = r->curves[k];
+        const double *points = taut_curve_points(curve), gap = distance(curve, 1, curve, 0);
+        double size = 0;
+        for (int i = 1; i < taut_basis_count(taut_curve_t(curve)); i++) {
+            size = fmax(size, taut_distance(points, points + 3 * (ptrdiff_t)i));
+        }
+        if (gap > gap_closed * size && gap <= gap_filed * size) {
+            r->document->status = close_corner(r, k, k, size, r->document->error);
+        }
+    }
+}
+
 /* One curve with three corners or more gives way to its pieces between them. */
 static void cut_closed(reading *r)
 {
@@ -315,6 +359,9 @@ static void cut_closed(reading *r)
     }
     memcpy(r->curves, pieces, (size_t)count * sizeof(const taut_curve *));
     r->count = count;
+    for (int k = 0; k < count; k++) {
+        r->numbers[k] = k + 1;
+    }
     snprintf(note, sizeof note, "one closed curve, cut at its %d corners", count);
     if (taut_problem_note(r->problem, note) != TAUT_OK) {
         r->document->status = taut_fail_memory(r->document->error);
@@ -366,7 +413,11 @@ void taut_film_document_curves(taut_reader *document, taut_problem *problem,
     spec.count = spec.count > spec.degree ? spec.count : spec.degree + 1;
     taut_reader_optional_integer(document, "count", spec.degree + 1, COUNT_MOST, &spec.count);
     if (is_file) {
-        taut_boundary_file_curves(document, problem, 1, TAUT_FILM_CURVES_MAX, r.curves, &r.count);
+        taut_boundary_file_curves(document, problem, 1, TAUT_FILM_CURVES_MAX, r.curves, r.numbers,
+                                  &r.count);
+        if (document->status == TAUT_OK && r.count < 3) {
+            close_each(&r);
+        }
         if (document->status == TAUT_OK && r.count == 1) {
             cut_closed(&r);
         }

@@ -251,8 +251,8 @@ static void test_gap(void)
             CHECK(status == TAUT_NO_SOLUTION && strcmp(error.reason, "gap") == 0, "status %d, %s",
                   (int)status, error.reason);
             CHECK_NEAR(error.found, 1e-3, 1e-12, "the gap");
-            CHECK(strstr(error.message, "curve 1") != NULL &&
-                      strstr(error.message, "curve 2") != NULL,
+            CHECK(strstr(error.message, "curve 2") != NULL &&
+                      strstr(error.message, "curve 3") != NULL,
                   "%s", error.message);
             CHECK(sides[0] == NULL, "sides are touched");
         } else {
