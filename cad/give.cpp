@@ -463,10 +463,12 @@ void occt_give(const TopoDS_Shape &shape, const occt_names &names, bool with_edg
     int given = 0;
     for (int i = 1; i <= faces.Extent(); i++) {
         const TopoDS_Face face = TopoDS::Face(faces(i));
-        const std::string said = namer.name(face);
+        const std::string own = namer.name(face);
+        /* edges are found by name: those of trimmed faces and of others are counted as one */
+        const std::string said = own.empty() && with_edges ? "face" + std::to_string(i) : own;
         given += give_or_name("face", i, said.c_str(), sink, [&](const char *name) {
             if (!give_face(face, names.find(face), name, with_edges, used, sink)) {
-                trimmed.emplace_back(i, said.empty() ? "face" + std::to_string(i) : said);
+                trimmed.emplace_back(i, said);
             }
         });
     }

@@ -74,6 +74,28 @@ else
     missing FreeCAD 'the Debian package freecad'
 fi
 
+# Uses of a part whose faces have no names, or those that the reader gives them, a row through all uses, and no colours, are uses of one
+# product; where a colour is given to one face, of two.
+python3 - <<'PY'
+import json
+model = json.load(open("parts.json"))
+del model["details"]["colours"]
+for name in (lambda i: "", lambda i: f"bolt.{i + 1}"):
+    for i in (i for part in model["details"]["parts"] if part["product"] == "bolt" for i in part["surfaces"]):
+        model["surfaces"][i]["name"] = name(i)
+    json.dump(model, open("nameless.json" if name(0) == "" else "numbered.json", "w"))
+model["details"]["colours"] = ["#ff0000" if i == 3 else "" for i in range(len(model["surfaces"]))]
+json.dump(model, open("coloured.json", "w"))
+PY
+products() { # products FILE COUNT
+    run 0 convert $1.json -o $1.step
+    [ "$(grep -c '=PRODUCT(' $1.step)" = "$2" ] || complain "$1: $(grep '=PRODUCT(' $1.step), expected $2 products"
+    [ "$(grep -c '=NEXT_ASSEMBLY_USAGE_OCCURRENCE(' $1.step)" = 4 ] || complain "$1: $(grep NEXT_ASSEMBLY $1.step)"
+}
+products nameless 3
+products numbered 3
+products coloured 4
+
 # Parts that make no sense are no assembly's: numbers of no surface, a placement that is no rotation.
 sed 's/"surfaces": \[0, 1\]/"surfaces": [0, 99, -1, "x"]/; s/\[\[0, 0, 1, 30\]/[[0, 0, 7, 30]/' parts.json > odd.json
 run 0 convert odd.json -o odd.step

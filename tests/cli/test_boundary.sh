@@ -307,8 +307,9 @@ for name in packed.stp.gz packed.stp; do
 done
 
 # A plane cut to a pentagon: its edges are those of the pentagon, not those of a surface under it; a film spans them.
-python3 - > pentagon.step <<'PY'
-corners = [(0, 0), (40, 0), (55, 30), (20, 50), (-10, 25)]
+cat > pentagon.py <<'PY'
+import sys
+pentagon, square = [(0, 0), (40, 0), (55, 30), (20, 50), (-10, 25)], [(60, 0), (70, 0), (70, 10), (60, 10)]
 lines = []
 def put(text):
     lines.append(f"#{len(lines) + 1}={text};")
@@ -322,18 +323,19 @@ near = put(f"UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-07),{mm},'distance
 space = put(f"(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT(({near}))"
             f"GLOBAL_UNIT_ASSIGNED_CONTEXT(({mm},{angle},{solid}))REPRESENTATION_CONTEXT('',''))")
 at = put("AXIS2_PLACEMENT_3D('',%s,%s,%s)" % (point(0, 0), put("DIRECTION('',(0.,0.,1.))"), put("DIRECTION('',(1.,0.,0.))")))
-vertices = [put(f"VERTEX_POINT('',{point(*c)})") for c in corners]
-uses = []
-for i, c in enumerate(corners):
-    d = corners[(i + 1) % 5]
-    length = ((d[0] - c[0]) ** 2 + (d[1] - c[1]) ** 2) ** 0.5
-    way = put(f"DIRECTION('',({(d[0] - c[0]) / length:.17g},{(d[1] - c[1]) / length:.17g},0.))")
-    line = put("LINE('',%s,%s)" % (point(*c), put("VECTOR('',%s,1.)" % way)))
-    edge = put(f"EDGE_CURVE('',{vertices[i]},{vertices[(i + 1) % 5]},{line},.T.)")
-    uses.append(put(f"ORIENTED_EDGE('',*,*,{edge},.T.)"))
-loop = put("EDGE_LOOP('',(%s))" % ",".join(uses))
-face = put("ADVANCED_FACE('sheet',(%s),%s,.T.)" % (put(f"FACE_OUTER_BOUND('',{loop},.T.)"), put(f"PLANE('',{at})")))
-model = put("SHELL_BASED_SURFACE_MODEL('',(%s))" % put(f"OPEN_SHELL('',({face}))"))
+def face(name, corners):
+    vertices, uses = [put(f"VERTEX_POINT('',{point(*c)})") for c in corners], []
+    for i, c in enumerate(corners):
+        d, after = corners[(i + 1) % len(corners)], vertices[(i + 1) % len(corners)]
+        length = ((d[0] - c[0]) ** 2 + (d[1] - c[1]) ** 2) ** 0.5
+        way = put(f"DIRECTION('',({(d[0] - c[0]) / length:.17g},{(d[1] - c[1]) / length:.17g},0.))")
+        line = put("LINE('',%s,%s)" % (point(*c), put("VECTOR('',%s,1.)" % way)))
+        edge = put(f"EDGE_CURVE('',{vertices[i]},{after},{line},.T.)")
+        uses.append(put(f"ORIENTED_EDGE('',*,*,{edge},.T.)"))
+    loop = put("EDGE_LOOP('',(%s))" % ",".join(uses))
+    return put("ADVANCED_FACE('%s',(%s),%s,.T.)" % (name, put(f"FACE_OUTER_BOUND('',{loop},.T.)"), put(f"PLANE('',{at})")))
+faces = [face("sheet", pentagon)] if sys.argv[1] == "one" else [face("", pentagon), face("", square)]
+model = put("SHELL_BASED_SURFACE_MODEL('',(%s))" % put("OPEN_SHELL('',(%s))" % ",".join(faces)))
 shape = put(f"MANIFOLD_SURFACE_SHAPE_REPRESENTATION('',({at},{model}),{space})")
 about = put("APPLICATION_CONTEXT('managed model based 3d engineering')")
 product = put("PRODUCT('p','p','',(%s))" % put(f"PRODUCT_CONTEXT('',{about},'mechanical')"))
@@ -345,6 +347,8 @@ print("ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('','',('
 print("\n".join(lines))
 print("ENDSEC;\nEND-ISO-10303-21;")
 PY
+python3 pentagon.py one > pentagon.step
+python3 pentagon.py two > nameless.step
 if "$PROBE"; then
     refused 4 'trimmed pentagon\.step found 1' convert pentagon.step -o pentagon.json
     run 0 boundary pentagon.step
@@ -359,6 +363,17 @@ if "$PROBE"; then
     tr -d ' \n' < out.txt | grep -o '"area":[0-9.]*' | awk -F: '{ s += $2 } END { exit !(s > 2174.9999999 && s < 2175.0000001) }' || complain "the pentagon: $(cat out.txt)"
     printf '{ "taut": 1, "construct": "dirichlet", "boundary": { "file": "pentagon.step", "edges": ["sheet.6", 1, 2, 3] } }\n' > problem.json
     refused 3 'name /boundary/edges/0' make problem.json
+    # faces without names are counted in one row, trimmed ones and others
+    run 0 boundary nameless.step
+    [ "$(sed 's/^ *[0-9]*  edge   \([^ ]*\) .*/\1/' out.txt | tr '\n' ' ')" = \
+        'face2.1 face2.2 face2.3 face2.4 face2.5 face1.u0 face1.u1 face1.v0 face1.v1 ' ] || complain "edges of faces without names: $(cat out.txt)"
+    run 0 convert nameless.step --untrim -o whole.json
+    contains err.txt 'surface 2 "": the face is trimmed'
+    printf '{ "taut": 1, "construct": "film", "count": 6, "boundary": { "file": "nameless.step", "edges": ["face2"] } }\n' > problem.json
+    run 0 make problem.json --quiet -o made.json
+    printf '{ "taut": 1, "construct": "film", "count": 6, "boundary": { "file": "nameless.step", "edges": [1, "face2.2", 3, 4] } }\n' > problem.json
+    run 3 make problem.json
+    contains err.txt 'curve 4 ends 26\.9.* away from where curve 1 begins'
 else
     missing OpenCASCADE 'tools/deps.sh test, and build anew'
 fi

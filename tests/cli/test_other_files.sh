@@ -49,7 +49,7 @@ areas() {
     python3 - <<'PY' || complain "$1: not filtered"
 import json
 model = json.load(open("whole.json"))
-trimmed = {int(line) for line in open("trimmed.txt")}
+trimmed = {int(line) - 1 for line in open("trimmed.txt")}
 kept = [s for i, s in enumerate(model["surfaces"]) if i not in trimmed]
 json.dump({"taut": 1, "unit": model["unit"], "surfaces": kept}, open("kept.json", "w"))
 theirs = [line for i, line in enumerate(open("theirs.txt")) if i not in trimmed]

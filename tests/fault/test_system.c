@@ -297,9 +297,9 @@ static void test_notes(const char *path)
     CHECK(strcmp(taut_record_text(taut_record_get(details, "read_from")), "STEP") == 0, "STEP");
     CHECK(taut_record_count(notes) == 2 &&
               strcmp(taut_record_text(taut_record_at(notes, 0)),
-                     "surface 0 \"face\": the original is no NURBS; this comes near it") == 0 &&
+                     "surface 1 \"face\": the original is no NURBS; this comes near it") == 0 &&
               strcmp(taut_record_text(taut_record_at(notes, 1)),
-                     "curve 0 \"edge\": the original is no NURBS; this comes near it") == 0,
+                     "curve 1 \"edge\": the original is no NURBS; this comes near it") == 0,
           "notes");
     taut_model_free(model);
 }

@@ -167,7 +167,7 @@ static taut_status add_surface(const item_read *item, taut_model *model, taut_er
     return status;
 }
 
-/* Says of an item what is to be said. */
+/* Says of an item what is to be said; items are counted from 1, as faces are by `taut boundary`. */
 static void add_notes(const taut_cad_item_head *head, const char *name, int index,
                       taut_record *notes)
 {
@@ -175,7 +175,7 @@ static void add_notes(const taut_cad_item_head *head, const char *name, int inde
     char text[TAUT_NAME_MAX + 160];
     for (int note = TAUT_CAD_TRIMMED; note <= TAUT_CAD_APPROXIMATE; note *= 2) {
         if ((head->notes & note) != 0 && taut_record_count(notes) < NOTES_MAX) {
-            snprintf(text, sizeof text, "%s %d \"%s\": %s", what, index, name,
+            snprintf(text, sizeof text, "%s %d \"%s\": %s", what, index + 1, name,
                      note == TAUT_CAD_TRIMMED
                          ? "the face is trimmed; this is the whole surface under it"
                          : "the original is no NURBS; this comes near it");

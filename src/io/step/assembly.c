@@ -130,11 +130,31 @@ static taut_status pick_part(const taut_model *nurbs, const taut_cad_facts *fact
     if (number < 0 && add_curves(nurbs, model) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
+    int *said = taut_arena_take(arena, (size_t)taut_model_surface_count(nurbs) + 1, sizeof *said);
+    if (said == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    for (int i = 0, k = 0; i < taut_model_surface_count(nurbs); i++) {
+        if (facts->part[i] == number) {
+            said[k++] = taut_colour_said(nurbs, i);
+        }
+    }
+    p->said = said;
     p->model = model;
     return pick_colours(nurbs, facts->part, number, model);
 }
 
-static int is_same_surface(const taut_surface *a, const taut_surface *b)
+/* Is it the part's own name, or that and a number: what the reader calls faces that have none, all uses in one row? */
+static int is_numbered(const char *name, const char *part)
+{
+    const size_t length = strlen(part);
+    return strncmp(name, part, length) == 0 &&
+           (name[length] == '\0' ||
+            (name[length] == '.' && name[length + 1] != '\0' &&
+             name[length + 1 + strspn(name + length + 1, "0123456789")] == '\0'));
+}
+
+static int is_same_surface(const taut_surface *a, const taut_surface *b, const char *part)
 {
     const double *p = taut_surface_points(a), *q = taut_surface_points(b);
     const double *w = taut_surface_weights(a), *z = taut_surface_weights(b);
@@ -150,10 +170,11 @@ static int is_same_surface(const taut_surface *a, const taut_surface *b)
             return 0;
         }
     }
-    return strcmp(taut_surface_name(a), taut_surface_name(b)) == 0;
+    return strcmp(taut_surface_name(a), taut_surface_name(b)) == 0 ||
+           (is_numbered(taut_surface_name(a), part) && is_numbered(taut_surface_name(b), part));
 }
 
-/* The same faces in the same colours, under the same name? */
+/* The same faces, under the same name, and given the same colours? Those that taut gives go by names and numbers in the whole. */
 static int is_same_part(const taut_step_part *a, const taut_step_part *b)
 {
     const int count = taut_model_surface_count(a->model);
@@ -161,8 +182,9 @@ static int is_same_part(const taut_step_part *a, const taut_step_part *b)
     if (strcmp(a->name, b->name) != 0 || count != taut_model_surface_count(b->model)) {
         return 0;
     }
-    while (i < count && taut_colour_said(a->model, i) == taut_colour_said(b->model, i) &&
-           is_same_surface(taut_model_surface(a->model, i), taut_model_surface(b->model, i))) {
+    while (i < count && a->said[i] == b->said[i] &&
+           is_same_surface(taut_model_surface(a->model, i), taut_model_surface(b->model, i),
+                           a->name)) {
         i++;
     }
     return i == count;

@@ -9,6 +9,7 @@
 typedef struct taut_step_part {
     const char *name;
     const taut_model *model; /* in coordinates of its own */
+    const int *said;         /* the colours that its surfaces were given, -1 for none */
     double place[12];        /* the rows of (A | b), where it is in the whole */
     int is_placed;           /* elsewhere than as it is */
     int of; /* the part whose product this is a use of: itself, or an earlier one */
