@@ -16,9 +16,11 @@ static const double least_share = 1e-4;
 static const int order_u[TAUT_CARRIER_VECTORS] = {0, 1, 0, 2, 1, 0, 3, 2, 1, 0};
 static const int order_v[TAUT_CARRIER_VECTORS] = {0, 0, 1, 0, 1, 2, 0, 1, 2, 3};
 
-/* Homogeneous derivatives: h[k][4]. `order` is a constant at each call, so that the loops over derivatives unroll. */
+/* Homogeneous derivatives: of wx, wy, wz, and of w. `order` is a constant at each call, so that the loops over derivatives
+ * unroll. */
 static inline void sum_net(const taut_carrier *carrier, const int span[2], const double at[2],
-                           const int order, double h[TAUT_CARRIER_VECTORS][4])
+                           const int order, double x[TAUT_CARRIER_VECTORS][3],
+                           double weights[TAUT_CARRIER_VECTORS])
 {
     const taut_basis *bu = carrier->basis[0], *bv = carrier->basis[1];
     const int local_u = bu->shape.local, local_v = bv->shape.local;
@@ -26,6 +28,7 @@ static inline void sum_net(const taut_carrier *carrier, const int span[2], const
     double nu[(TAUT_ORDER_MAX + 1) * (TAUT_DEGREE_MAX + 1)];
     double nv[(TAUT_ORDER_MAX + 1) * (TAUT_DEGREE_MAX + 1)];
     const int64_t columns = taut_basis_count(bv);
+    double h[TAUT_CARRIER_VECTORS][4];
 
     bu->ops->eval(bu, span[0], at[0], order, nu);
     bv->ops->eval(bv, span[1], at[1], order, nv);
@@ -49,6 +52,10 @@ static inline void sum_net(const taut_carrier *carrier, const int span[2], const
             }
         }
     }
+    for (int k = 0; k < count; k++) {
+        memcpy(x[k], h[k], sizeof x[k]);
+        weights[k] = h[k][3];
+    }
 }
 
 /* Of the quotient rule's sum of each derivative: which derivative of the weight, which of x, C(i, k) C(j, l). */
@@ -69,17 +76,17 @@ static const struct {
 };
 static const int quotient_first[TAUT_CARRIER_VECTORS + 1] = {0, 0, 1, 2, 4, 7, 9, 12, 17, 22, 25};
 
-/* The quotient rule: w x_ij = X_ij - sum over (k, l) < (i, j) of C(i, k) C(j, l) w_(i-k)(j-l) x_kl. */
-static void project(int count, const double h[TAUT_CARRIER_VECTORS][4],
+/* The quotient rule, in place: w x_ij = X_ij - sum over (k, l) < (i, j) of C(i, k) C(j, l) w_(i-k)(j-l) x_kl. */
+static void project(int count, const double weights[TAUT_CARRIER_VECTORS],
                     double x[TAUT_CARRIER_VECTORS][3])
 {
     for (int n = 0; n < count; n++) {
-        memcpy(x[n], h[n], sizeof x[n]);
         for (int t = quotient_first[n]; t < quotient_first[n + 1]; t++) {
-            taut_add_scaled(-quotient[t].factor * h[quotient[t].weight][3], x[quotient[t].x], x[n]);
+            taut_add_scaled(-quotient[t].factor * weights[quotient[t].weight], x[quotient[t].x],
+                            x[n]);
         }
         for (int c = 0; c < 3; c++) {
-            x[n][c] /= h[0][3];
+            x[n][c] /= weights[0];
         }
     }
 }
@@ -87,24 +94,19 @@ static void project(int count, const double h[TAUT_CARRIER_VECTORS][4],
 void taut_carrier_at(const taut_carrier *carrier, const int span[2], const double at[2], int order,
                      double x[TAUT_CARRIER_VECTORS][3])
 {
-    double h[TAUT_CARRIER_VECTORS][4];
-    const int count = (order + 1) * (order + 2) / 2;
+    double weights[TAUT_CARRIER_VECTORS];
 
     if (carrier->cells != NULL) {
-        taut_carrier_cells_at(carrier->cells, span, at, order, h);
+        taut_carrier_cells_at(carrier->cells, span, at, order, x, weights);
     } else if (order == 2) {
-        sum_net(carrier, span, at, 2, h);
+        sum_net(carrier, span, at, 2, x, weights);
     } else if (order == 3) {
-        sum_net(carrier, span, at, 3, h);
+        sum_net(carrier, span, at, 3, x, weights);
     } else {
-        sum_net(carrier, span, at, order, h);
+        sum_net(carrier, span, at, order, x, weights);
     }
     if (carrier->is_rational) {
-        project(count, (const double(*)[4])h, x);
-        return;
-    }
-    for (int k = 0; k < count; k++) {
-        memcpy(x[k], h[k], sizeof x[k]);
+        project((order + 1) * (order + 2) / 2, weights, x);
     }
 }
 

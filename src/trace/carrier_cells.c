@@ -2,26 +2,39 @@
  *
  *     of each span the functions alive there as polynomials about its middle, from their derivatives
  *     c_ij = sum_ab U_i,a V_j,b P_ab
- *     at a place: Horner's rule with derivatives along t of each row, then along s of what comes out
+ *     at a place: carrier_cells_body.h
  */
 #include "trace/carrier_cells.h"
 
 #include "basis/basis_ops.h"
+#include "numeric/kernel/name.h"
+#include "trace/carrier_cells_ops.h"
 
 #include <stdint.h>
 #include <string.h>
 
-enum { DEGREE = 5, POWERS = DEGREE + 1, ORDERS = TAUT_ORDER_MAX + 1, ROW = 4 * ORDERS };
+enum { DEGREE = TAUT_CARRIER_CELLS_DEGREE, POWERS = DEGREE + 1, ORDERS = TAUT_ORDER_MAX + 1 };
 /* The most memory for them, in doubles: 16,384 bicubic cells. */
 static const double most = 1 << 20;
 
 struct taut_carrier_cells {
+    const taut_carrier_cells_ops *ops; /* for this processor */
     int degree[2];
     int columns;   /* cells along v */
     size_t stride; /* doubles a cell */
     const double *breaks[2];
     const double *list; /* [cell][degree[0] + 1][degree[1] + 1][4] */
 };
+
+static const taut_carrier_cells_ops *chosen_ops(void)
+{
+#if defined(__x86_64__)
+    if (!taut_kernel_is("baseline")) {
+        return &taut_carrier_cells_avx2;
+    }
+#endif
+    return &taut_carrier_cells_baseline;
+}
 
 static int is_low(const taut_basis *basis)
 {
@@ -124,7 +137,8 @@ taut_status taut_carrier_cells_new(taut_arena *arena, const taut_basis *const ba
                       list + ((size_t)i * (size_t)spans[1] + (size_t)j) * stride);
         }
     }
-    *made = (taut_carrier_cells){.degree = {basis[0]->shape.degree, basis[1]->shape.degree},
+    *made = (taut_carrier_cells){.ops = chosen_ops(),
+                                 .degree = {basis[0]->shape.degree, basis[1]->shape.degree},
                                  .columns = spans[1],
                                  .stride = stride,
                                  .breaks = {basis[0]->breaks, basis[1]->breaks},
@@ -133,116 +147,8 @@ taut_status taut_carrier_cells_new(taut_arena *arena, const taut_basis *const ba
     return TAUT_OK;
 }
 
-/* to = to * s + from, of four numbers. */
-static inline void take(double *restrict to, double s, const double *restrict from)
-{
-    for (int c = 0; c < 4; c++) {
-        to[c] = to[c] * s + from[c];
-    }
-}
-
-/* out[4 k + c] = sum_i rows[i] (d/ds)^k s^i / k!, k = 0..order; rows are `step` doubles apart. */
-static inline void horner(const double *rows, int degree, size_t step, double s, const int order,
-                          double *out)
-{
-    double sum[ORDERS][4];
-    for (int k = 0; k <= order; k++) {
-        for (int c = 0; c < 4; c++) {
-            sum[k][c] = 0;
-        }
-    }
-    for (int i = degree; i >= 0; i--) {
-        if (order > 2) {
-            take(sum[3], s, sum[2]);
-        }
-        if (order > 1) {
-            take(sum[2], s, sum[1]);
-        }
-        if (order > 0) {
-            take(sum[1], s, sum[0]);
-        }
-        take(sum[0], s, rows + (size_t)i * step);
-    }
-    for (int k = 0; k <= order; k++) {
-        for (int c = 0; c < 4; c++) {
-            out[4 * k + c] = sum[k][c];
-        }
-    }
-}
-
-/* horner of degree 3: a sum of order k is nothing before its k-th turn and begins as what it is added to. */
-static inline void horner_cubic(const double *restrict rows, const int step, double s,
-                                const int order, double *restrict out)
-{
-    for (int c = 0; c < 4; c++) {
-        const double top = rows[3 * step + c];
-        const double value_1 = top * s + rows[2 * step + c];
-        const double value_2 = value_1 * s + rows[step + c], slope_2 = top * s + value_1;
-        out[c] = value_2 * s + rows[c];
-        if (order > 0) {
-            out[4 + c] = slope_2 * s + value_2;
-        }
-        if (order > 1) {
-            out[8 + c] = top * s + slope_2;
-        }
-        if (order > 2) {
-            out[12 + c] = top;
-        }
-    }
-}
-
-/* The derivatives of order l along t and up to `order` along s, from the rows' own. */
-static inline void combine(const double *rows, int degree, const int is_cubic, double s,
-                           const double u[ORDERS], double v, const int l, const int order,
-                           double (*h)[4])
-{
-    double column[ROW];
-    if (is_cubic) {
-        horner_cubic(rows + 4 * l, ROW, s, order, column);
-    } else {
-        horner(rows + 4 * l, degree, ROW, s, order, column);
-    }
-    for (int k = 0; k <= order; k++) {
-        double *out = h[(k + l) * (k + l + 1) / 2 + l];
-        for (int c = 0; c < 4; c++) {
-            out[c] = column[4 * k + c] * (u[k] * v);
-        }
-    }
-}
-
-/* `order` and `is_cubic` (both degrees are 3) are constants at each call, so that the loops over derivatives
- * unroll. */
-static inline void evaluate(const taut_carrier_cells *cells, const double *list, const double s[2],
-                            const double inverse[2], const int order, const int is_cubic,
-                            double (*h)[4])
-{
-    const int p = is_cubic ? 3 : cells->degree[0], q = is_cubic ? 3 : cells->degree[1];
-    const double a = inverse[0], b = inverse[1];
-    const double u[ORDERS] = {1, a, 2 * a * a, 6 * a * a * a};
-    double rows[POWERS * ROW];
-
-    for (int i = 0; i <= p; i++) {
-        const double *row = list + (size_t)i * (size_t)(4 * (q + 1));
-        if (is_cubic) {
-            horner_cubic(row, 4, s[1], order, rows + i * ROW);
-        } else {
-            horner(row, q, 4, s[1], order, rows + i * ROW);
-        }
-    }
-    combine(rows, p, is_cubic, s[0], u, 1, 0, order, h);
-    if (order > 0) {
-        combine(rows, p, is_cubic, s[0], u, b, 1, order - 1, h);
-    }
-    if (order > 1) {
-        combine(rows, p, is_cubic, s[0], u, 2 * b * b, 2, order - 2, h);
-    }
-    if (order > 2) {
-        combine(rows, p, is_cubic, s[0], u, 6 * b * b * b, 3, order - 3, h);
-    }
-}
-
 void taut_carrier_cells_at(const taut_carrier_cells *cells, const int span[2], const double at[2],
-                           int order, double (*h)[4])
+                           int order, double (*x)[3], double *weights)
 {
     const double *list =
         cells->list + ((size_t)span[0] * (size_t)cells->columns + (size_t)span[1]) * cells->stride;
@@ -254,26 +160,5 @@ void taut_carrier_cells_at(const taut_carrier_cells *cells, const int span[2], c
         inverse[d] = 1 / half;
         s[d] = (at[d] - (breaks[0] + half)) * inverse[d];
     }
-    const int is_cubic = cells->degree[0] == 3 && cells->degree[1] == 3;
-    switch (order) {
-    case 0:
-        evaluate(cells, list, s, inverse, 0, 0, h);
-        break;
-    case 1:
-        evaluate(cells, list, s, inverse, 1, 0, h);
-        break;
-    case 2:
-        if (is_cubic) {
-            evaluate(cells, list, s, inverse, 2, 1, h);
-        } else {
-            evaluate(cells, list, s, inverse, 2, 0, h);
-        }
-        break;
-    default:
-        if (is_cubic) {
-            evaluate(cells, list, s, inverse, 3, 1, h);
-        } else {
-            evaluate(cells, list, s, inverse, 3, 0, h);
-        }
-    }
+    cells->ops->at(cells->degree, list, s, inverse, order, x, weights);
 }

@@ -21,8 +21,8 @@ taut_status taut_carrier_cells_new(taut_arena *arena, const taut_basis *const ba
                                    const double *net, const taut_carrier_cells **cells);
 
 /* The derivatives up to `order` (0..3) at `at` of the polynomial of the cell, inside it or not, in the
- * order of taut_jet_power. */
+ * order of taut_jet_power: of wx, wy, wz, and of w. */
 void taut_carrier_cells_at(const taut_carrier_cells *cells, const int span[2], const double at[2],
-                           int order, double (*h)[4]);
+                           int order, double (*x)[3], double *weights);
 
 #endif /* TAUT_TRACE_CARRIER_CELLS_H */

@@ -4,6 +4,8 @@
 #include "trace/carrier_cells.h"
 
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 enum { COUNT = 10, TRIALS = 40 };
 
@@ -46,6 +48,28 @@ static taut_basis *spline(int degree)
     return basis;
 }
 
+/* The same bits by the loops of every processor. */
+static void compare_kernels(taut_arena *arena, const taut_basis *const basis[2])
+{
+    static const char *const kernels[3] = {"baseline", "avx2", "avx512"};
+    for (int order = 0; order <= 3; order++) {
+        double x[3][10][3] = {{{0}}}, weights[3][10] = {{0}};
+        const double at[2] = {random_in(-1, 0.2), random_in(-1, 0.2)};
+        for (int k = 0; k < 3; k++) {
+            const taut_carrier_cells *cells = NULL;
+            setenv("TAUT_KERNEL", kernels[k], 1); /* one that is not there is passed over */
+            taut_carrier_cells_new(arena, basis, net, &cells);
+            taut_carrier_cells_at(cells, (int[2]){0, 0}, at, order, x[k], weights[k]);
+        }
+        unsetenv("TAUT_KERNEL");
+        for (int k = 1; k < 3; k++) {
+            CHECK(memcmp(x[0], x[k], sizeof x[0]) == 0, "%s, order %d", kernels[k], order);
+            CHECK(memcmp(weights[0], weights[k], sizeof weights[0]) == 0, "%s, order %d",
+                  kernels[k], order);
+        }
+    }
+}
+
 static void compare(taut_arena *arena, int p, int q)
 {
     taut_basis *made[2] = {spline(p), spline(q)};
@@ -55,26 +79,28 @@ static void compare(taut_arena *arena, int p, int q)
     CHECK(taut_carrier_cells_new(arena, basis, net, &cells) == TAUT_OK && cells != NULL,
           "degrees %d, %d", p, q);
     for (int trial = 0; trial < TRIALS; trial++) {
-        double h[10][4], at[2];
+        double x[10][3], weights[10], at[2];
         int span[2];
         for (int d = 0; d < 2; d++) {
             const double *breaks = taut_basis_breaks(basis[d]);
             span[d] = random_int(0, taut_basis_span_count(basis[d]) - 1);
             at[d] = random_in(breaks[span[d]], breaks[span[d] + 1]);
         }
-        taut_carrier_cells_at(cells, span, at, trial % 4, h);
+        taut_carrier_cells_at(cells, span, at, trial % 4, x, weights);
         for (int i = 0; i <= trial % 4; i++) {
             for (int j = 0; i + j <= trial % 4; j++) {
                 for (int c = 0; c < 4; c++) {
                     const double want = by_bases(basis, span, at, i, j, c);
                     /* derivatives grow with the narrowest span, 0.05 */
-                    CHECK_NEAR(h[(i + j) * (i + j + 1) / 2 + j][c], want,
+                    const int n = (i + j) * (i + j + 1) / 2 + j;
+                    CHECK_NEAR(c < 3 ? x[n][c] : weights[n], want,
                                1e-13 * pow(100, i + j) + 1e-13 * fabs(want),
                                "degrees %d, %d: %d, %d", p, q, i, j);
                 }
             }
         }
     }
+    compare_kernels(arena, basis);
     taut_basis_free(made[0]);
     taut_basis_free(made[1]);
 }
