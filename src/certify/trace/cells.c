@@ -8,13 +8,24 @@
 
 #include "basis/basis_ops.h"
 #include "core/vec3.h"
+#include "numeric/kernel/name.h"
 
 #include <math.h>
 #include <string.h>
 
-enum { QUINTIC = 5, SIDE_MOST = TAUT_NET_COMPOSE_DEGREE / QUINTIC };
+enum { SIDE_MOST = TAUT_NET_CELL_SIDE };
 /* W over sqrt(E G): below, the normal is left to who knows what vanishes. */
 static const double clear_normal = 1e-4;
+
+static const taut_net_cell_ops *chosen_ops(void)
+{
+#if defined(__x86_64__)
+    if (!taut_kernel_is("baseline")) {
+        return &taut_net_cell_avx2;
+    }
+#endif
+    return &taut_net_cell_baseline;
+}
 
 taut_status taut_net_cells_new(taut_arena *arena, int count, const taut_surface *const *surfaces,
                                taut_net_cells **made)
@@ -24,6 +35,7 @@ taut_status taut_net_cells_new(taut_arena *arena, int count, const taut_surface 
         return TAUT_NO_MEMORY;
     }
     cells->arena = arena;
+    cells->ops = chosen_ops();
     cells->surfaces = surfaces;
     memcpy(cells->origin, taut_surface_points(surfaces[0]), sizeof cells->origin);
     cells->list = taut_arena_take(arena, (size_t)count, sizeof *cells->list);
@@ -40,15 +52,16 @@ taut_status taut_net_cells_new(taut_arena *arena, int count, const taut_surface 
 static int find_points(taut_net_cells *cells, taut_net_cell *one)
 {
     const size_t count = (size_t)(one->x[0].p + 1) * (size_t)(one->x[0].q + 1);
-    taut_net_pair *points = NULL;
+    double *points = NULL;
 
     if (one->x[3].p > 0 || one->x[3].q > 0) {
         return 1;
     }
-    points = taut_arena_take(cells->arena, 2 * count, sizeof *points);
+    points = taut_arena_take(cells->arena, 4 * count, sizeof *points);
     for (size_t k = 0; points != NULL && k < count; k++) {
-        points[2 * k] = (taut_net_pair){one->x[0].a[k], one->x[1].a[k]};
-        points[2 * k + 1] = (taut_net_pair){one->x[2].a[k], 0};
+        for (size_t c = 0; c < 3; c++) {
+            points[4 * k + c] = one->x[c].a[k];
+        }
     }
     one->points = points;
     return points != NULL;
@@ -62,11 +75,13 @@ static int find_cell(taut_net_cells *cells, int on, const int span[2], taut_net_
 
     if (!taut_field_of_surface(cells->arena, surface, span[0], span[1], cells->origin, 0, one->x,
                                one->width) ||
-        one->x[3].a == NULL || QUINTIC * (one->x[0].p + one->x[0].q) > TAUT_NET_COMPOSE_DEGREE) {
+        one->x[3].a == NULL ||
+        TAUT_NET_CURVE * (one->x[0].p + one->x[0].q) > TAUT_NET_COMPOSE_DEGREE) {
         return 0;
     }
     for (int d = 0; d < 2; d++) {
         one->lo[d] = taut_basis_breaks(basis[d])[span[d]];
+        one->hi[d] = taut_basis_breaks(basis[d])[span[d] + 1];
     }
     for (int c = 0; c < 4; c++) {
         const int count = (one->x[c].p + 1) * (one->x[c].q + 1);
@@ -89,12 +104,24 @@ const taut_net_cell *taut_net_cell_of(taut_net_cells *cells, int on, const int s
     return one->state == 1 ? one : NULL;
 }
 
+/* Is a place in the cell, and in no other one? */
+static int is_within(const taut_net_cell *one, const double at[2])
+{
+    return at[0] >= one->lo[0] && at[0] < one->hi[0] && at[1] >= one->lo[1] && at[1] < one->hi[1];
+}
+
 const taut_net_cell *taut_net_cell_at(taut_net_cells *cells, int on, const double at[2])
 {
     const taut_surface *surface = cells->surfaces[on];
+    const taut_net_cell *last = cells->last;
+    if (last != NULL && cells->last_on == on && is_within(last, at)) {
+        return last;
+    }
     const int span[2] = {taut_basis_span(taut_surface_u(surface), at[0]),
                          taut_basis_span(taut_surface_v(surface), at[1])};
-    return taut_net_cell_of(cells, on, span);
+    cells->last = taut_net_cell_of(cells, on, span);
+    cells->last_on = on;
+    return cells->last;
 }
 
 /* b[k][i]: the k-th derivatives of B[n,i] at s. */
@@ -149,42 +176,8 @@ static void bernstein_cubic(double s, double b[3][SIDE_MOST + 1])
     b[2][3] = 6 * s;
 }
 
-/* x, x_u, x_v, x_uu, x_uv, x_vv of a cell that is a polynomial; p and q are constants for cubic cells, so that the loops
- * unroll. */
-static inline void sum_cell(const int p, const int q, const taut_net_cell *one,
-                            double u[3][SIDE_MOST + 1], double v[3][SIDE_MOST + 1], double x[6][3])
-{
-    const double width[2] = {one->width[0], one->width[1]};
-    const double factor[6] = {
-        1, width[0], width[1], width[0] * width[0], width[0] * width[1], width[1] * width[1]};
-
-    for (int half = 0; half < 2; half++) {
-        taut_net_pair sum[6] = {{0}};
-        for (int i = 0; i <= p; i++) {
-            const taut_net_pair *row = one->points + 2 * (size_t)i * (size_t)(q + 1) + half;
-            taut_net_pair inner[3] = {{0}};
-            for (int j = 0; j <= q; j++) {
-                inner[0] += row[2 * j] * v[0][j];
-                inner[1] += row[2 * j] * v[1][j];
-                inner[2] += row[2 * j] * v[2][j];
-            }
-            sum[0] += u[0][i] * inner[0];
-            sum[1] += u[1][i] * inner[0];
-            sum[2] += u[0][i] * inner[1];
-            sum[3] += u[2][i] * inner[0];
-            sum[4] += u[1][i] * inner[1];
-            sum[5] += u[0][i] * inner[2];
-        }
-        for (int k = 0; k < 6; k++) {
-            const taut_net_pair value = sum[k] / factor[k];
-            for (int c = 2 * half; c < 3 && c < 2 * half + 2; c++) {
-                x[k][c] = value[c - 2 * half];
-            }
-        }
-    }
-}
-
-static void derivatives_at(const taut_net_cell *one, const double at[2], double x[6][3])
+static void derivatives_at(const taut_net_cell_ops *ops, const taut_net_cell *one,
+                           const double at[2], double x[6][3])
 {
     const int p = one->x[0].p, q = one->x[0].q;
     const double s = (at[0] - one->lo[0]) / one->width[0];
@@ -194,12 +187,11 @@ static void derivatives_at(const taut_net_cell *one, const double at[2], double 
     if (p == 3 && q == 3) {
         bernstein_cubic(s, u);
         bernstein_cubic(t, v);
-        sum_cell(3, 3, one, u, v, x);
     } else {
         bernstein_at(p, s, u);
         bernstein_at(q, t, v);
-        sum_cell(p, q, one, u, v, x);
     }
+    ops->sum(one->x[0].p, one->x[0].q, one->points, one->width, u, v, x);
 }
 
 /* 0 where the normal is too near to vanishing. */
@@ -236,7 +228,7 @@ int taut_net_cells_look(taut_net_cells *cells, int on, const double at[2], doubl
     double x[6][3];
 
     if (one != NULL && one->x[3].p == 0 && one->x[3].q == 0) {
-        derivatives_at(one, at, x);
+        derivatives_at(cells->ops, one, at, x);
         if (forms_from((const double(*)[3])x, forms)) {
             for (int c = 0; s != NULL && c < 3; c++) {
                 s[0][c] = x[0][c] + cells->origin[c];

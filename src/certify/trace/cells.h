@@ -6,28 +6,26 @@
 #define TAUT_CERTIFY_TRACE_CELLS_H
 
 #include "certify/common/field.h"
+#include "certify/trace/cells_ops.h"
 #include "taut/measure.h"
 
-/* 5 (p + q) at most of a cell of degree p x q, so that curves composed with it are bounded too. */
-enum { TAUT_NET_COMPOSE_DEGREE = 120 };
-
-/* Two coordinates, so that they are one instruction. */
-typedef double taut_net_pair __attribute__((vector_size(2 * sizeof(double)), may_alias));
-
 typedef struct taut_net_cell {
-    int state;                   /* 0 not looked at, 1 known, -1 none */
-    taut_field x[4];             /* X, Y, Z, w; points are moved by -origin */
-    const taut_net_pair *points; /* of a polynomial: X and Y, Z and 0 of each coefficient */
-    double lo[2], width[2];
+    int state;            /* 0 not looked at, 1 known, -1 none */
+    taut_field x[4];      /* X, Y, Z, w; points are moved by -origin */
+    const double *points; /* of a polynomial: X, Y, Z and 0 of each coefficient */
+    double lo[2], hi[2], width[2];
     double error;   /* of a coefficient of X, Y, Z */
     double largest; /* of X, Y, Z */
 } taut_net_cell;
 
 typedef struct taut_net_cells {
     taut_arena *arena;
+    const taut_net_cell_ops *ops; /* for this processor */
     const taut_surface *const *surfaces;
     double origin[3];
-    taut_net_cell **list; /* of each surface */
+    taut_net_cell **list;      /* of each surface */
+    const taut_net_cell *last; /* that was asked for, or NULL */
+    int last_on;               /* which surface it is of */
 } taut_net_cells;
 
 /* The cells of surfaces about 1 in size. The arena's. TAUT_NO_MEMORY. */

@@ -17,18 +17,13 @@
 #include <math.h>
 #include <string.h>
 
-enum {
-    QUINTIC = TAUT_NET_QUINTIC,
-    DEPTH = 6,
-    MOST = TAUT_NET_COMPOSE_DEGREE + QUINTIC,
-    SIDE = MOST / QUINTIC
-};
+enum { QUINTIC = TAUT_NET_QUINTIC, DEPTH = 6, SIDE = TAUT_NET_COMPOSE_ROOM / QUINTIC };
 /* Over the width of a cell: so far beyond its border a control point may lie by rounding. */
 static const double beyond = 1e-12;
 /* Roundings of one coefficient, of the largest. */
 static const double roundings = 0x1p-42;
 
-typedef double row[MOST + 1];
+typedef taut_net_compose_row row;
 
 struct taut_net_composer {
     taut_net_cells *cells;
@@ -105,41 +100,10 @@ static void compose_basis(int p, const double a[QUINTIC + 1], row *up, row *down
     }
 }
 
-/* x at c(t), of degree 5 (p + q); p and q are constants for cubic cells, so that the loops unroll. */
-static inline void compose_of(const int p, const int q, const double *x, row *restrict first,
-                              row *restrict second, double *restrict out)
-{
-    for (int k = 0; k <= QUINTIC * (p + q); k++) {
-        out[k] = 0;
-    }
-    for (int i = 0; i <= p; i++) {
-        double inner[MOST + 1];
-        for (int k = 0; k <= QUINTIC * q; k++) {
-            inner[k] = 0;
-        }
-        for (int j = 0; j <= q; j++) {
-            const double factor = x[i * (q + 1) + j];
-            for (int k = 0; k <= QUINTIC * q; k++) {
-                inner[k] += factor * second[j][k];
-            }
-        }
-        for (int l = 0; l <= QUINTIC * p; l++) {
-            const double factor = first[i][l];
-            for (int k = 0; k <= QUINTIC * q; k++) {
-                out[l + k] += factor * inner[k];
-            }
-        }
-    }
-}
-
 static void compose_coordinate(taut_net_composer *w, const taut_field *x, double *out)
 {
-    row *first = w->basis, *second = w->basis + SIDE + 1;
-    if (x->p == 3 && x->q == 3) {
-        compose_of(3, 3, x->a, first, second, out);
-    } else {
-        compose_of(x->p, x->q, x->a, first, second, out);
-    }
+    w->cells->ops->compose(x->p, x->q, x->a, (const taut_net_compose_row *)w->basis,
+                           (const taut_net_compose_row *)w->basis + SIDE + 1, out);
 }
 
 /* A part of a span: control points in the window, and in space about the origin. */

@@ -1,5 +1,6 @@
 /* test_trace.c -- nets that are none: each claim fails on a model that was changed where it looks. */
 #include "certificates.h"
+#include "certify/trace/compose.h"
 #include "certify/trace/everywhere.h"
 #include "check.h"
 #include "nets.h"
@@ -377,6 +378,42 @@ static void test_everywhere(void)
     }
 }
 
+/* The same bits by the loops of every processor. */
+static void compare_kernels(const taut_surface *const surfaces[1])
+{
+    static const char *const kernels[3] = {"baseline", "avx2", "avx512"};
+    double told[3][12][9] = {{{0}}}, away[3] = {0};
+    for (int k = 0; k < 3; k++) {
+        taut_arena *arena = taut_arena_new();
+        taut_net_cells *cells = NULL;
+        taut_net_composer *composer = NULL;
+        taut_net_span span = {.to = 1};
+        setenv("TAUT_KERNEL", kernels[k], 1); /* one that is not there is passed over */
+        taut_net_cells_new(arena, 1, surfaces, &cells);
+        taut_net_composer_new(arena, cells, &composer);
+        unsetenv("TAUT_KERNEL");
+        for (int i = 0; i < 12; i++) {
+            const double at[2] = {0.01 + 0.02 * i, 0.02 + 0.01 * i};
+            double s[3][3];
+            taut_forms f;
+            taut_net_cells_look(cells, 0, at, s, &f);
+            const double all[9] = {s[0][0], s[0][1], s[0][2], s[1][0], s[2][2],
+                                   f.mean,  f.l,     f.m,     f.n};
+            memcpy(told[k][i], all, sizeof all);
+        }
+        for (int i = 0; i <= TAUT_NET_QUINTIC; i++) {
+            span.window[i][0] = span.window[i][1] = 0.02 + 0.03 * i;
+        }
+        away[k] = taut_net_compose_distance(composer, &span);
+        CHECK(isfinite(away[k]), "%s: %g", kernels[k], away[k]);
+        taut_arena_free(arena);
+    }
+    for (int k = 1; k < 3; k++) {
+        CHECK(memcmp(told[0], told[k], sizeof told[0]) == 0, "%s", kernels[k]);
+        CHECK(away[0] == away[k], "%s: %.17g %.17g", kernels[k], away[0], away[k]);
+    }
+}
+
 /* What the cells tell of a place is what the surface tells by other formulas, polynomial or not, clear or not. */
 static void test_cells(void)
 {
@@ -430,6 +467,9 @@ static void test_cells(void)
                 CHECK_NEAR(f.m, g.m, 2e-13 * (1 + fabs(g.m)), "trial %d", trial);
                 CHECK_NEAR(f.n, g.n, 2e-13 * (1 + fabs(g.n)), "trial %d", trial);
             }
+        }
+        if (!has_weights && !is_pole) {
+            compare_kernels(surfaces);
         }
         taut_arena_free(arena);
         taut_surface_free(surface);
