@@ -45,6 +45,17 @@ static double turn_between(const double a[2], const double b[2])
     return taut_atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]);
 }
 
+/* Does the vector turn by less than 90 degrees along each side of a cell? Then by less than 360 around it, which is by 0. */
+static int turns_little(double w[4][2])
+{
+    int little = 1;
+    for (int k = 0; k < 4; k++) {
+        const double *a = w[k], *b = w[(k + 1) % 4];
+        little &= a[0] * b[0] + a[1] * b[1] > 0;
+    }
+    return little;
+}
+
 /* How far the vector turns along a side. */
 static double turn_along(const taut_carrier *carrier, const double from[2], const double a[2],
                          const double to[2], const double b[2], int depth)
@@ -181,7 +192,7 @@ int taut_singular_find(const taut_carrier *carrier, int flat, taut_singular list
             }
             vector_at(carrier, at[2], w[2], &mean);
             vector_at(carrier, at[3], w[3], &mean);
-            for (int k = 0; k < 4; k++) {
+            for (int k = 0; k < 4 && !turns_little(w); k++) {
                 around += turn_along(carrier, at[k], w[k], at[(k + 1) % 4], w[(k + 1) % 4], DEPTH);
             }
             if (fabs(around) > TAUT_PI) {

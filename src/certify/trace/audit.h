@@ -29,7 +29,8 @@ typedef struct taut_net_audit {
     double size;      /* times 2^-unit */
     double tolerance; /* of what is drawn, over the size */
     double roundest;  /* the largest R of a grid */
-    int is_minimal;   /* by its coefficients: K < 0 everywhere */
+    int is_minimal;   /* by its coefficients */
+    int is_saddle;    /* K < 0 everywhere, by proof */
     const taut_net_seams *seams;
 } taut_net_audit;
 

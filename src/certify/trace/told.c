@@ -470,6 +470,9 @@ static void look_at_share(const taut_net_audit *audit, taut_net_off *off)
     const double told = taut_net_number(details, "hyperbolic_share");
     const int surfaces = audit->lines->surface_count;
     double least = 0, most = 0;
+    if (audit->is_saddle && told == 1) { /* no grid can tell more */
+        return;
+    }
     for (int on = 0; on < surfaces; on++) {
         double share[2] = {1, 1}; /* of minimal surfaces K < 0 everywhere */
         if (!audit->is_minimal) {

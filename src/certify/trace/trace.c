@@ -94,6 +94,7 @@ typedef struct request {
     double roundest;            /* the largest R of a grid */
     int is_minimal;             /* H vanishes on that grid, to rounding */
     taut_net_straight straight; /* minimal by its coefficients: curves are straight in the window */
+    int is_everywhere;          /* the net, by proof */
     double tolerance;
     const taut_crew *crew;
 } request;
@@ -112,14 +113,17 @@ typedef struct place {
 /* What a claim has found so far. */
 typedef struct worst {
     double residual;
-    char where[96];
+    const char *name; /* of whose it is, and where; or NULL */
+    double t;
+    char where[96]; /* instead */
 } worst;
 
 static void take(worst *w, double residual, const char *name, double t)
 {
     const double larger = taut_certify_max(w->residual, residual);
-    if (w->where[0] == '\0' || !(larger == w->residual)) {
-        snprintf(w->where, sizeof w->where, "%.40s at %.6g", name, t);
+    if (w->name == NULL || !(larger == w->residual)) {
+        w->name = name;
+        w->t = t;
     }
     w->residual = larger;
 }
@@ -378,8 +382,19 @@ static void prove_straight(const request *r, const taut_net_line *line, found *f
 
 static taut_net_audit audit_of(const request *r)
 {
-    return (taut_net_audit){&r->lines, r->cells,     r->rule,     r->problem,           r->unit,
-                            r->size,   r->tolerance, r->roundest, r->straight.is_known, &r->seams};
+    return (taut_net_audit){.lines = &r->lines,
+                            .cells = r->cells,
+                            .rule = r->rule,
+                            .problem = r->problem,
+                            .unit = r->unit,
+                            .size = r->size,
+                            .tolerance = r->tolerance,
+                            .roundest = r->roundest,
+                            .is_minimal = r->straight.is_known,
+                            .is_saddle =
+                                r->straight.is_known ||
+                                (r->is_everywhere && r->lines.net == TAUT_TRACE_ASYMPTOTIC),
+                            .seams = &r->seams};
 }
 
 static void look_at_line(const request *r, const taut_net_line *line, found *f)
@@ -427,8 +442,13 @@ static void look_at_line(const request *r, const taut_net_line *line, found *f)
 static taut_status add(taut_certificate *certificate, const char *name, taut_claim_kind kind,
                        const worst *w, double limit)
 {
+    char where[96];
     taut_claim claim = {
         .claim = name, .kind = kind, .residual = w->residual, .limit = limit, .where = w->where};
+    if (w->name != NULL) {
+        snprintf(where, sizeof where, "%.40s at %.6g", w->name, w->t);
+        claim.where = where;
+    }
     claim.holds = isinf(w->residual) ? TAUT_FALSE : taut_certify_below(w->residual, limit);
     return taut_certificate_add(certificate, &claim);
 }
@@ -583,7 +603,7 @@ static double judge_end(const request *r, const taut_net_line *line, const doubl
 
 static taut_status add_ends(const request *r, taut_certificate *certificate)
 {
-    worst w = {0, ""};
+    worst w = {.residual = 0};
     for (int k = 0; k < r->lines.count; k++) {
         const taut_net_line *line = &r->lines.lines[k];
         const taut_basis *basis = taut_curve_t(line->space);
@@ -635,7 +655,7 @@ static double node_off(const request *r, const taut_record *node, const double x
 static taut_status add_nodes(const request *r, taut_arena *arena, taut_certificate *certificate)
 {
     const taut_record *nodes = taut_record_get(taut_model_details(r->lines.model), "nodes");
-    worst w = {0, ""};
+    worst w = {.residual = 0};
 
     for (size_t k = 0; k < taut_record_count(nodes); k++) {
         const taut_record *node = taut_record_at(nodes, k), *s = taut_record_get(node, "s");
@@ -687,7 +707,7 @@ static int makes_right_angles(const request *r)
 static taut_status add_right_angled(const request *r, taut_certificate *certificate)
 {
     const taut_record *nodes = taut_record_get(taut_model_details(r->lines.model), "nodes");
-    worst w = {0, ""};
+    worst w = {.residual = 0};
 
     if (r->lines.net != TAUT_TRACE_ASYMPTOTIC || !makes_right_angles(r)) {
         return TAUT_OK;
@@ -713,7 +733,7 @@ static taut_status add_right_angled(const request *r, taut_certificate *certific
 static taut_status add_spacing(const request *r, const worst *distance, taut_arena *arena,
                                taut_certificate *certificate)
 {
-    worst w = {0, ""};
+    worst w = {.residual = 0};
     int seed = 0;
     const double fit = fmin(distance->residual, r->tolerance);
     const taut_status status =
@@ -730,7 +750,7 @@ static taut_status add_spacing(const request *r, const worst *distance, taut_are
 static taut_status add_isometric(const request *r, taut_certificate *certificate)
 {
     const char *name = NULL;
-    worst w = {0, ""};
+    worst w = {.residual = 0};
     w.residual = taut_net_isometric(&r->lines, r->cells, r->unit, r->problem, &name);
     if (w.residual < 0) {
         return TAUT_OK;
@@ -789,20 +809,16 @@ static taut_status add_figures(const request *r, taut_certificate *certificate)
     return status;
 }
 
-/* Exact where a net exists everywhere by proof: K < 0 on minimal surfaces of the family, or by Bernstein
- * coefficients. */
-static taut_status add_complete(const request *r, taut_arena *arena, taut_certificate *certificate)
+/* A net exists everywhere by proof: K < 0 on minimal surfaces of the family, or by Bernstein coefficients. */
+static taut_status look_everywhere(request *r)
 {
     const taut_trace_net net = r->lines.net;
-    int is_proved = r->straight.is_known;
-    taut_status status = TAUT_OK;
-
-    if (!is_proved && r->lines.surface_count == 1 &&
+    r->is_everywhere = r->straight.is_known;
+    if (!r->is_everywhere && r->lines.surface_count == 1 &&
         (net == TAUT_TRACE_ASYMPTOTIC || net == TAUT_TRACE_PRINCIPAL)) {
-        status = taut_net_everywhere(r->cells, net, &is_proved);
+        return taut_net_everywhere(r->cells, net, &r->is_everywhere);
     }
-    return status == TAUT_OK ? taut_net_complete_add(&r->lines, is_proved, arena, certificate)
-                             : status;
+    return TAUT_OK;
 }
 
 /* ---- all curves, each by one thread ---- */
@@ -827,8 +843,9 @@ static void free_arena(void *arena)
 static void merge(worst *all, const worst *one)
 {
     const double larger = taut_certify_max(all->residual, one->residual);
-    if (one->where[0] != '\0' && (all->where[0] == '\0' || !(larger == all->residual))) {
-        memcpy(all->where, one->where, sizeof all->where);
+    if (one->name != NULL && (all->name == NULL || !(larger == all->residual))) {
+        all->name = one->name;
+        all->t = one->t;
     }
     all->residual = larger;
 }
@@ -876,12 +893,15 @@ static taut_status look_at_lines(const request *r, taut_arena *arena, found *f)
     return status;
 }
 
-static taut_status prove(const request *r, taut_arena *arena, taut_certificate *certificate)
+static taut_status prove(request *r, taut_arena *arena, taut_certificate *certificate)
 {
     static const char *const names[] = {"asymptotic", "principal", "geodesic", "isoparametric"};
     found f;
     taut_status status = look_at_lines(r, arena, &f);
 
+    if (status == TAUT_OK) {
+        status = look_everywhere(r);
+    }
     if (status != TAUT_OK) {
         return status;
     }
@@ -901,7 +921,7 @@ static taut_status prove(const request *r, taut_arena *arena, taut_certificate *
         status = add(certificate, "length", TAUT_CHECK, &f.length, length_limit);
     }
     if (status == TAUT_OK) {
-        worst w = {f.figures.residual, ""};
+        worst w = {.residual = f.figures.residual};
         snprintf(w.where, sizeof w.where, "%.90s", f.figures.where);
         status = add(certificate, "figures", TAUT_CHECK, &w, figures_limit);
     }
@@ -921,7 +941,7 @@ static taut_status prove(const request *r, taut_arena *arena, taut_certificate *
         status = add_spacing(r, &f.distance, arena, certificate);
     }
     if (status == TAUT_OK) {
-        status = add_complete(r, arena, certificate);
+        status = taut_net_complete_add(&r->lines, r->is_everywhere, arena, certificate);
     }
     if (status == TAUT_OK) {
         status = add_isometric(r, certificate);

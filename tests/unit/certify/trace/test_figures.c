@@ -114,6 +114,46 @@ static void check_all(const char *what, made_net *made)
     net_free(made);
 }
 
+/* z = 0.4 x^2 + 0.25 y^3: K < 0 where y < 0. */
+static const char *const cusps =
+    "{ \"taut\": 1, \"surfaces\": [{ \"u\": { \"type\": \"bezier\", \"degree\": 2, \"range\": [-1, "
+    "1] }, "
+    "\"v\": { \"type\": \"bezier\", \"degree\": 3, \"range\": [-1, 1] }, \"points\": ["
+    "[[-1, -1, 0.15], [-1, -0.3333333333333333, 0.65], [-1, 0.3333333333333333, 0.15], [-1, 1, "
+    "0.65]], "
+    "[[0, -1, -0.65], [0, -0.3333333333333333, -0.15], [0, 0.3333333333333333, -0.65], [0, 1, "
+    "-0.15]], "
+    "[[1, -1, 0.15], [1, -0.3333333333333333, 0.65], [1, 0.3333333333333333, 0.15], [1, 1, 0.65]]] "
+    "}] }";
+
+/* K < 0 on half of the surface alone, though details say everywhere. */
+static void check_share(void)
+{
+    made_net made = net_make("asymptotic", cusps, "\"seeds\": [{ \"at\": [0.2, -0.5] }]");
+    const taut_record *old = taut_model_details(made.model);
+    taut_record *details = taut_record_new();
+    taut_model *model = NULL;
+    taut_certificate *proof = NULL;
+
+    CHECK(taut_certificate_holds(made.proof) == TAUT_TRUE, "as made");
+    CHECK(fabs(taut_record_number(taut_record_get(old, "hyperbolic_share")) - 0.5) < 0.01, "share");
+    for (size_t k = 0; k < taut_record_count(old); k++) {
+        const char *key = taut_record_key(old, k);
+        if (strcmp(key, "hyperbolic_share") == 0) {
+            taut_record_add_number(details, key, 1);
+        } else {
+            taut_record_add_record(details, key, taut_record_at(old, k));
+        }
+    }
+    CHECK(taut_model_copy(made.model, &model) == TAUT_OK, "copy");
+    taut_model_set_details(model, details);
+    CHECK(taut_certify(model, made.problem, NULL, &proof, NULL) == TAUT_OK, "certify");
+    CHECK(claim_of(proof, "figures")->holds == TAUT_FALSE, "a share of 1 is believed");
+    taut_certificate_free(proof);
+    taut_model_free(model);
+    net_free(&made);
+}
+
 /* The last panel left out, and all else as it is then. */
 static void check_fewer(const made_net *made)
 {
@@ -383,6 +423,7 @@ int main(void)
     made_net panels =
         net_make("principal", BILINEAR, "\"seeds\": [{ \"cells\": 5 }], \"panels\": true");
     check_fewer(&panels);
+    check_share();
     check_all("panels", &panels);
     made_net bent =
         net_make("asymptotic", CATENOID,
