@@ -12,4 +12,9 @@ static inline v_double v_max(v_double a, v_double b)
     return (v_double){a[0] > b[0] ? a[0] : b[0], a[1] > b[1] ? a[1] : b[1]};
 }
 
+static inline double v_fold(v_double v)
+{
+    return v[0] + v[1];
+}
+
 #include "numeric/kernel/kernel_body.h"

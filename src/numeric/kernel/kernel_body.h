@@ -127,6 +127,7 @@ TARGET static void pack(size_t units, const double *from, size_t to_stride, doub
 
 /* ---- long vectors of any length and alignment ---- */
 
+#ifndef v_load_some /* where the set has no masks */
 /* The last count % V_SIZE entries, filled up with zeros. */
 INLINE v_double v_load_some(const double *from, size_t count)
 {
@@ -139,6 +140,7 @@ INLINE void v_store_some(double *to, v_double v, size_t count)
 {
     memcpy(to, &v, count * sizeof *to);
 }
+#endif
 
 /* Term i goes to sum i % DOT_LANES, at every width of vectors; halves are added to halves. */
 enum { DOT_LANES = 16, DOT_GROUPS = DOT_LANES / V_SIZE };
@@ -165,16 +167,14 @@ TARGET static double dot(size_t count, const double *x, const double *y)
             sum[g] = v_add_product(v_load_some(x + at, some), v_load_some(y + at, some), sum[g]);
         }
     }
-    double part[DOT_LANES];
-    for (int g = 0; g < DOT_GROUPS; g++) {
-        v_store(part + g * V_SIZE, sum[g]);
-    }
-    for (int half = DOT_LANES / 2; half > 0; half /= 2) {
-        for (int l = 0; l < half; l++) {
-            part[l] += part[half + l];
+#pragma GCC unroll 8
+    for (int half = DOT_GROUPS / 2; half > 0; half /= 2) {
+#pragma GCC unroll 8
+        for (int g = 0; g < half; g++) {
+            sum[g] += sum[half + g];
         }
     }
-    return part[0];
+    return v_fold(sum[0]); /* the lower half and the upper one, again */
 }
 
 /* Row i of the product; what lies outside the matrix is left out. */
