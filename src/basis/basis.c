@@ -276,6 +276,13 @@ int taut_basis_span(const taut_basis *basis, double t)
 {
     int low = 0;
     int high = basis->shape.span_count; /* breaks[low] <= t < breaks[high], or at an end */
+    const double *breaks = basis->breaks, lo = breaks[0], hi = breaks[high];
+    if (t > lo && t < hi) { /* even breaks are no search */
+        const int even = (int)((t - lo) / (hi - lo) * high);
+        if (even < high && t >= breaks[even] && t < breaks[even + 1]) {
+            return even;
+        }
+    }
     while (high - low > 1) {
         const int middle = low + (high - low) / 2;
         if (t >= basis->breaks[middle]) {
