@@ -38,11 +38,13 @@ static double area_of(const taut_cloth *cloth, const taut_cloth_piece *piece, in
     double sum = 0;
     taut_gauss_rule(NODES, r.nodes, r.weights);
     for (int i = 0; i < cells * NODES; i++) {
+        const double s = (i / NODES + (1 + r.nodes[i % NODES]) / 2) / cells;
+        taut_cloth_across across;
+        taut_cloth_across_at(cloth, piece, s, 1, &across);
         for (int k = 0; k < cells * NODES; k++) {
-            const double s = (i / NODES + (1 + r.nodes[i % NODES]) / 2) / cells;
             const double t = (k / NODES + (1 + r.nodes[k % NODES]) / 2) / cells;
             double g[3];
-            sum += taut_cloth_metric(cloth, piece, s, t, g)
+            sum += taut_cloth_metric_on(cloth, &across, t, g)
                        ? r.weights[i % NODES] * r.weights[k % NODES] / (4.0 * cells * cells) *
                              element(g)
                        : (double)NAN;

@@ -16,6 +16,8 @@
 
 enum { P = 5, Q = 2 * P - 1 /* degree of det J */, DEPTH = 12, PAIR_DEPTH = 24 };
 static const double fold_limit = 1e-3;
+/* Of a piece for the pulse: operations, roughly. */
+static const double work_of_piece = 2e7;
 
 /* ---- no-fold ---- */
 
@@ -302,24 +304,53 @@ static taut_status overlap_of(const taut_cloth *cloth, const taut_cloth_piece *p
     return TAUT_OK;
 }
 
+/* ---- of all pieces ---- */
+
+typedef struct folds {
+    const taut_cloth *cloth;
+    double *fold, *pairs;
+    taut_status *status;
+} folds;
+
+static void look_at(void *context, int worker, int64_t task)
+{
+    const folds *f = context;
+    const taut_cloth_piece *piece = &f->cloth->pieces[task];
+    taut_arena *scratch = taut_arena_new();
+    (void)worker;
+    f->fold[task] = fold_of(piece);
+    f->status[task] =
+        scratch != NULL ? overlap_of(f->cloth, piece, scratch, &f->pairs[task]) : TAUT_NO_MEMORY;
+    taut_arena_free(scratch);
+}
+
 taut_status taut_cloth_add_folds(const taut_cloth *cloth, taut_arena *arena,
                                  taut_certificate *certificate)
 {
+    const size_t count = (size_t)cloth->piece_count;
+    const int workers = taut_crew_workers(cloth->crew, (int64_t)count);
+    folds f = {cloth, taut_arena_take(arena, count + 1, sizeof *f.fold),
+               taut_arena_take(arena, count + 1, sizeof *f.pairs),
+               taut_arena_take(arena, count + 1, sizeof *f.status)};
     taut_worst overlap = {0, ""};
     taut_claim claim = {.claim = "no-fold", .kind = TAUT_BOUND, .limit = fold_limit, .where = ""};
     claim.residual = INFINITY;
 
+    if (taut_arena_status(arena) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    if (taut_crew_run(cloth->crew, workers, (int64_t)count, work_of_piece, look_at, &f)) {
+        return TAUT_INTERRUPTED;
+    }
     for (int k = 0; k < cloth->piece_count; k++) {
         const taut_cloth_piece *piece = &cloth->pieces[k];
-        const double fold = fold_of(piece);
-        double pairs = 0;
-        claim.where = !(fold >= claim.residual) ? piece->name : claim.where;
-        claim.residual = taut_certify_min(claim.residual, fold);
-        if (overlap_of(cloth, piece, arena, &pairs) != TAUT_OK) {
-            return TAUT_NO_MEMORY;
+        if (f.status[k] != TAUT_OK) {
+            return f.status[k];
         }
-        overlap.residual += pairs;
-        if (pairs > 0 && overlap.where[0] == '\0') {
+        claim.where = !(f.fold[k] >= claim.residual) ? piece->name : claim.where;
+        claim.residual = taut_certify_min(claim.residual, f.fold[k]);
+        overlap.residual += f.pairs[k];
+        if (f.pairs[k] > 0 && overlap.where[0] == '\0') {
             snprintf(overlap.where, sizeof overlap.where, "%.40s", piece->name);
         }
     }

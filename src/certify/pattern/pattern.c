@@ -34,6 +34,8 @@
 static const double tolerance_default = 1e-6, stationary_limit = 1e-9, isometric_limit = 1e-11;
 /* Of the ratio of stretches: at corners angles are off by what a spline leaves of r^2 log r. */
 static const double angle_limit = 1e-3;
+/* Between stations limits were found to be 1.07 times at the most what they are there. */
+static const double near_the_most = 0.85;
 /* Of a piece for the pulse: operations, roughly. */
 static const double work_of_piece = 5e7;
 
@@ -44,6 +46,7 @@ typedef struct states {
     taut_cloth_state *list;
     taut_cloth_limit *limits;
     taut_status *status;
+    int *near; /* of what each may have the largest */
 } states;
 
 static void look(void *context, int worker, int64_t task)
@@ -62,19 +65,47 @@ static void find_limit(void *context, int worker, int64_t task)
                         worker == 0 ? s->cloth->crew->pulse : NULL, &s->limits[task]);
 }
 
+static void refine_limit(void *context, int worker, int64_t task)
+{
+    const states *s = context;
+    taut_cloth_limit_refine(s->cloth, &s->cloth->pieces[task], s->near[task],
+                            worker == 0 ? s->cloth->crew->pulse : NULL, &s->limits[task]);
+}
+
+/* Figures are the largest of all pieces: between its stations only a piece is looked at that can be the one. */
+static void choose_near(states *s)
+{
+    double unavoidable = 0, expected = 0;
+    for (int k = 0; k < s->cloth->piece_count; k++) {
+        unavoidable = fmax(unavoidable, s->limits[k].unavoidable);
+        expected = fmax(expected, s->limits[k].expected);
+    }
+    for (int k = 0; k < s->cloth->piece_count; k++) {
+        const taut_cloth_limit *one = &s->limits[k];
+        s->near[k] =
+            (one->unavoidable >= near_the_most * unavoidable ? TAUT_CLOTH_UNAVOIDABLE : 0) |
+            (one->expected >= near_the_most * expected ? TAUT_CLOTH_EXPECTED : 0);
+    }
+}
+
 static taut_status look_at_all(const taut_cloth *cloth, taut_arena *arena, taut_cloth_state **list,
                                taut_cloth_limit **limits)
 {
     const size_t count = (size_t)cloth->piece_count;
     states s = {cloth, taut_arena_take(arena, count + 1, sizeof *s.list),
                 taut_arena_take(arena, count + 1, sizeof *s.limits),
-                taut_arena_take(arena, count + 1, sizeof *s.status)};
+                taut_arena_take(arena, count + 1, sizeof *s.status),
+                taut_arena_take(arena, count + 1, sizeof *s.near)};
     if (taut_arena_status(arena) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
     const int workers = taut_crew_workers(cloth->crew, (int64_t)count);
     if (taut_crew_run(cloth->crew, workers, (int64_t)count, work_of_piece, look, &s) ||
         taut_crew_run(cloth->crew, workers, (int64_t)count, work_of_piece, find_limit, &s)) {
+        return TAUT_INTERRUPTED;
+    }
+    choose_near(&s);
+    if (taut_crew_run(cloth->crew, workers, (int64_t)count, work_of_piece, refine_limit, &s)) {
         return TAUT_INTERRUPTED;
     }
     *list = s.list;
@@ -218,7 +249,7 @@ static taut_status prove(const taut_cloth *cloth, taut_arena *arena, taut_certif
     taut_cloth_state *list = NULL;
     taut_cloth_limit *limits = NULL;
     double area = 0;
-    taut_status status = taut_cloth_add_lines(cloth, certificate);
+    taut_status status = taut_cloth_add_lines(cloth, arena, certificate);
     if (status == TAUT_OK) {
         status = report(cloth);
     }

@@ -75,14 +75,11 @@ typedef struct runner {
     taut_cloth_spot spot; /* of the last state looked at */
 } runner;
 
-/* The derivatives of a state; 0 where there are none. */
-static int slope_of(runner *r, const state *x, state *out)
+/* The derivatives of a state whose place was looked at. */
+static int bend(runner *r, const state *x, state *out)
 {
     double force[2] = {0, 0};
-    taut_cloth_spot *spot = &r->spot;
-    if (!taut_cloth_spot_at(r->cloth, r->piece, x->at[0], x->at[1], spot)) {
-        return 0;
-    }
+    const taut_cloth_spot *spot = &r->spot;
     for (int l = 0; l < 2; l++) {
         force[l] = x->way[0] * x->way[0] * taut_dot(spot->second[0], spot->first[l]) +
                    2 * x->way[0] * x->way[1] * taut_dot(spot->second[1], spot->first[l]) +
@@ -95,6 +92,12 @@ static int slope_of(runner *r, const state *x, state *out)
     r->ray->gauss[0] = fmin(r->ray->gauss[0], spot->gauss);
     r->ray->gauss[1] = fmax(r->ray->gauss[1], spot->gauss);
     return 1;
+}
+
+/* Of one that is looked at now; 0 where there are none. */
+static int slope_of(runner *r, const state *x, state *out)
+{
+    return taut_cloth_spot_at(r->cloth, r->piece, x->at[0], x->at[1], &r->spot) && bend(r, x, out);
 }
 
 static state moved(const state *x, double h, const state *slope)
@@ -180,7 +183,8 @@ static void follow(const taut_cloth *cloth, const taut_cloth_piece *piece, const
     const double *g = r.spot.g, across = taut_sin(angle);
     x.way[0] = taut_cos(angle) / sqrt(g[0]) - across * g[1] / (sqrt(g[0]) * r.spot.area);
     x.way[1] = across * sqrt(g[0]) / r.spot.area;
-    for (int k = 0; k < STEPS_MOST && slope_of(&r, &x, &slope); k++) {
+    for (int k = 0; k < STEPS_MOST && (k == 0 ? bend(&r, &x, &slope) : slope_of(&r, &x, &slope));
+         k++) {
         int ends[2] = {0, 0};
         const double out[2] = {leaves_after(x.at[0], x.way[0], slope.way[0], &ends[0]),
                                leaves_after(x.at[1], x.way[1], slope.way[1], &ends[1])};

@@ -25,6 +25,8 @@ enum { PLACES = 8, NODES = 16, STEPS = 1024 };
 /* Corners, evaluated along both edges that meet there, over the window. */
 static const double same_corner = 1e-13;
 static const double geodesic_limit = 1e-6, seam_limit = 1e-9, edge_limit = 1e-6, end_limit = 1e-9;
+/* Of a side for the pulse: operations, roughly. */
+static const double work_of_side = 2e7;
 
 /* ---- cover ---- */
 
@@ -364,35 +366,67 @@ static int look_at(const taut_cloth *cloth, const taut_cloth_side *side, double 
     return 1;
 }
 
-static taut_status add_on_surface(const taut_cloth *cloth, taut_certificate *certificate)
+/* What is found of each side. */
+typedef struct sides {
+    const taut_cloth *cloth;
+    taut_worst *distance;
+    double *turn;
+} sides;
+
+static void look_along_side(void *context, int worker, int64_t task)
 {
-    taut_worst distance = {0, ""}, turn = {0, ""};
-    double nodes[NODES], weights[NODES];
-    int any = 0, geodesics = 0;
+    const sides *all = context;
+    const taut_cloth_side *side = &all->cloth->sides[task];
+    const taut_basis *basis = side->space != NULL ? taut_curve_t(side->space) : NULL;
+    double nodes[NODES], weights[NODES], sum = 0, away = 0, bend = 0, speed = 0;
+    (void)worker;
 
     taut_gauss_rule(NODES, nodes, weights);
-    for (int k = 0; k < cloth->side_count; k++) {
-        const taut_cloth_side *side = &cloth->sides[k];
-        const taut_basis *basis = side->space != NULL ? taut_curve_t(side->space) : NULL;
-        double sum = 0, away = 0, bend = 0, speed = 0;
-        any |= basis != NULL;
-        for (int i = 0; basis != NULL && i < taut_basis_span_count(basis); i++) {
-            const double a = taut_basis_breaks(basis)[i], b = taut_basis_breaks(basis)[i + 1];
-            for (int q = 0; q < PLACES; q++) {
-                const double t = a + (b - a) * (q + 0.5) / PLACES;
-                const int is_there = look_at(cloth, side, t, &away, &bend, &speed);
-                taut_worst_take(&distance, is_there ? away : INFINITY, side->name, t);
-            }
-            for (int q = 0; q < NODES; q++) {
-                const double t = (a + b) / 2 + (b - a) / 2 * nodes[q];
-                sum += look_at(cloth, side, t, &away, &bend, &speed)
-                           ? weights[q] * (b - a) / 2 * fabs(bend) * speed
-                           : INFINITY;
-            }
+    all->distance[task] = (taut_worst){0, ""};
+    for (int i = 0; basis != NULL && i < taut_basis_span_count(basis); i++) {
+        const double a = taut_basis_breaks(basis)[i], b = taut_basis_breaks(basis)[i + 1];
+        for (int q = 0; q < PLACES; q++) {
+            const double t = a + (b - a) * (q + 0.5) / PLACES;
+            const int is_there = look_at(all->cloth, side, t, &away, &bend, &speed);
+            taut_worst_take(&all->distance[task], is_there ? away : INFINITY, side->name, t);
         }
-        if (basis != NULL && strcmp(side->kind, "geodesic") == 0) {
+        for (int q = 0; q < NODES; q++) {
+            const double t = (a + b) / 2 + (b - a) / 2 * nodes[q];
+            sum += look_at(all->cloth, side, t, &away, &bend, &speed)
+                       ? weights[q] * (b - a) / 2 * fabs(bend) * speed
+                       : INFINITY;
+        }
+    }
+    all->turn[task] = sum;
+}
+
+static taut_status add_on_surface(const taut_cloth *cloth, taut_arena *arena,
+                                  taut_certificate *certificate)
+{
+    const size_t count = (size_t)cloth->side_count;
+    const int workers = taut_crew_workers(cloth->crew, (int64_t)count);
+    sides all = {cloth, taut_arena_take(arena, count + 1, sizeof *all.distance),
+                 taut_arena_take(arena, count + 1, sizeof *all.turn)};
+    taut_worst distance = {0, ""}, turn = {0, ""};
+    int any = 0, geodesics = 0;
+
+    if (taut_arena_status(arena) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    if (taut_crew_run(cloth->crew, workers, (int64_t)count, work_of_side, look_along_side, &all)) {
+        return TAUT_INTERRUPTED;
+    }
+    for (size_t k = 0; k < count; k++) {
+        const taut_cloth_side *side = &cloth->sides[k];
+        if (side->space == NULL) {
+            continue;
+        }
+        any = 1;
+        taut_worst_join(&distance, &all.distance[k]);
+        if (strcmp(side->kind, "geodesic") == 0) {
             geodesics++;
-            taut_worst_take(&turn, sum, side->name, taut_basis_lo(basis));
+            taut_worst_take(&turn, all.turn[k], side->name,
+                            taut_basis_lo(taut_curve_t(side->space)));
         }
     }
     if (!any) {
@@ -537,31 +571,62 @@ static int measure_all_held(const taut_cloth *cloth, taut_worst *w)
     return any;
 }
 
-static taut_status add_seams(const taut_cloth *cloth, taut_certificate *certificate)
+/* What is found of the seam of each edge that is first. */
+typedef struct seams {
+    const taut_cloth *cloth;
+    taut_worst *apart;
+} seams;
+
+static void compare_all(void *context, int worker, int64_t task)
 {
+    const seams *all = context;
+    const taut_cloth *cloth = all->cloth;
+    const sewn a = {(int)task / TAUT_CLOTH_EDGES, (int)task % TAUT_CLOTH_EDGES};
+    const taut_cloth_piece *piece = &cloth->pieces[a.piece];
+    (void)worker;
+
+    all->apart[task] = (taut_worst){0, ""};
+    if (!piece->is_sewn[a.edge] || !taut_cloth_is_first(cloth, piece, a.edge)) {
+        return;
+    }
+    const char *name = cloth->sides[piece->sides[a.edge]].seam;
+    for (int k = 0; k < cloth->piece_count * TAUT_CLOTH_EDGES; k++) {
+        const sewn both[2] = {a, {k / TAUT_CLOTH_EDGES, k % TAUT_CLOTH_EDGES}};
+        const taut_cloth_piece *other = &cloth->pieces[both[1].piece];
+        if (other->is_sewn[both[1].edge] && !taut_cloth_is_first(cloth, other, both[1].edge) &&
+            strcmp(cloth->sides[other->sides[both[1].edge]].seam, name) == 0) {
+            compare(cloth, name, both, &all->apart[task]);
+        }
+    }
+}
+
+static taut_status add_seams(const taut_cloth *cloth, taut_arena *arena,
+                             taut_certificate *certificate)
+{
+    const size_t count = (size_t)cloth->piece_count * TAUT_CLOTH_EDGES;
+    const int workers = taut_crew_workers(cloth->crew, (int64_t)count);
+    seams all = {cloth, taut_arena_take(arena, count + 1, sizeof *all.apart)};
     taut_worst w = {0, ""}, lengths = {0, ""};
     int any = 0;
-    const int any_held = measure_all_held(cloth, &lengths);
 
+    if (taut_arena_status(arena) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    if (taut_crew_run(cloth->crew, workers, (int64_t)count, work_of_side, compare_all, &all)) {
+        return TAUT_INTERRUPTED;
+    }
+    const int any_held = measure_all_held(cloth, &lengths);
     for (int i = 0; i < cloth->piece_count * TAUT_CLOTH_EDGES; i++) {
         const sewn a = {i / TAUT_CLOTH_EDGES, i % TAUT_CLOTH_EDGES};
-        const taut_cloth_piece *piece = &cloth->pieces[a.piece];
-        if (!piece->is_sewn[a.edge]) {
+        if (!cloth->pieces[a.piece].is_sewn[a.edge]) {
             continue;
         }
         any = 1;
-        const char *name = cloth->sides[piece->sides[a.edge]].seam;
         if (cloth->is_true) {
             measure(cloth, &a, &lengths);
         }
-        for (int k = 0; k < cloth->piece_count * TAUT_CLOTH_EDGES; k++) {
-            const sewn both[2] = {a, {k / TAUT_CLOTH_EDGES, k % TAUT_CLOTH_EDGES}};
-            const taut_cloth_piece *other = &cloth->pieces[both[1].piece];
-            if (taut_cloth_is_first(cloth, piece, a.edge) && other->is_sewn[both[1].edge] &&
-                !taut_cloth_is_first(cloth, other, both[1].edge) &&
-                strcmp(cloth->sides[other->sides[both[1].edge]].seam, name) == 0) {
-                compare(cloth, name, both, &w);
-            }
+        if (all.apart[i].where[0] != '\0') {
+            taut_worst_join(&w, &all.apart[i]);
         }
     }
     const taut_status status =
@@ -625,11 +690,12 @@ static taut_status add_edges(const taut_cloth *cloth, taut_certificate *certific
     return taut_worst_add(&w, "edges", TAUT_CHECK, edge_limit, certificate);
 }
 
-taut_status taut_cloth_add_lines(const taut_cloth *cloth, taut_certificate *certificate)
+taut_status taut_cloth_add_lines(const taut_cloth *cloth, taut_arena *arena,
+                                 taut_certificate *certificate)
 {
     taut_status status = add_cover(cloth, certificate);
     if (status == TAUT_OK) {
-        status = add_on_surface(cloth, certificate);
+        status = add_on_surface(cloth, arena, certificate);
     }
     if (status == TAUT_OK) {
         status = add_edges(cloth, certificate);
@@ -637,5 +703,5 @@ taut_status taut_cloth_add_lines(const taut_cloth *cloth, taut_certificate *cert
     if (status == TAUT_OK && cloth->is_straight) {
         status = add_ends(cloth, certificate);
     }
-    return status == TAUT_OK ? add_seams(cloth, certificate) : status;
+    return status == TAUT_OK ? add_seams(cloth, arena, certificate) : status;
 }

@@ -24,7 +24,7 @@
 #include <math.h>
 
 enum {
-    STEPS = 16,
+    STEPS = TAUT_CLOTH_STATIONS,
     ACROSS = 8,
     NODES = 8,
     DIRECTIONS = 12,
@@ -44,19 +44,10 @@ static const double no_curvature = 1e-11;
 /* Of the distance of one place: operations, roughly. */
 static const double work_of_distance = 1e6;
 
-/* What is known of the axis at s = i/STEPS. */
-typedef struct station {
-    double from_start; /* length of the axis up to it */
-    double across;     /* of the cross line */
-    double distance;   /* to the border */
-    double low, high;  /* of K on the cross line */
-    double bend;       /* |k_g| of the axis */
-} station;
-
 typedef struct ground {
     const taut_cloth *cloth;
     const taut_cloth_piece *piece;
-    station at[STEPS + 1];
+    taut_cloth_station *at;
     taut_pulse *pulse;
 } ground;
 
@@ -97,12 +88,15 @@ static double away_from_tips(const taut_cloth_piece *piece, double s)
 static double length_of(const ground *w, double a, double b, int is_across)
 {
     double nodes[NODES], weights[NODES], sum = 0;
+    taut_cloth_across across;
     taut_gauss_rule(NODES, nodes, weights);
     for (int q = 0; q < NODES; q++) {
         double g[3];
         const double x = (1 + nodes[q]) / 2;
-        const double s = is_across ? a : a + (b - a) * x, t = is_across ? b * x : 0.5;
-        taut_cloth_metric(w->cloth, w->piece, s, t, g);
+        if (q == 0 || !is_across) {
+            taut_cloth_across_at(w->cloth, w->piece, is_across ? a : a + (b - a) * x, 1, &across);
+        }
+        taut_cloth_metric_on(w->cloth, &across, is_across ? b * x : 0.5, g);
         sum += weights[q] / 2 * (is_across ? b * sqrt(g[2]) : (b - a) * sqrt(g[0]));
     }
     return sum;
@@ -122,10 +116,10 @@ static double distance_at(const ground *w, double s)
 }
 
 /* 0 where the surface has no curvature somewhere. */
-static int measure(ground *w)
+static int measure(const ground *w)
 {
     for (int i = 0; i <= STEPS; i++) {
-        station *one = &w->at[i];
+        taut_cloth_station *one = &w->at[i];
         const double s = away_from_tips(w->piece, (double)i / STEPS);
         taut_cloth_spot spot;
         one->low = INFINITY;
@@ -207,10 +201,10 @@ static double beta_about(const climber *c, double half)
     return beta;
 }
 
-/* The best part of the axis between stations, made longer or shorter about its middle by the golden section. */
+/* The best part of the axis between stations. */
 static void look_at_domes(const ground *w, taut_cloth_limit *limit)
 {
-    double best = 1, length = 0, radius = 0, from = 0, to = 0;
+    double best = 1, length = 0, radius = 0;
     for (int i = 1; i < STEPS; i++) {
         for (int k = i; k < STEPS; k++) {
             const double a = (double)i / STEPS, b = (double)k / STEPS;
@@ -218,17 +212,20 @@ static void look_at_domes(const ground *w, taut_cloth_limit *limit)
             const double beta = beta_of_curve(w, a, b, d, &length, &radius);
             if (beta > best) {
                 best = beta;
-                from = a;
-                to = b;
+                limit->dome[0] = a;
+                limit->dome[1] = b;
                 take(limit, beta, (a + b) / 2, length, radius);
             }
         }
     }
-    if (!(best > 1)) {
-        return;
-    }
-    const climber c = {w, (from + to) / 2, limit};
-    const double half = (to - from) / 2, most = fmin(c.middle, 1 - c.middle) - end_of_axis;
+}
+
+/* It is made longer or shorter about its middle. */
+static void refine_dome(const ground *w, taut_cloth_limit *limit)
+{
+    const climber c = {w, (limit->dome[0] + limit->dome[1]) / 2, limit};
+    const double half = (limit->dome[1] - limit->dome[0]) / 2;
+    const double most = fmin(c.middle, 1 - c.middle) - end_of_axis;
     climb(&c, beta_about, fmax(half - 1.0 / STEPS, 0), fmin(half + 1.0 / STEPS, most));
 }
 
@@ -274,18 +271,14 @@ static double beta_around(const climber *c, double s)
 
 static void look_at_saddles(const ground *w, taut_cloth_limit *limit)
 {
-    const climber c = {w, 0, limit};
-    double best = 1, middle = 0;
+    double best = 1;
     for (int i = 1; i < STEPS; i++) {
         const double beta = beta_of_disc(w, (double)i / STEPS, w->at[i].distance);
         if (beta > best) {
             best = beta;
-            middle = (double)i / STEPS;
-            take(limit, beta, middle, 0, w->at[i].distance);
+            limit->saddle = (double)i / STEPS;
+            take(limit, beta, limit->saddle, 0, w->at[i].distance);
         }
-    }
-    if (best > 1) {
-        climb(&c, beta_around, middle - 1.0 / STEPS, middle + 1.0 / STEPS);
     }
 }
 
@@ -309,22 +302,25 @@ static double expected_at(const climber *c, double at)
 static void look_at_widths(const ground *w, taut_cloth_limit *limit)
 {
     const climber c = {w, 0, limit};
-    double best = 0, middle = 0;
+    double best = 0;
+    limit->wide = 0;
     for (int i = 0; i <= STEPS; i++) {
         const double one = expected_at(&c, (double)i / STEPS);
-        middle = one > best ? (double)i / STEPS : middle;
+        limit->wide = one > best ? (double)i / STEPS : limit->wide;
         best = fmax(best, one);
     }
-    climb(&c, expected_at, fmax(middle - 1.0 / STEPS, 0), fmin(middle + 1.0 / STEPS, 1));
 }
 
 void taut_cloth_limit_of(const taut_cloth *cloth, const taut_cloth_piece *piece, taut_pulse *pulse,
                          taut_cloth_limit *limit)
 {
-    ground w = {.cloth = cloth, .piece = piece, .pulse = pulse};
+    const ground w = {cloth, piece, limit->stations, pulse};
     double low = INFINITY, high = -INFINITY;
 
-    *limit = (taut_cloth_limit){.unavoidable = 0};
+    *limit = (taut_cloth_limit){.unavoidable = 0,
+                                .dome = {(double)NAN, (double)NAN},
+                                .saddle = (double)NAN,
+                                .wide = (double)NAN};
     if (!measure(&w)) {
         return;
     }
@@ -342,5 +338,23 @@ void taut_cloth_limit_of(const taut_cloth *cloth, const taut_cloth_piece *piece,
     }
     if (low < 0) {
         look_at_saddles(&w, limit);
+    }
+}
+
+void taut_cloth_limit_refine(const taut_cloth *cloth, const taut_cloth_piece *piece, int what,
+                             taut_pulse *pulse, taut_cloth_limit *limit)
+{
+    static const double step = 1.0 / STEPS;
+    const ground w = {cloth, piece, limit->stations, pulse};
+    const climber c = {&w, 0, limit};
+
+    if ((what & TAUT_CLOTH_EXPECTED) && limit->wide >= 0) {
+        climb(&c, expected_at, fmax(limit->wide - step, 0), fmin(limit->wide + step, 1));
+    }
+    if ((what & TAUT_CLOTH_UNAVOIDABLE) && limit->dome[0] >= 0) {
+        refine_dome(&w, limit);
+    }
+    if ((what & TAUT_CLOTH_UNAVOIDABLE) && limit->saddle >= 0) {
+        climb(&c, beta_around, limit->saddle - step, limit->saddle + step);
     }
 }

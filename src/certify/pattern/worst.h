@@ -5,6 +5,7 @@
 #include "certify/common/verdict.h"
 
 #include <stdio.h>
+#include <string.h>
 
 typedef struct taut_worst {
     double residual;
@@ -16,6 +17,16 @@ static inline void taut_worst_take(taut_worst *w, double residual, const char *n
     const double larger = taut_certify_max(w->residual, residual);
     if (w->where[0] == '\0' || !(larger == w->residual)) {
         snprintf(w->where, sizeof w->where, "%.40s at %.6g", name, t);
+    }
+    w->residual = larger;
+}
+
+/* What was found beside it, of what comes after. */
+static inline void taut_worst_join(taut_worst *w, const taut_worst *next)
+{
+    const double larger = taut_certify_max(w->residual, next->residual);
+    if (w->where[0] == '\0' || !(larger == w->residual)) {
+        memcpy(w->where, next->where, sizeof w->where);
     }
     w->residual = larger;
 }

@@ -27,6 +27,8 @@
 
 /* Lengths are parameters, which are from 1e-60 to 1e60 (docs/limits.md): of sizes below 2^this. */
 enum { EXPONENT_MOST = 150, MARKS_MOST = 1000 /* along a seam */ };
+/* Of the outline of a piece for the pulse: operations, roughly. */
+static const double work_of_outline = 1e7;
 /* Edges of exact length leave those of the flat spline by so much of the size at the most, or it gets twice the spans both ways. */
 static const double drift_most = 2e-7;
 enum { REFINEMENTS = 2, DRIFT_PLACES = 64, CLAIMED_PLACES = 1024 /* of the certificate */ };
@@ -424,21 +426,66 @@ static taut_status check_overlap(const taut_pattern_piece *piece,
                : TAUT_OK;
 }
 
+typedef struct drawing {
+    const request *request;
+    made_pieces *made;
+    taut_arena **arenas; /* of each piece */
+    taut_status *status;
+} drawing;
+
+static void draw(void *context, int worker, int64_t task)
+{
+    const drawing *d = context;
+    (void)worker;
+    d->status[task] = taut_pattern_outline_new(&d->made->layout, &d->request->cut, (int)task,
+                                               d->arenas[task], &d->made->outlines[task]);
+}
+
+static void release(void *arena)
+{
+    taut_arena_free(arena);
+}
+
+static taut_status draw_all(const request *r, made_pieces *made, taut_error *error)
+{
+    const size_t count = (size_t)made->layout.piece_count;
+    const int workers = taut_crew_workers(r->crew, (int64_t)count);
+    drawing d = {r, made, taut_arena_take(made->arena, count, sizeof *d.arenas),
+                 taut_arena_take(made->arena, count, sizeof *d.status)};
+    taut_status status = taut_arena_status(made->arena);
+    for (size_t k = 0; status == TAUT_OK && k < count; k++) {
+        d.arenas[k] = taut_arena_new();
+        if (d.arenas[k] == NULL || !taut_arena_keep(made->arena, d.arenas[k], release)) {
+            status = TAUT_NO_MEMORY;
+        }
+    }
+    if (status == TAUT_OK &&
+        taut_crew_run(r->crew, workers, (int64_t)count, work_of_outline, draw, &d)) {
+        return taut_fail_status(error, TAUT_INTERRUPTED);
+    }
+    for (size_t k = 0; status == TAUT_OK && k < count; k++) {
+        status = d.status[k];
+    }
+    return status == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
+}
+
 static taut_status make_outlines(const request *r, made_pieces *made, taut_error *error)
 {
     const int count = made->layout.piece_count;
     made->outlines = taut_arena_take(made->arena, (size_t)count, sizeof *made->outlines);
     made->margins = taut_arena_take(made->arena, (size_t)count, sizeof *made->margins);
     taut_status status = taut_arena_status(made->arena);
+    if (status == TAUT_OK) {
+        status = draw_all(r, made, error);
+        if (status != TAUT_OK) {
+            return status;
+        }
+    }
     made->widest = made->longest = made->strain = 0;
     for (int k = 0; status == TAUT_OK && k < count; k++) {
         taut_pattern_outline *outline = &made->outlines[k];
         if (taut_pulse_report(r->crew->pulse)) {
             return taut_fail_status(error, TAUT_INTERRUPTED);
-        }
-        status = taut_pattern_outline_new(&made->layout, &r->cut, k, made->arena, outline);
-        if (status != TAUT_OK) {
-            return taut_fail_memory(error);
         }
         made->margins[k] = taut_pattern_margin_of(r->problem, &made->layout, k);
         status = taut_pattern_leave(&made->layout.pieces[k], &made->margins[k],
