@@ -6,6 +6,7 @@
 #include "taut/basis.h"
 
 #include <limits.h>
+#include <math.h>
 #include <stddef.h>
 #include <string.h>
 
@@ -51,6 +52,26 @@ static void test_partition_of_unity(void)
             CHECK_NEAR(sum, k == 0, 8 * local * TAUT_UNIT_ROUNDOFF * size, "k=%d local=%d t=%a", k,
                        local, t);
         }
+        taut_basis_free(basis);
+    }
+}
+
+/* The span of a place, of knots as uneven as they come: at its beginning, inside, and next to its end. */
+static void test_spans(void)
+{
+    for (int trial = 0; trial < 400; trial++) {
+        taut_basis *basis = random_basis();
+        const double *breaks = taut_basis_breaks(basis);
+        const int count = taut_basis_span_count(basis);
+        for (int span = 0; span < count; span++) {
+            const double places[] = {breaks[span], random_in(breaks[span], breaks[span + 1]),
+                                     nextafter(breaks[span + 1], breaks[span])};
+            for (int k = 0; k < 3; k++) {
+                CHECK(taut_basis_span(basis, places[k]) == span, "%a is in span %d, found %d",
+                      places[k], span, taut_basis_span(basis, places[k]));
+            }
+        }
+        CHECK(taut_basis_span(basis, breaks[count]) == count - 1, "the end is in the last span");
         taut_basis_free(basis);
     }
 }
@@ -211,6 +232,7 @@ int main(void)
 {
     random_seed(20260101);
     test_partition_of_unity();
+    test_spans();
     test_derivatives();
     test_short_knots();
     test_refusals();
