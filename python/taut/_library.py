@@ -9,7 +9,7 @@ import ctypes
 import os
 import pathlib
 import sys
-from ctypes import POINTER, Structure, c_char, c_char_p, c_double, c_int, c_size_t, c_void_p
+from ctypes import POINTER, Structure, Union, c_char, c_char_p, c_double, c_int, c_size_t, c_void_p
 from typing import Any
 
 VERSION = "0.2.0"
@@ -83,6 +83,111 @@ class DirichletProblem(Structure):
                 ("through", c_void_p), ("through_count", c_int)]
 
 
+class PlateauProblem(Structure):
+    _fields_ = [("net", DirichletProblem), ("curves", c_void_p * 4), ("start", c_void_p), ("tolerance", c_double), ("max_iterations", c_int),
+                ("method", c_int), ("refine", c_int), ("tolerance_area", c_double), ("without_least", c_int), ("gap", c_double)]
+
+
+class HarmonicRows(Structure):
+    _fields_ = [("points", c_void_p), ("known", c_void_p), ("exact", c_void_p), ("even", c_int), ("allow_ill_conditioned", c_int)]
+
+
+class HarmonicDerivative(Structure):
+    _fields_ = [("edge", c_void_p), ("cross", c_void_p), ("exact_edge", c_void_p), ("exact_cross", c_void_p), ("raise", c_int),
+                ("allow_ill_conditioned", c_int)]
+
+
+class HarmonicBoundary(Structure):
+    _fields_ = [("points", c_void_p), ("known", c_void_p)]
+
+
+class HarmonicGiven(Union):
+    _fields_ = [("rows", HarmonicRows), ("derivative", HarmonicDerivative), ("boundary", HarmonicBoundary)]
+
+
+class HarmonicProblem(Structure):
+    _anonymous_ = ("part",)
+    _fields_ = [("name", c_char_p), ("u", c_void_p), ("v", c_void_p), ("given", c_int), ("part", HarmonicGiven)]
+
+
+class BiharmonicRows(Structure):
+    _fields_ = [("name", c_char_p), ("u", c_void_p), ("v", c_void_p), ("points", c_void_p), ("known", c_void_p)]
+
+
+class BiharmonicNeighbour(Structure):
+    _fields_ = [("surface", c_void_p), ("edge", c_int), ("width", c_double), ("contact", c_int), ("allow_ill_conditioned", c_int)]
+
+
+class BiharmonicGiven(Union):
+    _fields_ = [("rows", BiharmonicRows), ("neighbour", BiharmonicNeighbour)]
+
+
+class BiharmonicProblem(Structure):
+    _anonymous_ = ("part",)
+    _fields_ = [("given", c_int), ("part", BiharmonicGiven)]
+
+
+class ExtensionC1(Structure):
+    _fields_ = [("width", c_double)]
+
+
+class ExtensionG1(Structure):
+    _fields_ = [("width", c_double), ("c", c_double), ("alpha", c_double), ("beta", c_double)]
+
+
+class ExtensionMerge(Structure):
+    _fields_ = [("neighbour", c_void_p)]
+
+
+class ExtensionGiven(Union):
+    _fields_ = [("c1", ExtensionC1), ("g1", ExtensionG1), ("merge", ExtensionMerge)]
+
+
+class ExtensionProblem(Structure):
+    _anonymous_ = ("part",)
+    _fields_ = [("surface", c_void_p), ("edge", c_int), ("given", c_int), ("part", ExtensionGiven)]
+
+
+class BonnetProblem(Structure):
+    _fields_ = [("lambda", c_double * 2), ("frames", c_int), ("sign", c_int), ("alpha", c_double), ("beta", c_double), ("bspline", c_int),
+                ("segments", c_int * 2), ("theta", c_double), ("normalize", c_int), ("start", c_double * 2)]
+
+
+class PipeEnd(Structure):
+    _fields_ = [("point", c_double * 3), ("direction", c_double * 3), ("handle", c_double)]
+
+
+class PipeAxisGiven(Union):
+    _fields_ = [("polygon", c_double * 3 * 4), ("ends", PipeEnd * 2)]
+
+
+class PipeAxis(Structure):
+    _anonymous_ = ("part",)
+    _fields_ = [("kind", c_int), ("part", PipeAxisGiven)]
+
+
+class PipeEllipse(Structure):
+    _fields_ = [("a", c_double), ("b", c_double), ("direction", c_double * 3)]
+
+
+class PipeSectionGiven(Union):
+    _fields_ = [("radius", c_double), ("ellipses", PipeEllipse * 2), ("radii", c_double * 2)]
+
+
+class PipeSection(Structure):
+    _anonymous_ = ("part",)
+    _fields_ = [("kind", c_int), ("part", PipeSectionGiven)]
+
+
+class PipeShape(Structure):
+    _fields_ = [("kind", c_int), ("alpha", c_double), ("beta", c_double), ("gamma", c_double), ("extended", c_int)]
+
+
+class PipeProblem(Structure):
+    _fields_ = [("axis", PipeAxis), ("section", PipeSection), ("shape", PipeShape), ("joint", c_int), ("frame", c_int), ("lengths", c_double * 2),
+                ("bend_radius", c_double), ("caps", c_int)]
+
+
 class GradientRequest(Structure):
     _fields_ = [("of", c_int), ("factors", c_void_p), ("monitor", MonitorStruct)]
 
@@ -130,7 +235,8 @@ SIGNATURES = {
     "taut_mesh_new": "i:pppp", "taut_mesh_free": "-:p", "taut_mesh_vertex_count": "z:p", "taut_mesh_positions": "p:p",
     "taut_mesh_normals": "p:p", "taut_mesh_parameters": "p:p", "taut_mesh_quad_count": "z:p", "taut_mesh_quads": "p:p",
     "taut_mesh_triangles": "p:p", "taut_mesh_welded": "p:p", "taut_mesh_group_count": "i:p", "taut_mesh_group_at": "p:pi",
-    "taut_dirichlet_make": "i:pppp", "taut_dirichlet_certify": "i:ppppp",
+    **{f"taut_{construct}_{verb}": signature for construct in ("biharmonic", "bonnet", "dirichlet", "harmonic", "harmonic_extension", "pipe", "plateau")
+       for verb, signature in (("make", "i:pppp"), ("certify", "i:ppppp"))},
     "taut_trace_follow": "i:piippdpppp", "taut_gradient": "i:ppppp", "taut_gradient_of_film": "i:ppppp",
 }
 _TYPES = {"p": c_void_p, "s": c_char_p, "i": c_int, "d": c_double, "z": c_size_t, "-": None}
@@ -154,6 +260,12 @@ LAYOUTS: dict[str, type[Structure]] = {
     "taut_measure_options": MeasureOptions, "taut_write_options": WriteOptions, "taut_mesh_options": MeshOptions,
     "taut_basis_spec": BasisSpec, "taut_claim": ClaimStruct, "taut_dirichlet_problem": DirichletProblem, "taut_gradient_request": GradientRequest,
     "taut_trace_step": TraceStep, "taut_trace_end": TraceEnd, "taut_film_gradient_request": FilmGradientRequest, "taut_film_slopes": FilmSlopes,
+    "taut_plateau_problem": PlateauProblem, "taut_harmonic_problem": HarmonicProblem, "taut_harmonic_rows": HarmonicRows,
+    "taut_harmonic_derivative": HarmonicDerivative, "taut_harmonic_boundary": HarmonicBoundary, "taut_biharmonic_problem": BiharmonicProblem,
+    "taut_biharmonic_rows": BiharmonicRows, "taut_biharmonic_neighbour": BiharmonicNeighbour, "taut_extension_c1": ExtensionC1,
+    "taut_extension_g1": ExtensionG1, "taut_extension_merge": ExtensionMerge, "taut_harmonic_extension_problem": ExtensionProblem,
+    "taut_bonnet_problem": BonnetProblem, "taut_pipe_problem": PipeProblem, "taut_pipe_axis": PipeAxis, "taut_pipe_end": PipeEnd,
+    "taut_pipe_section": PipeSection, "taut_pipe_ellipse": PipeEllipse, "taut_pipe_shape": PipeShape,
 }
 sizes: dict[str, int] = {}  # of all public structs, in bytes
 
@@ -193,6 +305,14 @@ def _declare(library: ctypes.CDLL) -> None:
         function.argtypes = [_TYPES[kind] for kind in takes]
 
 
+def _members(layout: Any) -> list[str]:
+    """The names that C sees: those of a union without a name are the struct's."""
+    names = []
+    for name, kind, *_ in layout._fields_:
+        names += _members(kind) if name in getattr(layout, "_anonymous_", ()) else [name]
+    return names
+
+
 def _check(library: ctypes.CDLL) -> None:
     version = library.taut_version().decode()
     if version.split(".")[:2] != VERSION.split(".")[:2]:
@@ -206,7 +326,7 @@ def _check(library: ctypes.CDLL) -> None:
         if layout is None:
             continue
         theirs = [(member.name.decode(), member.offset, member.size) for member in struct.members[:struct.count]]
-        ours = [(field[0], getattr(layout, field[0]).offset, getattr(layout, field[0]).size) for field in layout._fields_]
+        ours = [(member, getattr(layout, member).offset, getattr(layout, member).size) for member in _members(layout)]
         if theirs != ours or struct.size != ctypes.sizeof(layout):
             raise LibraryError(f"taut: {library._name} lays out {name} otherwise than this package: they are not of one version")
     if not set(LAYOUTS) <= set(sizes):

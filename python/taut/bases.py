@@ -63,6 +63,9 @@ class Basis(Referable):
 
     def to_dict(self) -> dict[str, Any]:
         """The document's object, in full form."""
+        return dict(self._full())
+
+    def _full(self) -> dict[str, Any]:
         if self._document is None:
             spec = c.BasisSpec()
             library.taut_basis_spec_of(self._pointer, byref(spec))
@@ -73,12 +76,12 @@ class Basis(Referable):
             if spec.has_range:
                 document["range"] = [spec.range[0], spec.range[1]]
             self._document = document
-        return dict(self._document)
+        return self._document
 
     @property
     def type(self) -> str:
         """Such as "bspline"."""
-        return str(self.to_dict()["type"])
+        return str(self._full()["type"])
 
     @property
     def count(self) -> int:

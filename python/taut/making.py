@@ -11,7 +11,7 @@ from typing import Any, Mapping, Sequence, Union, overload
 import numpy as np
 
 from . import _library as c
-from ._handle import Handle, address_of, bytes_of, encoded, expect, is_masked, library, made, path_of, real, thread_count
+from ._handle import Handle, bytes_of, encoded, expect, is_masked, library, made, path_of, real, thread_count
 from ._watch import Progress, Watch
 from .bases import Basis
 from .errors import InputError, raise_for
@@ -52,6 +52,25 @@ def plain(value: Any, where: str = "") -> Any:
     raise InputError(f"{where or 'the document'}: found {type(value).__name__}, expected what JSON holds", where, "type")
 
 
+def text_of_document(document: Any) -> str:
+    """A document as JSON, with the version of the format. What C's encoder takes as it is, and arrays in it that hold numbers alone, need not
+    be gone through here; all else is, which is where points to be found become null and errors find their place."""
+    if isinstance(document, dict):
+        try:
+            return json.dumps(with_version(document), default=_encoded, allow_nan=False)
+        except (TypeError, ValueError):
+            pass
+    return json.dumps(with_version(plain(document)))
+
+
+def _encoded(value: Any) -> Any:
+    if isinstance(value, np.ndarray) and value.dtype.kind in "fiu":
+        return _plain_array(value, "")
+    if isinstance(value, (Basis, Curve)):
+        return value.to_dict()
+    raise TypeError
+
+
 def _is_unknown(value: Any) -> bool:
     """A point [x, y, z] with a NaN: one to be found."""
     return isinstance(value, (list, tuple)) and len(value) == 3 and any(isinstance(x, float) and math.isnan(x) for x in value)
@@ -85,8 +104,6 @@ def _plain_array(array: Any, where: str) -> Any:
 
 
 # --- Calls that take long --------------------------------------------------------------------------------------------
-
-_BRIEF = 400  # points of a net that is made in some milliseconds: Ctrl-C waits so long
 
 
 def _made(problem: Any, options: c.MakeOptions | None, proof: c.CertifyOptions | None, make: Any, certify: Any) -> Model:
@@ -127,7 +144,7 @@ def _problems(document: Document) -> Handle:
     if isinstance(document, os.PathLike) or (isinstance(document, str) and not _is_text(document)):
         return made(library.taut_problem_list_read, library.taut_problem_list_free, encoded(os.fspath(document)))
     try:
-        data = bytes_of(document if isinstance(document, (str, bytes, bytearray)) else json.dumps(with_version(plain(document))))
+        data = bytes_of(document if isinstance(document, (str, bytes, bytearray)) else text_of_document(document))
     except RecursionError:
         raise InputError("a document that contains itself, or that is nested too deep", "", "nesting") from None
     return made(library.taut_problem_list_read_text, library.taut_problem_list_free, data, len(data), b"<document>")
@@ -208,18 +225,15 @@ def certify(model: Model, problem: Document | None = None, tolerance: float | No
     return certificate
 
 
-def dirichlet_direct(points: Any, u: Basis, v: Basis, known: Any, weights: Any, aspect: Any, regular: bool, name: str | None,
-                     tolerance: float | None, threads: int | None, progress: Progress | None, strict: bool) -> Model:
-    """The surface of least Dirichlet energy, from arrays without a document between: tens of microseconds less."""
-    problem = c.DirichletProblem(encoded(name), u._pointer, v._pointer, address_of(points), address_of(known),
-                                 None if weights is None else address_of(weights),
-                                 0.0 if aspect == "auto" else float(aspect), int(aspect == "auto"), int(regular))
-    if progress is None and tolerance is None and threads is None and known.size <= _BRIEF:
-        return _strict(_made(byref(problem), None, None, library.taut_dirichlet_make, library.taut_dirichlet_certify), strict)
+def make_direct(problem: Any, make: Any, certify: Any, is_brief: bool, tolerance: float | None, threads: int | None,
+                progress: Progress | None, strict: bool) -> Model:
+    """The model of a struct of C, without a document between; is_brief: Ctrl-C may wait until it is made."""
+    if is_brief and progress is None and tolerance is None and threads is None:
+        return _strict(_made(problem, None, None, make, certify), strict)
     options, proof = _options(tolerance, threads, False)
     with Watch(progress) as watch:
         options.monitor = proof.monitor = watch.monitor
-        model = _made(byref(problem), options, proof, library.taut_dirichlet_make, library.taut_dirichlet_certify)
+        model = _made(problem, options, proof, make, certify)
     return _strict(model, strict)
 
 

@@ -16,7 +16,7 @@ from typing import Any, BinaryIO, Iterable, Iterator, Mapping, Sequence, Sized
 from ._handle import path_of, whole
 from ._watch import Progress, Watch
 from .errors import CheckFailed, Error, FileError, InputError, NoSolution, NotConverged
-from .making import Document, make, plain, with_version
+from .making import Document, make, text_of_document
 from .model import Model, failed
 
 _EXIT = {InputError: 3, NoSolution: 4, NotConverged: 1, CheckFailed: 1, FileError: 5}
@@ -507,7 +507,7 @@ def _text(document: Any) -> str:
         return text if text.lstrip()[:1] in ("{", "[") else os.path.abspath(text)
     if not isinstance(document, (Mapping, Sequence)):
         raise InputError(f"found {type(document).__name__}, expected a document", "", "type")
-    return json.dumps(with_version(plain(document)))
+    return text_of_document(document)
 
 
 __all__ = ["map"]
