@@ -109,9 +109,10 @@ static int is_table(const taut_record *list)
             taut_record_kind_of(taut_record_at(row, 0)) == TAUT_RECORD_LIST);
 }
 
-static void print_value(const taut_record *value, int digits)
+/* `unit`: of lengths in it, or NULL. */
+static void print_value(const taut_record *value, int digits, const char *unit)
 {
-    char name[64];
+    char name[64], room[CLI_UNIT_ROOM];
     switch (taut_record_kind_of(value)) {
     case TAUT_RECORD_NUMBER:
         fprintf(stderr, "%.*g", digits, taut_record_number(value));
@@ -130,7 +131,7 @@ static void print_value(const taut_record *value, int digits)
         }
         for (size_t i = 0; i < taut_record_count(value) && i < 6; i++) {
             fprintf(stderr, "%s", i > 0 ? ", " : "");
-            print_value(taut_record_at(value, i), digits);
+            print_value(taut_record_at(value, i), digits, unit);
         }
         fprintf(stderr, "%s", taut_record_count(value) > 6 ? ", ..." : "");
         break;
@@ -138,7 +139,11 @@ static void print_value(const taut_record *value, int digits)
         for (size_t i = 0; is_short(value) && i < taut_record_count(value); i++) {
             fprintf(stderr, "%s%s ", i > 0 ? " " : "",
                     words(taut_record_key(value, i), name, sizeof name));
-            print_value(taut_record_at(value, i), digits);
+            print_value(taut_record_at(value, i), digits, unit);
+            if (unit != NULL &&
+                taut_record_kind_of(taut_record_at(value, i)) == TAUT_RECORD_NUMBER) {
+                fprintf(stderr, "%s", cli_unit_of(taut_record_key(value, i), unit, room));
+            }
         }
         if (!is_short(value)) {
             fprintf(stderr, "(%zu members: see --report)", taut_record_count(value));
@@ -160,7 +165,8 @@ static int is_rows(const taut_record *value)
 }
 
 /* The first is beside the key already; `names`: what each row is of, or NULL. */
-static void print_rows(const taut_record *value, const taut_record *names, int digits)
+static void print_rows(const taut_record *value, const taut_record *names, int digits,
+                       const char *unit)
 {
     for (size_t i = 0; i < taut_record_count(value) && i < ROWS; i++) {
         const char *name = taut_record_text(taut_record_at(names, i));
@@ -170,7 +176,7 @@ static void print_rows(const taut_record *value, const taut_record *names, int d
         if (name != NULL && name[0] != '\0') {
             fprintf(stderr, "%s: ", name);
         }
-        print_value(taut_record_at(value, i), digits);
+        print_value(taut_record_at(value, i), digits, unit);
     }
     if (taut_record_count(value) > ROWS) {
         fprintf(stderr, "\n  %-*s ... and %zu more", COLUMN - 1, "",
@@ -218,9 +224,9 @@ static void print_members(const taut_record *record, const taut_record *supports
         const int digits = digits_of(record, key);
         const taut_record *names = strcmp(key, "reactions") == 0 ? supports : NULL;
         if (is_rows(value) || names != NULL) {
-            print_rows(value, names, digits);
+            print_rows(value, names, digits, unit);
         } else {
-            print_value(value, digits);
+            print_value(value, digits, unit);
         }
         const int has_unit = unit != NULL && kind != TAUT_RECORD_TEXT && !lacks_unit(record, key);
         fprintf(stderr, "%s\n", has_unit ? cli_unit_of(key, unit, room) : "");

@@ -3,7 +3,7 @@
 
 "$TAUT" example film-sail > sail.json
 run 0 make sail.json -o form.json -o form.step -o form.svg --reactions
-contains err.txt '^  each cable +edge u0 force 2 length '
+contains err.txt '^  each cable +edge u0 force 2 length [0-9.]+ (mm|cm|m)$'
 [ "$(grep -c '^  cables ' err.txt)" = 1 ] || complain "cables means two things: $(grep '^  cables ' err.txt)"
 for corner in u1v0 u0v1 u1v1; do
     contains err.txt "^ +$corner: -?[0-9.]+, -?[0-9.]+, -?[0-9.]+$"

@@ -51,6 +51,16 @@ async function mustChange(page, name, act) {
     return after;
 }
 
+/* The page and the program have the same units of the same words. */
+function testUnits() {
+    const source = path.join(__dirname, '../..');
+    const words = [...fs.readFileSync(path.join(source, 'src/cli/unit.c'), 'utf8').matchAll(/\{"(\w+)", (-?\d)\}/g)].map(([, word, power]) => word + ' ' + power);
+    const table = /new Map\(Object\.entries\(\{([^]*?)\}\)/.exec(fs.readFileSync(path.join(source, 'src/page/viewer/script/certificate.js'), 'utf8'))[1];
+    const said = [...table.matchAll(/'(-?\d)': ((?:'[^']*'[\s+]*)+)/g)].flatMap(([, power, text]) =>
+        [...text.matchAll(/'([^']*)'/g)].map((part) => part[1]).join('').trim().split(' ').map((word) => word + ' ' + power));
+    check(words.length > 30 && words.sort().join() === said.sort().join(), 'units of the page, ' + said + ', of the program, ' + words);
+}
+
 function quiet(page, what) {
     check(page.complaints.length === 0, what + ' complains: ' + page.complaints.join('; '));
     check(page.requests.every((url) => url.startsWith('file:') || url.startsWith('data:')) &&
@@ -70,6 +80,7 @@ async function testControls(browser) {
     check(await page.evaluate('window.broken === undefined && document.querySelectorAll("aside b, aside img, aside script").length === 0'), 'markup in a name is markup');
     check((await page.evaluate('document.querySelector("h1").textContent')) === hostile, 'the title is not the text that was given');
     check((await page.evaluate('document.body.innerText')).includes('not all claims hold'), 'the certificate says that it does not hold');
+    check((await page.evaluate('document.getElementById("figures").innerText')).includes('4.5 mm²'), 'an area has no unit');
     check(inked(snap(await page.picture('#stage'), 'plain')) > 0.05, 'the picture is blank');
 
     /* What is seen in the very frame in which the canvas gets another size. */
@@ -397,6 +408,11 @@ async function testForces(browser) {
         const sail = await Page.open(browser, makePage(name + '-page', made), 800, 420);
         await sail.until(drawn);
         check(made.certificate.figures.reactions.length === count, name + ' has other supports');
+        if (made.details.cables.length > 0) {
+            const told = await sail.evaluate('document.getElementById("details").innerText');
+            check(/length\s+[0-9.]+ m(\s|$)/.test(told), name + ': a cable\'s length has no unit: ' + told.slice(0, 400));
+            check(!/force\s+[0-9.]+ m/.test(told), name + ': a force is a length');
+        }
         await mustChange(sail, name + '-reactions', () => sail.click('#reactions'));
         const note = await sail.evaluate('document.getElementById("reaction-note").textContent');
         check(Math.abs(numberIn(note.replace(/\.$/, '')) / longest - 1) < 0.005, name + ': ' + note + ', the longest is ' + longest);
@@ -521,7 +537,8 @@ async function main() {
     testPlaces();
     const browser = new Browser(process.env.CHROMIUM || 'chromium');
     try {
-        await testControls(browser);
+        testUnits();
+    await testControls(browser);
         await testFrames(browser);
         await testPicks(browser);
         await testSaving(browser);

@@ -26,6 +26,30 @@ function verdictSentence(certificate, count, saved) {
 
 const SHOWN_MOST = 60; /* entries of one list or claims: more are counted */
 
+/* What numbers of records are measured in: powers of the model's unit, as in src/cli/unit.c. */
+const POWERS = new Map(Object.entries({
+    '1': 'length lengths unstressed total_length seam_length radius bend_radius least_bend_radius wall distance ' +
+        'boundary_gap max_gap gap_bound bounding_box largest_radius point du dv duu duv dvv d1 d2 d3',
+    '2': 'area areas area_error dirichlet_area flat_area lower_bound gap',
+    '3': 'volume volumes wall_volume',
+    '-1': 'curvature torsion max_curvature mean_curvature max_torsion max_abs_normal_curvature mean_abs_mean_curvature ' +
+        'rms_mean_curvature max_abs_mean_curvature',
+    '-2': 'gaussian_curvature',
+}).flatMap(([power, words]) => words.split(' ').map((word) => [word, Number(power)])));
+
+/* Films and cloth, whose certificates have an energy, call what has no unit of length by these. */
+const WITHOUT_LENGTH = ['gap', 'lower_bound', 'mean_curvature', 'curvature'];
+
+/* " mm²", or nothing: of a number, or a list of them, that a record calls so. */
+function unitText(key, value, record) {
+    const power = POWERS.get(key);
+    const isNumeric = typeof value === 'number' || Array.isArray(value) && value.flat(2).every((x) => typeof x === 'number') && value.length > 0;
+    if (power === undefined || !isNumeric || 'energy' in record && WITHOUT_LENGTH.includes(key)) {
+        return '';
+    }
+    return ' ' + (power < 0 ? '1/' : '') + model.unit + ['', '', '\u00b2', '\u00b3'][Math.abs(power)];
+}
+
 /* A value of a record: numbers and words in a line, objects as lists of their own. */
 function valueElement(value) {
     if (Array.isArray(value)) {
@@ -56,7 +80,10 @@ function valueElement(value) {
 
 function fillList(list, object) {
     for (const [key, value] of Object.entries(object)) {
-        list.append(element('dt', key.replaceAll('_', ' ')), valueElement(value));
+        const shown = valueElement(value);
+        shown.append(unitText(key, value, object));
+        shown.normalize(); /* one line of text */
+        list.append(element('dt', key.replaceAll('_', ' ')), shown);
     }
 }
 
