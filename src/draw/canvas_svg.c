@@ -160,7 +160,9 @@ static taut_status svg_begin(taut_canvas *canvas, const taut_page *page)
         put_escaped(canvas, page->title);
         put_text(canvas, "</title>\n");
     }
-    put_text(canvas, "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n"
+    /* shapes that share an edge share its pixels: smoothed, the edge would show between them */
+    put_text(canvas, "<style>path:not([stroke]){shape-rendering:crispEdges}</style>\n"
+                     "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n"
                      "<g font-family=\"DejaVu Sans, Helvetica, Arial, sans-serif\" "
                      "stroke-linecap=\"round\" stroke-linejoin=\"round\">\n");
     return TAUT_OK;

@@ -361,7 +361,7 @@ static double length_of(const taut_polyline *line, const taut_camera *camera)
     return length;
 }
 
-static const double near_enough = 1; /* in page units: what lies on a surface is not hidden by it */
+static const double near_enough = 0.25; /* in page units: what is a surface is not hidden by it */
 
 /* The middle of a cell; not finite where a corner is not. */
 static void middle_of(const double *const corner[4], double at[3])
@@ -371,7 +371,8 @@ static void middle_of(const double *const corner[4], double at[3])
     }
 }
 
-/* Is more than one of a hundred of its cells hidden by nothing, at the middle? Edges may lie on those of what hides it. */
+/* Is one of a hundred of its cells or more the nearest, at the middle? Of a cap at the far end of a pipe, whose edge is the pipe's,
+ * cells beside that edge come near. */
 static int is_seen(const taut_sheet *sheet, const double *page, const taut_depth *depth)
 {
     const size_t nu = (size_t)sheet->u.count, nv = (size_t)sheet->v.count;
@@ -382,10 +383,10 @@ static int is_seen(const taut_sheet *sheet, const double *page, const taut_depth
             double middle[3];
             middle_of((const double *const[4]){at, at + 3, at + 3 * nv, at + 3 * nv + 3}, middle);
             seen += isfinite(middle[0]) && isfinite(middle[1]) && isfinite(middle[2]) &&
-                    !taut_depth_hides(depth, middle, near_enough);
+                    middle[2] + near_enough >= taut_depth_at(depth, middle[0], middle[1]);
         }
     }
-    return 100 * seen > (nu - 1) * (nv - 1);
+    return 100 * seen >= (nu - 1) * (nv - 1);
 }
 
 /* An axis runs within its pipe: what an open end shows of it is a scratch, no line. */

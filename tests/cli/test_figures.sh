@@ -12,6 +12,14 @@ contains k.svg 'cm²'
 contains k.svg 'A &amp; B'
 contains k.svg '>a line every 0\.250<'
 contains k.svg '>−1\.0<'
+# cells share their edges' pixels, where a browser smoothed both they would show; lines are smooth
+contains k.svg '<style>path:not\(\[stroke\]\)\{shape-rendering:crispEdges\}</style>'
+# a legend is of what is seen: the caps of these pipes look away
+run 0 make "$SOURCE/examples/pipe-run-arcs.json" --quiet -o arcs.svg
+contains arcs.svg 'blend1 … 3'
+! grep -q cap1 arcs.svg || complain 'the legend names caps that no pixel shows'
+run 0 make "$SOURCE/examples/pipe-run-arcs.json" --quiet -o arcs.svg --view 120,20
+contains arcs.svg 'cap1'
 run 0 convert saddle.json -o i.svg --colour I
 run 0 convert saddle.json -o gap.svg --colour gap
 contains gap.svg 'undefined'
