@@ -3,7 +3,7 @@
  *     polygons to look at: the boundary
  *     while there are some: one of them
  *         a line: both parts are looked at in its place
- *         none, but an open corner: triangles about the centre
+ *         none, but an open corner: triangles about the centre; of the whole where they would be thin
  */
 #include "io/problem/film_curves_cut.h"
 
@@ -21,6 +21,9 @@ static const double least_angle = 20 * (TAUT_PI / 180);
 static const double tie = 1e-9; /* radians: of two lines as good as each other the first is taken */
 static const double aside =
     0.5; /* the sine with which a corner that turns the other way must do it */
+
+static const double thin =
+    0.5; /* triangles with angles so much smaller than those of the whole are not made */
 
 typedef struct shape {
     double corners[TAUT_FILM_CURVES_MAX][3], middles[TAUT_FILM_CURVES_MAX][3];
@@ -206,6 +209,32 @@ static void add_triangles(taut_film_cut *cut, const taut_film_polygon *p)
     }
 }
 
+/* The smallest angle of the triangles about the centre of a polygon with its sides; below 0 where one is turned over. */
+static double angle_of_triangles(const shape *s, const taut_film_polygon *p)
+{
+    double centre[3] = {0}, normal[3] = {0}, least = TAUT_PI;
+    double ways[TAUT_FILM_CURVES_MAX + 1][3], across[TAUT_FILM_CURVES_MAX][3];
+
+    for (int k = 0; k < p->count; k++) {
+        taut_add_scaled(1.0 / p->count, s->corners[p->corners[k]], centre);
+    }
+    for (int k = 0; k <= p->count; k++) {
+        taut_difference(s->corners[p->corners[k % p->count]], centre, ways[k]);
+    }
+    for (int k = 0; k < p->count; k++) {
+        taut_cross(ways[k], ways[k + 1], across[k]);
+        taut_add_scaled(1, across[k], normal);
+    }
+    for (int k = 0; k < p->count; k++) {
+        double side[3];
+        taut_difference(ways[k + 1], ways[k], side);
+        const double angle =
+            fmin(angle_between(ways[k + 1], side), TAUT_PI - angle_between(ways[k], side));
+        least = fmin(least, taut_dot(across[k], normal) > 0 ? angle : -angle);
+    }
+    return least;
+}
+
 static void take_shape(int count, const taut_curve *const *curves, shape *s)
 {
     memset(s->normal, 0, sizeof s->normal);
@@ -232,19 +261,19 @@ static void take_shape(int count, const taut_curve *const *curves, shape *s)
 void taut_film_curves_cut(int count, const taut_curve *const *curves, int patches_most,
                           taut_film_cut *cut)
 {
-    taut_film_polygon waiting[TAUT_FILM_CURVES_MAX];
+    taut_film_polygon waiting[TAUT_FILM_CURVES_MAX], whole = {.count = count};
     int left = 1;
     shape s = {.has_lines_outside = 0};
 
     take_shape(count, curves, &s);
     *cut = (taut_film_cut){.polygon_count = 0};
-    waiting[0].count = count;
     for (int c = 0; c < count; c++) {
-        waiting[0].corners[c] = waiting[0].sides[c] = c;
+        whole.corners[c] = whole.sides[c] = c;
     }
+    waiting[0] = whole;
     for (int c = 0; c < count; c++) {
         double ways[2][3];
-        take_ways(&s, &waiting[0], c, ways);
+        take_ways(&s, &whole, c, ways);
         s.has_lines_outside |= corner_angle(&s, (const double(*)[3])ways) > TAUT_PI;
     }
     while (left > 0) {
@@ -262,6 +291,12 @@ void taut_film_curves_cut(int count, const taut_curve *const *curves, int patche
             take_part(&p, ends[0], ends[1], cut->line_count, &waiting[left++]);
             cut->from[cut->line_count++] = p.corners[ends[0]];
         } else if (open > 0 && cut->patch_count + others + 3 * p.count <= patches_most) {
+            if (thin * angle_of_triangles(&s, &whole) > angle_of_triangles(&s, &p) &&
+                3 * count <= patches_most) {
+                *cut = (taut_film_cut){.polygon_count = 0};
+                add_triangles(cut, &whole);
+                return;
+            }
             add_triangles(cut, &p);
         } else {
             add_polygon(cut, &p);
