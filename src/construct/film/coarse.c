@@ -55,7 +55,7 @@ static int begins_plainly(const taut_film_work *w)
     const taut_film_problem *problem = space->problem;
 
     return space->around == NULL && space->leader == NULL && !space->has_inside &&
-           problem->method == TAUT_FILM_FULL && !taut_film_has_density(problem) &&
+           !problem->accepts_stationary && !taut_film_has_density(problem) &&
            memcmp(w->net, space->start, 3 * space->count * sizeof(double)) == 0;
 }
 
@@ -173,6 +173,7 @@ taut_status taut_film_begin_coarse(taut_film_work *w, double factor)
         status = halve(coarse.v, arena, &v);
     }
     if (status == TAUT_OK && v != NULL) {
+        coarse.method = TAUT_FILM_FULL;
         coarse.u = u;
         coarse.v = v;
         status = begin_in(&coarse, factor, w, arena);

@@ -256,11 +256,13 @@ static taut_status approach(taut_film_work *w, taut_newton_step *newton, taut_er
 
     few.tolerance = fmax(few.tolerance, residual_rough);
     few.max_iterations = most < few.max_iterations ? most : few.max_iterations;
+    few.is_minimum = 1; /* the moves that the energy sees are judged, when the film is found */
     const taut_status status =
         taut_trust_region_minimise(w->functional, newton, &few, w->net, inner);
     const int is_whole = few.max_iterations == most; /* else the caller's iterations are spent */
     few.tolerance = w->region.tolerance;
     few.max_iterations = w->region.max_iterations;
+    few.is_minimum = w->region.is_minimum;
     w->region = few;
     return status == TAUT_NOT_CONVERGED && is_whole && strcmp(inner->reason, "folds") != 0 ? TAUT_OK
                                                                                            : status;
@@ -318,6 +320,17 @@ static taut_status polish_moves(taut_film_work *w, taut_film_polished *all, taut
         taut_film_polished found;
         if (w->space->problem->method == TAUT_FILM_NORMAL) {
             taut_film_rest_point at;
+            if (w->memory.factors != NULL || w->rule > 0) {
+                status = taut_film_polish(w->functional, w->space, w->net, w->enough, &w->memory,
+                                          &found, &w->is_definite);
+                if (status != TAUT_OK) {
+                    return taut_fail_memory(error);
+                }
+                if (found.residual <= fmax(w->enough, residual_settled * w->region.tolerance)) {
+                    *all = found;
+                    return TAUT_OK;
+                }
+            }
             w->is_definite = 0;
             status = taut_film_seek(w->functional, w->space, w->net, SEEKS, &at);
             *all = (taut_film_polished){.first = at.first, .residual = at.residual, .any = at.any};
@@ -541,7 +554,10 @@ static taut_status rest_by_rule(taut_film_work *w, int rested, taut_error *error
     double residual = 0;
     taut_status status = TAUT_OK;
 
-    if (!rested) {
+    if (!rested && w->rule > 0 && w->space->problem->method == TAUT_FILM_NORMAL) {
+        status = settle(w, 0, error); /* the net's other coordinates stay as they are */
+        w->iterations += w->region.iterations - before;
+    } else if (!rested) {
         status = w->space->leader != NULL ? minimise_moving(w, error) : minimise(w, error);
         w->iterations += w->region.iterations - before;
         status = status == TAUT_OK ? polish(w, &residual, error) : status;

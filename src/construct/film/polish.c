@@ -503,17 +503,25 @@ taut_status taut_film_polish(taut_area_functional *functional, const taut_film_s
     taut_arena *arena = taut_arena_new();
     taut_status status = take_arrays(&w, arena);
     const int is_new = memory->directions == NULL;
+    /* where the other coordinates are not at rest, the directions of a net are its own */
+    const int follows = space->problem->method == TAUT_FILM_NORMAL;
     if (status == TAUT_OK && is_new) {
         memory->directions = taut_alloc_zero(w.count, 9 * sizeof(double));
         status = memory->directions != NULL ? TAUT_OK : TAUT_NO_MEMORY;
     }
     w.directions = memory->directions;
-    if (status == TAUT_OK && is_new) {
+    if (status == TAUT_OK && (is_new || follows)) {
         find_directions(&w);
+    }
+    if (status == TAUT_OK && is_new) {
         memory->scale = film_alone(&w);
     }
     if (status == TAUT_OK) {
         status = polish(&w, memory, least, found, is_definite);
+    }
+    if (status == TAUT_OK && follows) {
+        find_directions(&w);
+        found->residual = look(&w);
     }
     taut_arena_free(arena);
     return status;

@@ -112,6 +112,7 @@ typedef struct state {
     double *right, *step, *image, *turn; /* unknowns */
     double *move, *bend;                 /* nets */
     double theta, used;                  /* the next step's; that of the last one */
+    int has_solved;                      /* a system: there are factors */
     double model;                        /* what the quadratic model says the step gains */
     double first_norm;                   /* residual at the start */
     double start_area, work_done;        /* area and work of the functional at the start */
@@ -263,7 +264,7 @@ static void follow_curve(state *s)
 /* Steps with the factors at hand for as long as each halves the residual. */
 static void polish_residual(state *s)
 {
-    int goes_on = taut_newton_step_has_factors(s->newton);
+    int goes_on = s->has_solved && taut_newton_step_has_factors(s->newton);
 
     for (int k = 0; goes_on && k < POLISHES; k++) {
         const double before = s->here.residual, area = s->here.value.area;
@@ -333,6 +334,7 @@ static taut_status find_step(state *s)
     }
     for (int tries = 1; tries < THETA_TRIES && (tries == 1 || !is_spent(s)); tries++) {
         s->used = s->theta;
+        s->has_solved = 1;
         status = taut_newton_step_solve(s->newton, s->theta, forcing_term(s), s->right, s->step,
                                         &s->model);
         if (status != TAUT_NO_SOLUTION || s->theta >= 1) {
@@ -584,6 +586,7 @@ static taut_status find_definite(state *s)
     double below = -1, gain = 0;
     taut_status status = TAUT_NO_SOLUTION;
 
+    s->has_solved = 1;
     for (int tries = 0; status == TAUT_NO_SOLUTION && tries < THETA_TRIES && below < 1; tries++) {
         if (tries > 0) {
             below = s->theta;
