@@ -143,7 +143,9 @@ def pieces(model: Model, name: str | None = None, threads: int | None = None, pr
 def to_unit(model: Model, unit: str, threads: int | None = None, progress: Progress | None = None, strict: bool = False) -> Model:
     """The same model told in "mm", "cm", "m", "in" or "ft". threads, progress, strict as of split.
 
-    Errors: InputError, `argument`: no such unit."""
+    Errors: InputError: no such unit (`argument`), or no text (`type`)."""
+    if not isinstance(unit, str):
+        raise InputError(f"unit is {unit!r}; expected one of mm, cm, m, in, ft", "", "type")
     return _changed(library.taut_model_to_unit, model, (encoded(unit),), _Told("to_unit", threads, progress), strict)
 
 

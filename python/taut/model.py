@@ -288,6 +288,8 @@ class Model:
         """The bytes that `write` would put into a file of this ending, such as "svg".
 
         Errors: as of `write`; InputError, `not-a-file`, of formats that are written to files alone."""
+        if not isinstance(format, str):
+            raise InputError(f"format is {format!r}; expected an ending such as 'svg'", "", "type")
         chosen = write_options(tolerance, threads, options)
         strictly(strict, self)
         with Watch(progress).begun("write") as watch:

@@ -199,6 +199,8 @@ S, C = taut.Surface(taut.bezier(2), taut.bezier(2), np.ones((3, 3, 3))), taut.Cu
     (lambda: S.transformed([[None] * 4] * 3), "matrix: found list", "type"),
     (lambda: taut.Surface(taut.bezier(1), taut.bezier(1), [[[0, 0, None]] * 2] * 2), "points: found list", "type"),
     (lambda: taut.bspline(1, knots=[0, 0, None, 1, 1]), "knots: found list", "type"),
+    (lambda: taut.to_unit(taut.Model([S]), None), "unit is None; expected one of mm", "type"),
+    (lambda: taut.Model([S]).to_text(None), "format is None; expected an ending", "type"),
     (lambda: taut.follow(S, "geodesic", (0.5, None), (1, 0)), "at: found tuple", "type"),
     (lambda: S.grid([0], [0], threads="x"), "threads is 'x'", "type"),
     (lambda: S.elevated("x"), "the direction is 'x'; expected 'u' or 'v'", "name"),
