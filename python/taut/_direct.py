@@ -74,7 +74,7 @@ class _Call(NamedTuple):
 
 
 _BRIEF = 400  # points of a net that one solve finds
-_BRIEF_FILM = 64  # that a film of least area takes tens of milliseconds for
+_BRIEF_FILM = 25  # that a film of least area takes tens of milliseconds for: of 36 up to 90, of 64 up to 500
 _BRIEF_SEGMENTS = 8
 _NUMBERS = frozenset((float, int, np.float64))
 _EDGES = ("u0", "u1", "v0", "v1")
