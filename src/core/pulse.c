@@ -1,5 +1,7 @@
 #include "core/pulse.h"
 
+#ifndef TAUT_UNWATCHED
+
 int taut_pulse_report(taut_pulse *pulse)
 {
     if (pulse == NULL) {
@@ -21,6 +23,8 @@ int taut_pulse_beat(taut_pulse *pulse, double work)
     pulse->work += work;
     return pulse->work >= TAUT_PULSE_WORK ? taut_pulse_report(pulse) : pulse->is_stopped;
 }
+
+#endif
 
 static int pass_on(void *context, double done, const char *what)
 {

@@ -22,16 +22,41 @@ typedef struct taut_pulse {
     int is_stopped;
 } taut_pulse;
 
+/* A monitor of steps that know no pulse: each of its reports is one of the pulse. */
+taut_monitor taut_pulse_monitor(taut_pulse *pulse);
+
+#ifdef TAUT_UNWATCHED /* a build whose callers have no monitor: nothing is ever to end early */
+
+static inline int taut_pulse_report(taut_pulse *pulse)
+{
+    (void)pulse;
+    return 0;
+}
+
+static inline int taut_pulse_beat(taut_pulse *pulse, double work)
+{
+    (void)pulse;
+    (void)work;
+    return 0;
+}
+
+static inline int taut_pulse_is_stopped(const taut_pulse *pulse)
+{
+    (void)pulse;
+    return 0;
+}
+
+#else
+
 /* Both: nonzero from then on when it is to end. pulse may be NULL: never. */
 int taut_pulse_report(taut_pulse *pulse);
 int taut_pulse_beat(taut_pulse *pulse, double work);
-
-/* A monitor of steps that know no pulse: each of its reports is one of the pulse. */
-taut_monitor taut_pulse_monitor(taut_pulse *pulse);
 
 static inline int taut_pulse_is_stopped(const taut_pulse *pulse)
 {
     return pulse != NULL && pulse->is_stopped;
 }
+
+#endif
 
 #endif /* TAUT_CORE_PULSE_H */
