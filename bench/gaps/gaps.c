@@ -3,8 +3,10 @@
  * Calls go by the work that is done, so that they are the same in every run: of each gap the least of ROUNDS runs is its
  * time, which other work on the machine cannot make longer for long. Before the first call and after the last count too.
  *
- *     bench-gaps [--least MS] [NAME or FILE...]     all examples and nets of 100 to 800 points a side, if none is named; only gaps of
- *                                                MS milliseconds and more (0)
+ *     bench-gaps [--least MS] [--only PART[,PART...]] [--rounds N] [NAME or FILE...]
+ *
+ * All examples and nets of 100 to 800 points a side, if none is named; only gaps of MS milliseconds and more (0); only these
+ * parts of the work, and `make`, which comes before them all (all); runs (ROUNDS).
  */
 #include "machine.h"
 #include "task.h"
@@ -77,12 +79,56 @@ static int record(void *context, double done, const char *what)
     return TAUT_GO_ON;
 }
 
-typedef enum part { MAKE, PROVE, MEASURE, MESH, PANELS, FILES } part;
+typedef enum part { MAKE, PROVE, MEASURE, MESH, GRADIENT, PANELS, FILES } part;
 /* From FILES on they are the formats of files. */
 static const char *const part_names[] = {
-    "make", "prove", "measure", "mesh", "panels", "3mf",  "geomdl.json", "glb", "json",
-    "obj",  "ply",   "step",    "stl",  "vtu",    "html", "pdf",         "png", "svg"};
+    "make", "prove", "measure", "mesh", "gradient", "panels", "3mf", "geomdl.json", "glb", "json",
+    "obj",  "ply",   "step",    "stl",  "vtu",      "html",   "pdf", "png",         "svg"};
 enum { PARTS = sizeof part_names / sizeof *part_names };
+
+/* What is asked for. */
+typedef struct wishes {
+    double least;
+    const char *only; /* or NULL: all */
+    int rounds;
+} wishes;
+
+static int is_wished(const wishes *wish, int which)
+{
+    const size_t length = strlen(part_names[which]);
+    const char *at = wish->only;
+    while (at != NULL && *at != '\0') {
+        const size_t word = strcspn(at, ",");
+        if (word == length && memcmp(at, part_names[which], length) == 0) {
+            return 1;
+        }
+        at += word + (at[word] == ',');
+    }
+    return at == NULL || which == MAKE;
+}
+
+/* The area's derivatives by what was given; of films these take a system that is solved. */
+static taut_status derive(const taut_problem *problem, const taut_model *model,
+                          taut_monitor monitor, taut_error *error)
+{
+    const taut_film_gradient_request of_film = {.of = TAUT_FILM_GRADIENT_AREA, .monitor = monitor};
+    const taut_gradient_request request = {.monitor = monitor};
+    taut_film_slopes slopes = {.points = NULL};
+    const taut_surface *surface = taut_model_surface(model, 0);
+    taut_status status = TAUT_OK;
+    if (strcmp(taut_problem_construction(problem), "film") == 0) {
+        return taut_gradient_of_film(problem, model, &of_film, &slopes, error);
+    }
+    if (surface == NULL) {
+        return TAUT_BAD_ARGUMENT;
+    }
+    const size_t room = (size_t)taut_basis_count(taut_surface_u(surface)) *
+                        (size_t)taut_basis_count(taut_surface_v(surface));
+    double *gradient = need(calloc(room, 3 * sizeof(double)));
+    status = taut_gradient(problem, model, &request, gradient, error);
+    free(gradient);
+    return status;
+}
 
 static taut_status measure_all(const taut_model *model, taut_monitor monitor, taut_error *error)
 {
@@ -127,6 +173,9 @@ static taut_status run(int which, const taut_problem *problem, taut_model **mode
     case MESH:
         status = taut_mesh_new(*model, &mesh, &made, error);
         break;
+    case GRADIENT:
+        status = derive(problem, *model, monitor, error);
+        break;
     case PANELS:
         status = taut_panels_of_model(*model, &panels, &flat, error);
         break;
@@ -161,26 +210,26 @@ static void print(const char *name, int which, const recorder *r, double least)
     fflush(stdout);
 }
 
-static void run_document(const char *name, const char *text, size_t length, double least)
+static void run_document(const char *name, const char *text, size_t length, const wishes *wish)
 {
     recorder recorders[PARTS] = {{0}};
     taut_problem *problem = NULL;
     taut_error error = {0};
     taut_status status = taut_problem_read_text(text, length, name, &problem, &error);
 
-    for (int round = 0; round < ROUNDS && status == TAUT_OK; round++) {
+    for (int round = 0; round < wish->rounds && status == TAUT_OK; round++) {
         taut_model *model = NULL;
         for (int p = 0; p < PARTS && status == TAUT_OK; p++) {
-            status = run(p, problem, &model, &recorders[p], &error);
-            if (p >= PANELS && (status == TAUT_NO_SOLUTION || status == TAUT_BAD_ARGUMENT)) {
-                status = TAUT_OK; /* there is no such file of it */
+            status = is_wished(wish, p) ? run(p, problem, &model, &recorders[p], &error) : TAUT_OK;
+            if (p >= GRADIENT && status != TAUT_OK && status != TAUT_NO_MEMORY) {
+                status = TAUT_OK; /* there is no such thing of it, or cairo is not here */
             }
         }
         taut_model_free(model);
     }
     for (int p = 0; p < PARTS; p++) {
         if (recorders[p].count > 0 && isfinite(recorders[p].gaps[recorders[p].count - 1].seconds)) {
-            print(name, p, &recorders[p], least);
+            print(name, p, &recorders[p], wish->least);
         }
         free(recorders[p].gaps);
     }
@@ -191,7 +240,7 @@ static void run_document(const char *name, const char *text, size_t length, doub
 }
 
 /* A bicubic net of m x m points inside a frame. */
-static void run_net(int m, double least)
+static void run_net(int m, const wishes *wish)
 {
     const size_t room = 256 + (size_t)m * (size_t)m * 80;
     char *text = need(malloc(room)), name[32];
@@ -215,11 +264,11 @@ static void run_net(int m, double least)
     }
     at += (size_t)snprintf(text + at, room - at, "]}\n");
     snprintf(name, sizeof name, "net of %d x %d", m, m);
-    run_document(name, text, at, least);
+    run_document(name, text, at, wish);
     free(text);
 }
 
-static void run_file(const char *path, double least)
+static void run_file(const char *path, const wishes *wish)
 {
     FILE *file = fopen(path, "rb");
     char *text = NULL;
@@ -234,7 +283,7 @@ static void run_file(const char *path, double least)
         length += got;
     } while (length == room);
     fclose(file);
-    run_document(path, text, length, least);
+    run_document(path, text, length, wish);
     free(text);
 }
 
@@ -252,29 +301,36 @@ static const taut_embedded *find_example(const char *name)
 int main(int argc, char **argv)
 {
     static const int nets[] = {100, 200, 400, 800};
-    double least = 0;
+    wishes wish = {.rounds = ROUNDS};
     int first = 1;
-    if (argc > 2 && strcmp(argv[1], "--least") == 0) {
-        least = atof(argv[2]);
-        first = 3;
+    for (; first + 1 < argc && strncmp(argv[first], "--", 2) == 0; first += 2) {
+        if (strcmp(argv[first], "--least") == 0) {
+            wish.least = atof(argv[first + 1]);
+        } else if (strcmp(argv[first], "--only") == 0) {
+            wish.only = argv[first + 1];
+        } else if (strcmp(argv[first], "--rounds") == 0) {
+            wish.rounds = atoi(argv[first + 1]);
+        } else {
+            fail(argv[first]);
+        }
     }
     for (int i = first; i < argc; i++) {
         const taut_embedded *example = find_example(argv[i]);
         if (example != NULL) {
-            run_document(argv[i], example->text, example->length, least);
+            run_document(argv[i], example->text, example->length, &wish);
         } else if (strncmp(argv[i], "net-", 4) == 0) {
-            run_net(atoi(argv[i] + 4), least);
+            run_net(atoi(argv[i] + 4), &wish);
         } else {
-            run_file(argv[i], least);
+            run_file(argv[i], &wish);
         }
     }
     for (const taut_embedded *file = taut_examples; first == argc && file->name != NULL; file++) {
         char name[64];
         snprintf(name, sizeof name, "%.*s", (int)strcspn(file->name, "."), file->name);
-        run_document(name, file->text, file->length, least);
+        run_document(name, file->text, file->length, &wish);
     }
     for (size_t k = 0; first == argc && k < sizeof nets / sizeof *nets; k++) {
-        run_net(nets[k], least);
+        run_net(nets[k], &wish);
     }
     return 0;
 }
