@@ -130,7 +130,18 @@ static double factor_row(const taut_band *band, int i, const taut_kernel *kernel
     return row[0];
 }
 
+/* Operations of a row of the factors, as pulses count them. */
+static double row_work(const taut_band *band)
+{
+    return (double)band->width * band->width;
+}
+
 taut_status taut_band_factor(taut_band *band)
+{
+    return taut_band_factor_watched(band, NULL);
+}
+
+taut_status taut_band_factor_watched(taut_band *band, taut_pulse *pulse)
 {
     const int n = band->n;
     const taut_kernel *kernel = band->width >= WIDE ? taut_kernel_best() : NULL;
@@ -140,11 +151,14 @@ taut_status taut_band_factor(taut_band *band)
         if (!(factor_row(band, i, kernel) > 8.0 * n * TAUT_UNIT_ROUNDOFF * diagonal)) {
             return TAUT_NO_SOLUTION;
         }
+        if (taut_pulse_beat(pulse, row_work(band))) {
+            return TAUT_INTERRUPTED;
+        }
     }
     return TAUT_OK;
 }
 
-taut_status taut_band_factor_signed(taut_band *band, int *negative)
+taut_status taut_band_factor_signed(taut_band *band, int *negative, taut_pulse *pulse)
 {
     const int n = band->n;
     const taut_kernel *kernel = band->width >= WIDE ? taut_kernel_best() : NULL;
@@ -157,6 +171,9 @@ taut_status taut_band_factor_signed(taut_band *band, int *negative)
             return TAUT_NO_SOLUTION;
         }
         *negative += pivot < 0;
+        if (taut_pulse_beat(pulse, row_work(band))) {
+            return TAUT_INTERRUPTED;
+        }
     }
     return TAUT_OK;
 }

@@ -49,11 +49,13 @@ void taut_band_multiply_add(const taut_band *band, double factor, const double *
  * TAUT_NO_SOLUTION when a pivot is not above 8 n 2^-53 A(i, i), so that A is not safely positive
  * definite; `band` is then spoilt. Cost O(n width^2). */
 taut_status taut_band_factor(taut_band *band);
+/* The same, of which pulse, which may be NULL, is told: TAUT_INTERRUPTED, and `band` is spoilt. */
+taut_status taut_band_factor_watched(taut_band *band, taut_pulse *pulse);
 
 /* The same for A that may have eigenvalues below 0: *negative of them (Sylvester). TAUT_NO_SOLUTION when a pivot is not
  * safely different from 0. Without pivoting it is as exact as the least pivot lets it be: for A of which few eigenvalues are
- * negative, and when what is made with it is judged. */
-taut_status taut_band_factor_signed(taut_band *band, int *negative);
+ * negative, and when what is made with it is judged. pulse as above. */
+taut_status taut_band_factor_signed(taut_band *band, int *negative, taut_pulse *pulse);
 
 /* Solves A X = B in place; x double[n][count]; `factor` from taut_band_factor. Cost O(n width
  * count). */

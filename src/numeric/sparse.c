@@ -347,7 +347,7 @@ static void add_update(const taut_sparse *s, const group *child, int *at, double
 }
 
 /* Eliminates the own columns of the front, lower half: how many pivots are not positive. */
-static int reduce(double *front, size_t rows, size_t own, double *column)
+static int reduce(double *front, size_t rows, size_t own, double *column, taut_pulse *pulse)
 {
     int negative = 0;
 
@@ -375,12 +375,15 @@ static int reduce(double *front, size_t rows, size_t own, double *column)
         for (size_t i = k + 1; i < rows; i++) {
             front[i * rows + k] /= pivot;
         }
+        if (taut_pulse_beat(pulse, 2.0 * (double)(rows - k) * (double)(own - k))) {
+            break;
+        }
     }
     return negative;
 }
 
 /* What is left: below the own columns, front -= L D L^T; rows of L are contiguous. */
-static void leave(double *front, size_t rows, size_t own, double *scaled)
+static void leave(double *front, size_t rows, size_t own, double *scaled, taut_pulse *pulse)
 {
     for (size_t i = own; i < rows; i++) {
         double *row = front + i * rows;
@@ -400,6 +403,9 @@ static void leave(double *front, size_t rows, size_t own, double *scaled)
                 sum[0] += scaled[k] * other[k];
             }
             row[j] -= (sum[0] + sum[1]) + (sum[2] + sum[3]);
+        }
+        if (taut_pulse_beat(pulse, 2.0 * (double)own * (double)(i + 1 - own))) {
+            break;
         }
     }
 }
@@ -423,7 +429,7 @@ static taut_status store(group *at, const double *front)
 
 static taut_status factor_group(taut_sparse *s, int k, taut_sparse_block *block,
                                 const void *context, double *front, int *scratch, double *column,
-                                int *negative)
+                                taut_pulse *pulse, int *negative)
 {
     group *at = &s->groups[k];
     const size_t rows = (size_t)at->rows, own = (size_t)at->own_rows;
@@ -435,16 +441,16 @@ static taut_status factor_group(taut_sparse *s, int k, taut_sparse_block *block,
         taut_free(s->groups[child].update);
         s->groups[child].update = NULL;
     }
-    *negative += reduce(front, rows, own, column);
-    leave(front, rows, own, column);
+    *negative += reduce(front, rows, own, column, pulse);
+    leave(front, rows, own, column, pulse);
     for (int m = 0; m < at->own; m++) {
         s->place[at->nodes[m]] = -1;
     }
-    return store(at, front);
+    return taut_pulse_is_stopped(pulse) ? TAUT_INTERRUPTED : store(at, front);
 }
 
 taut_status taut_sparse_factor(taut_sparse *sparse, taut_sparse_block *block, const void *context,
-                               int *negative)
+                               taut_pulse *pulse, int *negative)
 {
     taut_arena *arena = taut_arena_new();
     size_t most = 0;
@@ -462,7 +468,7 @@ taut_status taut_sparse_factor(taut_sparse *sparse, taut_sparse_block *block, co
         sparse->place[a] = 0;
     }
     for (int k = 0; status == TAUT_OK && k < sparse->group_count; k++) {
-        status = factor_group(sparse, k, block, context, front, scratch, column, negative);
+        status = factor_group(sparse, k, block, context, front, scratch, column, pulse, negative);
     }
     drop_updates(sparse);
     taut_arena_free(arena);

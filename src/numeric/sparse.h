@@ -9,6 +9,7 @@
 #ifndef TAUT_NUMERIC_SPARSE_H
 #define TAUT_NUMERIC_SPARSE_H
 
+#include "core/pulse.h"
 #include "taut/status.h"
 
 #include <stddef.h>
@@ -29,9 +30,10 @@ double taut_sparse_work(const taut_sparse *sparse);
 /* Block (a, b) of the matrix, row by row: [size of a][size of b]; asked for either of (a, b), (b, a). */
 typedef void taut_sparse_block(const void *context, int a, int b, double *block);
 
-/* *negative: how many pivots are not positive. TAUT_NO_MEMORY. */
+/* *negative: how many pivots are not positive. pulse, which may be NULL, is told of it. TAUT_NO_MEMORY; TAUT_INTERRUPTED: there
+ * are no factors then. */
 taut_status taut_sparse_factor(taut_sparse *sparse, taut_sparse_block *block, const void *context,
-                               int *negative);
+                               taut_pulse *pulse, int *negative);
 /* x[rows]: the right side, then the solution of the last factor. */
 void taut_sparse_solve(const taut_sparse *sparse, double *x);
 

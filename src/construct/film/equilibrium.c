@@ -147,6 +147,14 @@ static taut_status take_density(taut_film_work *w)
     return TAUT_OK;
 }
 
+/* From here on the monitor is told. */
+static void watch(taut_film_work *w)
+{
+    w->pulse.monitor = w->monitor;
+    w->pulse.what = "film";
+    w->pulse.done = taut_none;
+}
+
 taut_status taut_film_take_rule(taut_film_work *w, int rule, double factor)
 {
     w->rule = rule;
@@ -185,6 +193,8 @@ taut_status taut_film_take_nodes(taut_film_work *w, int extra, double factor)
     }
     w->functional->cables = w->cables;
     w->functional->cable_count = found;
+    watch(w);
+    w->functional->pulse = &w->pulse;
     return take_density(w);
 }
 
@@ -303,10 +313,10 @@ static double most_any(const taut_film_work *w)
                                                          : residual_held;
 }
 
-taut_status taut_film_report(const taut_film_work *w, taut_error *error)
+taut_status taut_film_report(taut_film_work *w, taut_error *error)
 {
-    taut_pulse pulse = {.monitor = w->monitor, .what = "film", .done = taut_none};
-    return taut_pulse_report(&pulse) ? taut_fail_status(error, TAUT_INTERRUPTED) : TAUT_OK;
+    watch(w);
+    return taut_pulse_report(&w->pulse) ? taut_fail_status(error, TAUT_INTERRUPTED) : TAUT_OK;
 }
 
 /* Steps along the moves that the energy sees. Where lines slide along themselves these leave something to the other
@@ -335,11 +345,12 @@ static taut_status polish_moves(taut_film_work *w, taut_film_polished *all, taut
             status = taut_film_seek(w->functional, w->space, w->net, SEEKS, &at);
             *all = (taut_film_polished){.first = at.first, .residual = at.residual, .any = at.any};
             all->area = taut_area_functional_value(w->functional, w->net).area;
-            return status == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
+            return status == TAUT_OK ? TAUT_OK : taut_fail_status(error, status);
         }
-        if (taut_film_polish(w->functional, w->space, w->net, w->enough, &w->memory, &found,
-                             &w->is_definite) != TAUT_OK) {
-            return taut_fail_memory(error);
+        status = taut_film_polish(w->functional, w->space, w->net, w->enough, &w->memory, &found,
+                                  &w->is_definite);
+        if (status != TAUT_OK) {
+            return taut_fail_status(error, status);
         }
         found.first = k == 0 ? found.first : all->first;
         *all = found;
@@ -467,7 +478,7 @@ static taut_status move_multipliers(taut_film_work *w, const double off[4])
             small[i][j] = response[which[i]][which[j]];
         }
     }
-    if (status == TAUT_NO_MEMORY) {
+    if (status == TAUT_NO_MEMORY || status == TAUT_INTERRUPTED) {
         return status;
     }
     if (status == TAUT_OK && taut_small_factor(count, small)) {
@@ -522,8 +533,9 @@ static taut_status enforce_laws(taut_film_work *w, taut_error *error)
                              "is off by %.3g of it; even out the knots, or take another length",
                              k, worst);
         }
-        if (move_multipliers(w, off) != TAUT_OK) {
-            return taut_fail_memory(error);
+        const taut_status moved = move_multipliers(w, off);
+        if (moved != TAUT_OK) {
+            return taut_fail_status(error, moved);
         }
         const int far =
             worst <= 1e3 * length_agreement && !rests; /* what forces moved lies askew */
@@ -607,9 +619,12 @@ taut_status taut_film_rest_any(taut_film_work *w, int steps, taut_film_rest_poin
     double before = INFINITY;
 
     for (int rule = 0; rule < RULES && has_forces_only(w); rule++) {
-        if (taut_film_take_rule(w, rule, 1) != TAUT_OK ||
-            taut_film_seek(w->functional, w->space, w->net, steps, at) != TAUT_OK) {
-            return taut_fail_memory(error);
+        taut_status status = taut_film_take_rule(w, rule, 1);
+        if (status == TAUT_OK) {
+            status = taut_film_seek(w->functional, w->space, w->net, steps, at);
+        }
+        if (status != TAUT_OK) {
+            return taut_fail_status(error, status);
         }
         const double after = taut_area_functional_value(w->functional, w->net).area;
         if (!(at->residual <= w->region.tolerance) || is_folded(w->functional)) {

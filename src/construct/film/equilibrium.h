@@ -16,6 +16,7 @@ typedef struct taut_film_pull {
 typedef struct taut_film_work {
     const taut_film_space *space;
     const taut_monitor *monitor;
+    taut_pulse pulse;  /* tells it of factors, outside of minimisations, which have their own */
     taut_arena *arena; /* of a solve */
     taut_dirichlet_form form;
     taut_area_functional *functional;
@@ -56,7 +57,7 @@ taut_status taut_film_take_nodes(taut_film_work *w, int extra, double factor);
 void taut_film_drop_rule(taut_film_work *w);
 
 /* Between what is long, minimisations aside, which report by themselves. TAUT_INTERRUPTED as the monitor says. */
-taut_status taut_film_report(const taut_film_work *w, taut_error *error);
+taut_status taut_film_report(taut_film_work *w, taut_error *error);
 
 /* w->net: the film that it goes to with all cables `factor` times as strong as they are. TAUT_NOT_CONVERGED: folds,
  * not-converged; TAUT_NO_SOLUTION, TAUT_INTERRUPTED, TAUT_NO_MEMORY. */
@@ -67,10 +68,10 @@ taut_status taut_film_rest(taut_film_work *w, double factor, taut_error *error);
 taut_status taut_film_polish_again(taut_film_work *w, taut_error *error);
 
 /* w->net: the film at rest that Newton's steps lead to, at most so many, minimum or not, with the forces that are given.
- * TAUT_NOT_CONVERGED: they lead to none. *at: of it. TAUT_NO_MEMORY. */
+ * TAUT_NOT_CONVERGED: they lead to none. *at: of it. TAUT_INTERRUPTED, TAUT_NO_MEMORY. */
 taut_status taut_film_rest_any(taut_film_work *w, int steps, taut_film_rest_point *at,
                                taut_error *error);
-/* Of w->net, lengths given. TAUT_NO_MEMORY. */
+/* Of w->net, lengths given. TAUT_INTERRUPTED, TAUT_NO_MEMORY. */
 taut_status taut_film_judge(taut_film_work *w, taut_film_rest_point *at);
 
 /* The error of an attempt becomes that of the whole. */

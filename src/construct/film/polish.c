@@ -379,7 +379,7 @@ static taut_status polish(work *w, taut_film_memory *memory, double least,
     result->residual = found;
     result->any = memory->scale > 0 ? w->any * w->all / memory->scale : w->any;
     result->area = w->area;
-    return status == TAUT_NO_MEMORY ? status : TAUT_OK;
+    return status == TAUT_NO_MEMORY || status == TAUT_INTERRUPTED ? status : TAUT_OK;
 }
 
 /* net = dL of a cable. */
@@ -398,8 +398,9 @@ static taut_status respond(work *w, taut_area_hessian *hessian, double response[
     look(w);
     taut_area_hessian_assemble(hessian, w->functional);
     taut_area_hessian_stiffen(hessian, w->directions, stiffness);
-    if (taut_area_hessian_factor(hessian, 0) != TAUT_OK) {
-        return TAUT_NO_SOLUTION;
+    const taut_status status = taut_area_hessian_factor(hessian, 0);
+    if (status != TAUT_OK) {
+        return status;
     }
     for (int l = 0; l < w->functional->cable_count; l++) {
         const taut_area_cable *cable = w->functional->cables + l;
@@ -721,6 +722,12 @@ static double settle_gauge(work *w, taut_area_hessian *hessian)
     return found;
 }
 
+/* Steps and looks end early, with outputs of no meaning, where they are told to. */
+static taut_status stopped(const work *w)
+{
+    return taut_pulse_is_stopped(w->functional->pulse) ? TAUT_INTERRUPTED : TAUT_OK;
+}
+
 static void seek(work *w, taut_area_hessian *hessian, int steps)
 {
     const int full = w->space->problem->method == TAUT_FILM_FULL;
@@ -764,6 +771,7 @@ taut_status taut_film_seek(taut_area_functional *functional, const taut_film_spa
             at->moved = fmax(at->moved, taut_distance(first + 3 * i, net + 3 * i));
         }
         judge(&w, hessian, NULL, at);
+        status = stopped(&w);
     }
     taut_area_hessian_free(hessian);
     taut_arena_free(arena);
@@ -781,9 +789,10 @@ taut_status taut_film_inertia(taut_area_functional *functional, const taut_film_
         return TAUT_OK;
     }
     taut_arena *arena = taut_arena_new();
-    const taut_status status = prepare(&w, arena, &hessian);
+    taut_status status = prepare(&w, arena, &hessian);
     if (status == TAUT_OK) {
         judge(&w, hessian, rigid, at);
+        status = stopped(&w);
     }
     taut_area_hessian_free(hessian);
     taut_arena_free(arena);

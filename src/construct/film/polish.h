@@ -30,7 +30,8 @@ typedef struct taut_film_polished {
 
 /* Improves net double[nu][nv][3] in place, until a residual of `least` or rounding, by the factors in memory for as long as they
  * serve. *is_definite: without what cables store the second derivative has been seen to be positive definite along the moves; else as
- * it was. Nets whose factors do not pay stay as they are. TAUT_NO_MEMORY. */
+ * it was. Nets whose factors do not pay stay as they are. TAUT_NO_MEMORY; TAUT_INTERRUPTED by the functional's pulse, here and
+ * below. */
 taut_status taut_film_polish(taut_area_functional *functional, const taut_film_space *space,
                              double *net, double least, taut_film_memory *memory,
                              taut_film_polished *found, int *is_definite);

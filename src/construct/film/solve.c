@@ -94,8 +94,9 @@ static taut_status check_stable(taut_film_work *w, taut_error *error)
         w->negative = 0;
         return TAUT_OK;
     }
-    if (taut_film_judge(w, &at) != TAUT_OK) {
-        return taut_fail_memory(error);
+    const taut_status judged = taut_film_judge(w, &at);
+    if (judged != TAUT_OK) {
+        return taut_fail_status(error, judged);
     }
     w->negative = at.negative;
     return at.negative > 0 && !w->space->problem->accepts_stationary
@@ -385,6 +386,9 @@ taut_status taut_film_solve(const taut_film_space *space, const taut_monitor *mo
     }
     if (status == TAUT_OK) {
         status = taut_film_fill_solution(&w, arena, solution, error);
+    }
+    if (status == TAUT_OK && taut_pulse_is_stopped(&w.pulse)) {
+        status = taut_fail_status(error, TAUT_INTERRUPTED);
     }
     taut_dirichlet_form_clear(&w.form);
     taut_surface_free(w.reference);

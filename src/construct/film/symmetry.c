@@ -212,7 +212,7 @@ taut_status taut_film_make_symmetric(taut_film_work *w, taut_arena *arena, taut_
     inner.status = taut_film_polish_again(w, &inner);
     (void)take_mean(&s, w->net);
     if (inner.status == TAUT_OK && !is_near) {
-        inner.status = taut_film_judge(w, &at);
+        inner.status = taut_fail_status(&inner, taut_film_judge(w, &at));
     }
     if (inner.status == TAUT_NO_MEMORY || inner.status == TAUT_INTERRUPTED) {
         return taut_film_pass_on(&inner, error);

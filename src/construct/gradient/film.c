@@ -332,8 +332,11 @@ static taut_status factor(pulling *p, taut_error *error)
     }
     taut_area_hessian_assemble(p->hessian, p->work.functional);
     for (double theta = limits.theta; theta <= limits.theta_most; theta *= 10) {
-        if (taut_area_hessian_factor_any(p->hessian, theta, NULL, &negative) == TAUT_OK &&
-            negative == 0) {
+        const taut_status status = taut_area_hessian_factor_any(p->hessian, theta, NULL, &negative);
+        if (status == TAUT_INTERRUPTED) {
+            return taut_fail_status(error, status);
+        }
+        if (status == TAUT_OK && negative == 0) {
             return TAUT_OK;
         }
     }

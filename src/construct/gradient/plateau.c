@@ -384,7 +384,7 @@ static taut_status open_normal(pulling *p, taut_model **first, taut_error *error
 
 static taut_status pull_open(pulling *p, double *seed, taut_error *error)
 {
-    const taut_gradient_request area = {.of = TAUT_GRADIENT_AREA};
+    const taut_gradient_request area = {.of = TAUT_GRADIENT_AREA, .monitor = p->request->monitor};
     taut_status status = taut_gradient_of_surface(p->surface, &area, p->arena, p->slope, error);
 
     status = status == TAUT_OK ? check_rest(p, error) : status;

@@ -52,7 +52,7 @@ taut_status taut_gradient_check_settled(double change, taut_error *error)
 
 /* seed by one rule; *points of it. net is scaled. */
 static taut_status derive_by_rule(const taut_surface *surface, int extra, const double *net,
-                                  double *seed, double *points)
+                                  taut_pulse *pulse, double *seed, double *points)
 {
     taut_area_functional *functional = NULL;
     const taut_status status =
@@ -62,14 +62,16 @@ static taut_status derive_by_rule(const taut_surface *surface, int extra, const 
         return status;
     }
     *points = (double)functional->u.count * functional->v.count;
+    functional->pulse = pulse;
     (void)taut_area_functional_gradient(functional, net, seed);
     taut_area_functional_free(functional);
-    return TAUT_OK;
+    return taut_pulse_is_stopped(pulse) ? TAUT_INTERRUPTED : TAUT_OK;
 }
 
-static taut_status derive_area(const taut_surface *surface, taut_arena *arena, double *seed,
-                               taut_error *error)
+static taut_status derive_area(const taut_surface *surface, const taut_monitor *monitor,
+                               taut_arena *arena, double *seed, taut_error *error)
 {
+    taut_pulse pulse = {.monitor = monitor, .what = "gradient", .done = taut_none};
     const size_t size = numbers_of(surface);
     unsigned char *all = taut_arena_take(arena, size / 3, 1);
     double *net = taut_arena_take(arena, size, sizeof(double));
@@ -86,8 +88,10 @@ static taut_status derive_area(const taut_surface *surface, taut_arena *arena, d
          k < TAUT_GRADIENT_RULES && change > limits.settled && points <= limits.points_next / 4;
          k++) {
         memcpy(before, seed, size * sizeof(double));
-        if (derive_by_rule(surface, taut_gradient_nodes[k], net, seed, &points) != TAUT_OK) {
-            return taut_fail_memory(error);
+        const taut_status status =
+            derive_by_rule(surface, taut_gradient_nodes[k], net, &pulse, seed, &points);
+        if (status != TAUT_OK) {
+            return taut_fail_status(error, status);
         }
         change = k > 0 ? taut_gradient_change(size, before, seed) : INFINITY;
     }
@@ -159,6 +163,7 @@ taut_status taut_gradient_of_surface(const taut_surface *surface,
         memcpy(seed, request->factors, numbers_of(surface) * sizeof(double));
         return TAUT_OK;
     }
-    return request->of == TAUT_GRADIENT_AREA ? derive_area(surface, arena, seed, error)
-                                             : derive_energy(surface, arena, seed, error);
+    return request->of == TAUT_GRADIENT_AREA
+               ? derive_area(surface, &request->monitor, arena, seed, error)
+               : derive_energy(surface, arena, seed, error);
 }

@@ -24,6 +24,7 @@
 #include "construct/plateau/area_kernel.h"
 #include "construct/plateau/cable.h"
 #include "core/arena.h"
+#include "core/pulse.h"
 #include "geometry/nurbs/loop.h"
 #include "taut/basis.h"
 
@@ -64,6 +65,7 @@ typedef struct taut_area_functional {
     double work;          /* about so many flops were spent on it, its factors included */
     taut_area_cable *cables; /* [cable_count], borrowed: they count beside the area, everywhere */
     int cable_count;         /* 0 at first */
+    taut_pulse *pulse; /* borrowed: is told of what is done here and of factors; NULL at first */
     taut_area_density
         *density; /* borrowed: its energy counts in place of the area (density.h); NULL at first */
 } taut_area_functional;

@@ -53,6 +53,7 @@ struct taut_area_hessian {
         allowed; /* [unknowns]: the projector of each that is kept on a line or in a plane, else NULL; or
                              * NULL: none is */
     border border;
+    taut_pulse *pulse; /* the functional's, or NULL */
 };
 
 static size_t net_size(const taut_area_hessian *hessian)
@@ -148,11 +149,16 @@ static double half_band(const taut_area_functional *functional, const taut_mask 
                                       : 3.0 * functional->u.local * mask->columns;
 }
 
-double taut_area_hessian_assembly_cost(const taut_area_functional *functional)
+/* Of a Gauss point. */
+static double point_cost(const taut_area_functional *functional)
 {
     const double meeting = (double)functional->u.local * functional->v.local;
-    return 13 * meeting * meeting * functional->u.count *
-           functional->v.count; /* half of all pairs */
+    return 13 * meeting * meeting; /* half of all pairs */
+}
+
+double taut_area_hessian_assembly_cost(const taut_area_functional *functional)
+{
+    return point_cost(functional) * functional->u.count * functional->v.count;
 }
 
 double taut_area_hessian_factor_cost(const taut_area_functional *functional, const taut_mask *mask)
@@ -461,6 +467,9 @@ void taut_area_hessian_assemble(taut_area_hessian *hessian, const taut_area_func
 {
     const int nodes = functional->u.nodes;
 
+    const double cell = point_cost(functional) * nodes * functional->v.nodes;
+
+    hessian->pulse = functional->pulse;
     clear_band(&hessian->second);
     clear_band(&hessian->metric);
     for (int line = 0; line < functional->u.count; line += nodes) {
@@ -470,6 +479,9 @@ void taut_area_hessian_assemble(taut_area_hessian *hessian, const taut_area_func
                 add_lines(hessian, functional, line + g, lines, k, g == 0);
             }
             add_element(hessian, functional, line, k);
+            if (taut_pulse_beat(hessian->pulse, cell)) {
+                return;
+            }
         }
     }
     hessian->border.count = 0;
@@ -658,18 +670,25 @@ static taut_status factor_signed(taut_area_hessian *hessian, double theta)
     combine_matrices(hessian, theta);
     restrict_moves(hessian);
     hessian->border.is_signed = 1;
-    const taut_status status = taut_band_factor_signed(&hessian->factor, &negative);
+    const taut_status status = taut_band_factor_signed(&hessian->factor, &negative, hessian->pulse);
+    if (status == TAUT_INTERRUPTED) {
+        return status;
+    }
     return status == TAUT_OK && negative <= hessian->border.count ? factor_border(hessian, negative)
                                                                   : TAUT_NO_SOLUTION;
 }
 
 taut_status taut_area_hessian_factor(taut_area_hessian *hessian, double theta)
 {
+    if (taut_pulse_is_stopped(hessian->pulse)) {
+        return TAUT_INTERRUPTED;
+    }
     combine_matrices(hessian, theta);
     restrict_moves(hessian);
-    const taut_status status = hessian->factor.width >= TAUT_BAND_TILES_LEAST
-                                   ? taut_band_factor_tiled(&hessian->factor, hessian->work, NULL)
-                                   : taut_band_factor(&hessian->factor);
+    const taut_status status =
+        hessian->factor.width >= TAUT_BAND_TILES_LEAST
+            ? taut_band_factor_tiled(&hessian->factor, hessian->work, hessian->pulse)
+            : taut_band_factor_watched(&hessian->factor, hessian->pulse);
     hessian->border.is_signed = 0;
     if (status == TAUT_NO_SOLUTION && hessian->border.count > 0 && hessian->mask->leader != NULL) {
         return factor_signed(hessian, theta);
@@ -688,11 +707,15 @@ taut_status taut_area_hessian_factor_any(taut_area_hessian *hessian, double thet
     border *b = &hessian->border;
     const size_t size = 3 * (size_t)hessian->unknowns;
 
+    if (taut_pulse_is_stopped(hessian->pulse)) {
+        return TAUT_INTERRUPTED;
+    }
     combine_matrices(hessian, theta);
     restrict_moves(hessian);
     b->is_signed = 1;
-    if (taut_band_factor_signed(&hessian->factor, negative) != TAUT_OK) {
-        return TAUT_NO_SOLUTION;
+    const taut_status status = taut_band_factor_signed(&hessian->factor, negative, hessian->pulse);
+    if (status != TAUT_OK) {
+        return status;
     }
     for (int k = 0; k < b->count; k++) {
         memcpy(b->image[k], b->pull[k], size * sizeof(double));

@@ -35,7 +35,8 @@ taut_status taut_area_hessian_new(const taut_area_functional *functional, const 
                                   taut_area_hessian **hessian);
 void taut_area_hessian_free(taut_area_hessian *hessian); /* NULL is fine */
 
-/* Fills both matrices from the state of the functional: once for each net. */
+/* Fills both matrices from the state of the functional: once for each net. Its pulse is told of that and of factors,
+ * which are TAUT_INTERRUPTED once it is to end. */
 void taut_area_hessian_assemble(taut_area_hessian *hessian, const taut_area_functional *functional);
 
 /* Stiffens every unknown point against moves other than those given: adds weight (I - P) to its

@@ -21,7 +21,8 @@ enum {
 struct taut_newton_step {
     taut_area_functional *functional;
     const taut_mask *mask;
-    taut_pulse pulse;
+    taut_pulse own, *pulse; /* the functional's, or its own, which the functional tells meanwhile */
+    const char *what;       /* the pulse's word, which is another meanwhile */
     const double *directions;
     int parts;
     size_t size; /* of a vector of unknowns */
@@ -69,14 +70,23 @@ double taut_newton_step_cost(const taut_newton_step *newton)
                : 2 * PRODUCTS * look;
 }
 
+int taut_newton_step_is_stopped(const taut_newton_step *newton)
+{
+    return taut_pulse_is_stopped(newton->pulse);
+}
+
 taut_status taut_newton_step_report(taut_newton_step *newton)
 {
-    return taut_pulse_report(&newton->pulse) ? TAUT_INTERRUPTED : TAUT_OK;
+    return taut_pulse_report(newton->pulse) ? TAUT_INTERRUPTED : TAUT_OK;
 }
 
 void taut_newton_step_free(taut_newton_step *newton)
 {
     if (newton != NULL) {
+        newton->pulse->what = newton->what;
+        if (newton->pulse == &newton->own) {
+            newton->functional->pulse = NULL;
+        }
         taut_area_hessian_free(newton->hessian);
         taut_gram_clear(&newton->u);
         taut_gram_clear(&newton->v);
@@ -90,7 +100,7 @@ static taut_status make_preconditioner(const taut_dirichlet_form *form, double a
                                        taut_newton_step *newton)
 {
     const taut_gram *u = &newton->u, *v = &newton->v;
-    const taut_crew crew = {1, &newton->pulse};
+    const taut_crew crew = {1, newton->pulse};
     const taut_status status =
         taut_dirichlet_form_select(form, newton->mask, &newton->u, &newton->v);
 
@@ -135,7 +145,11 @@ taut_status taut_newton_step_new(taut_area_functional *functional, const taut_di
         return TAUT_NO_MEMORY;
     }
     made->functional = functional;
-    made->pulse = (taut_pulse){.monitor = monitor, .what = "least area", .done = taut_none};
+    made->own = (taut_pulse){.monitor = monitor, .done = taut_none};
+    made->pulse = functional->pulse != NULL ? functional->pulse : &made->own;
+    made->what = made->pulse->what;
+    made->pulse->what = "least area";
+    functional->pulse = made->pulse;
     made->mask = mask;
     made->directions = directions;
     made->parts = directions != NULL ? 1 : 3;

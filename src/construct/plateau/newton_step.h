@@ -31,6 +31,8 @@ void taut_newton_step_free(taut_newton_step *newton); /* NULL is fine */
 taut_status taut_newton_step_hold(taut_newton_step *newton, const taut_conditions *conditions,
                                   taut_held *held);
 
+/* Has the monitor asked for an end? */
+int taut_newton_step_is_stopped(const taut_newton_step *newton);
 /* Tells the monitor that work goes on; TAUT_INTERRUPTED when it asks to stop. */
 taut_status taut_newton_step_report(taut_newton_step *newton);
 

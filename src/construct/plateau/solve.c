@@ -106,6 +106,7 @@ typedef struct work {
     double first_area; /* of the net that the steps begin from; 0 before there is one */
     taut_trust_region region;
     const char *solver;
+    taut_pulse pulse; /* of the functionals */
     int rule, products;
     int is_rough;  /* no rule settles on the first net */
     double change; /* of the area from one of the last rules to the next, over the area */
@@ -243,6 +244,7 @@ static taut_status make_functional(work *w, int rule, taut_area_functional **fun
         TAUT_OK) {
         return taut_fail_memory(error);
     }
+    made->pulse = &w->pulse;
     points = points_of(made);
     *is_last = rule + 1 >= RULES || points_after(w, made, rule) > limits.points_next;
     if (points > points_allowed(w)) {
@@ -625,10 +627,19 @@ static int is_partial(const work *w, taut_status status)
     return (status == TAUT_NOT_CONVERGED || status == TAUT_INTERRUPTED) && w->region.area > 0;
 }
 
+/* An end that was asked for while the last look at the area went on. */
+static taut_status check_stop(const work *w, taut_status status, taut_error *error)
+{
+    return status == TAUT_OK && taut_pulse_is_stopped(&w->pulse)
+               ? taut_fail(error, TAUT_INTERRUPTED, "interrupted", NULL, taut_none, taut_none,
+                           "stopped on request")
+               : status;
+}
+
 /* Fills points, as far as it came where it does not converge or is stopped; known ones as given. */
 static taut_status find_points(work *w, taut_error *error)
 {
-    const taut_status status = find_net(w, error);
+    const taut_status status = check_stop(w, find_net(w, error), error);
     taut_status unscaled = TAUT_OK;
 
     if (status == TAUT_INTERRUPTED && !(w->region.area > 0)) { /* before the first step */
@@ -651,7 +662,7 @@ static taut_status keep_points(work *w, taut_error *error)
     w->solver = "none";
     w->scaling = taut_scaling_of(w->count, w->points, w->problem->net.known);
     scale_points(w, w->points);
-    return find_rule(w, &w->dirichlet_area, error);
+    return check_stop(w, find_rule(w, &w->dirichlet_area, error), error);
 }
 
 /* A list of rows of vectors, one for each point. */
@@ -758,6 +769,7 @@ taut_status taut_plateau_solve(const taut_plateau_problem *problem,
                                taut_error *error)
 {
     work w = {.problem = problem, .options = options, .solver = "none"};
+    w.pulse = (taut_pulse){.monitor = &options->monitor, .what = "least area", .done = taut_none};
     taut_status status = TAUT_OK;
 
     w.region.tolerance = problem->tolerance > 0 ? problem->tolerance : tolerance_default;

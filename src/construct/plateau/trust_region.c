@@ -616,6 +616,9 @@ static taut_status leave_saddle(state *s, int *at_rest, taut_error *error)
 {
     const double curvature = least_curvature(s);
 
+    if (taut_newton_step_is_stopped(s->newton)) {
+        return TAUT_INTERRUPTED;
+    }
     if (!(curvature < -limits.curvature_slack)) {
         return TAUT_OK;
     }

@@ -234,7 +234,11 @@ taut_status taut_plateau_witness_new(const taut_surface *surface, const taut_mon
     if (status == TAUT_OK) {
         status = find_psi(&w);
     }
-    if (status == TAUT_OK && tell(&w)) {
+    const int is_told = status == TAUT_OK && tell(&w);
+    if (status == TAUT_OK && taut_pulse_report(&w.pulse)) { /* to free the dual is work as well */
+        status = TAUT_INTERRUPTED;
+    }
+    if (status == TAUT_OK && is_told) {
         *witness = w.made;
         w.made = NULL;
     }

@@ -350,7 +350,7 @@ static int try_step(work *w, const double *matrix, double shift, double hold, in
         row_of(w, w->rows)[held] = 1;
         w->c[w->rows] = 0;
     }
-    if (taut_band_factor_signed(&w->hessian, &negative) != TAUT_OK) {
+    if (taut_band_factor_signed(&w->hessian, &negative, NULL) != TAUT_OK) {
         return 0;
     }
     for (int i = 0; i < w->n; i++) {

@@ -8,10 +8,13 @@
 
 #include "taut/biharmonic.h"
 #include "taut/construct.h"
+#include "taut/gradient.h"
 #include "taut/harmonic.h"
+#include "taut/measure.h"
 #include "taut/mesh.h"
 #include "taut/read.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -84,11 +87,9 @@ static void test_what_follows(void)
     static const struct {
         const char *name;
         int least;
-    } cases[] = {{"film-ridge.json", 17},
-                 {"film-warp-weft.json", 18},
-                 {"pattern-cone.json", 110},
-                 {"pipe-run-arcs.json", 20},
-                 {"trace-planks.json", 600}};
+    } cases[] = {{"film-cap.json", 100},      {"film-ridge.json", 60},
+                 {"film-warp-weft.json", 18}, {"pattern-cone.json", 110},
+                 {"pipe-run-arcs.json", 20},  {"trace-planks.json", 600}};
     for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
         words all = {.witness = 0};
         taut_model *model = NULL;
@@ -174,6 +175,79 @@ static void test_witness(void)
               "ended at the witness");
         taut_model_free(model);
     }
+}
+
+static double detail_of(const taut_model *model, const char *name)
+{
+    return taut_record_number(taut_record_get(taut_model_details(model), name));
+}
+
+static double area_of(const taut_model *model)
+{
+    double area = NAN;
+    CHECK(taut_surface_area(taut_model_surface(model, 0), &area, NULL) == TAUT_OK, "area");
+    return area;
+}
+
+/* Steps by factors: each of 3 m m unknowns, m along a side of the net without its rim, a band of 3 (degree m) about, whose factor
+ * takes the square of its width for each row. Ended within one there is the film of the step before. */
+static void test_factors(int n)
+{
+    const double m = n - 2.0, factor = 3 * m * m * (9 * m) * (9 * m);
+    test_problem net = problem_tetrahedron(n);
+    taut_plateau_problem problem = {.net = net.data, .without_least = 1};
+    watch all = {.stop_at = 0};
+    taut_make_options options = {.monitor = monitor_of(&all)};
+    taut_model *model = NULL;
+
+    CHECK(taut_plateau_make(&problem, &options, &model, NULL) == TAUT_OK, "made");
+    const double dirichlet = detail_of(model, "dirichlet_area");
+    CHECK(all.reports > 2 * factor / TAUT_PULSE_WORK, "%d reports of %.3g operations", all.reports,
+          2 * factor);
+    taut_model_free(model);
+    for (int k = 1; k <= all.reports; k += 1 + all.reports / 12) {
+        watch stop = {.stop_at = k}, enough = {.stop_at = k, .answer = TAUT_ENOUGH};
+        model = NULL;
+        options.monitor = monitor_of(&stop);
+        CHECK(taut_plateau_make(&problem, &options, &model, NULL) == TAUT_INTERRUPTED &&
+                  model == NULL && stop.reports == k,
+              "stopped at %d of %d: went on to %d", k, all.reports, stop.reports);
+        options.monitor = monitor_of(&enough);
+        if (taut_plateau_make(&problem, &options, &model, NULL) == TAUT_OK) {
+            CHECK(enough.reports == k && area_of(model) <= dirichlet * (1 + 1e-9),
+                  "ended at %d: went on to %d, area %.17g", k, enough.reports, area_of(model));
+            taut_model_free(model);
+        }
+    }
+    problem_free(&net);
+}
+
+/* Derivatives of the area: each rule looks at all its points, 16 a cell at least. */
+static void test_gradient(int n)
+{
+    test_problem net = problem_tetrahedron(n);
+    taut_model *model = NULL;
+    double *gradient = calloc((size_t)n * (size_t)n, 3 * sizeof *gradient);
+    watch all = {.stop_at = 0};
+    taut_gradient_request request = {.monitor = monitor_of(&all)};
+
+    CHECK(gradient != NULL && taut_dirichlet_make(&net.data, NULL, &model, NULL) == TAUT_OK,
+          "made");
+    CHECK(taut_dirichlet_gradient(&net.data, model, &request, gradient, NULL) == TAUT_OK,
+          "derived");
+    CHECK(all.reports >= 3, "%d reports", all.reports);
+    for (int k = 1; k <= all.reports; k++) {
+        watch stop = {.stop_at = k};
+        request.monitor = monitor_of(&stop);
+        gradient[0] = 7;
+        CHECK(taut_dirichlet_gradient(&net.data, model, &request, gradient, NULL) ==
+                      TAUT_INTERRUPTED &&
+                  gradient[0] == 7 && stop.reports == k,
+              "stopped at %d of %d: went on to %d", k, all.reports, stop.reports);
+    }
+    free(gradient);
+    taut_model_free(model);
+    problem_free(&net);
 }
 
 /* One of two problems. */
@@ -271,6 +345,8 @@ int main(void)
     test_dense(25);
     test_dirichlet(160);
     test_dirichlet(240);
+    test_factors(34);
+    test_gradient(100);
     test_branches();
     test_witness();
     test_what_follows();

@@ -221,7 +221,7 @@ static void test_signed(void)
         }
         taut_band copy;
         CHECK(taut_band_widen(&band, apart, &copy) == TAUT_OK, "trial %d", trial);
-        CHECK(taut_band_factor_signed(&copy, &negative) == TAUT_OK && negative == expected,
+        CHECK(taut_band_factor_signed(&copy, &negative, NULL) == TAUT_OK && negative == expected,
               "trial %d: %d below 0, expected %d", trial, negative, expected);
         for (int i = 0; i < N; i++) {
             x[i] = b[i];

@@ -686,7 +686,7 @@ static void find_pulls(taut_film_energy *e)
 
 taut_status taut_film_energy_second(taut_film_energy *energy)
 {
-    enum { OF_PAIR = 30 }; /* operations of two functions at a node, roughly */
+    enum { OF_PAIR = 30, OF_PRESSURE = 60 }; /* operations of two functions at a node, roughly */
     const taut_film_complex *c = &energy->layout->complex;
     int nodes[LOCAL_MAX * LOCAL_MAX];
     const size_t blocks = (size_t)energy->start[c->nodes];
@@ -697,6 +697,7 @@ taut_status taut_film_energy_second(taut_film_energy *energy)
     for (int p = 0; p < c->problem->patch_count; p++) {
         const taut_area_functional *area = energy->areas[p];
         const int cu = cells_of(&area->u), cv = cells_of(&area->v);
+        const double of_pair = OF_PAIR + (energy->in_cells[p] ? OF_PRESSURE : 0);
         for (int cell = 0; cell < cu * cv; cell++) {
             const int count = alive(energy, p, cell / cv, cell % cv, nodes);
             memset(energy->element, 0,
@@ -708,8 +709,8 @@ taut_status taut_film_energy_second(taut_film_energy *energy)
                 }
             }
             scatter(energy, p, nodes, count, energy->element);
-            if (taut_pulse_beat(energy->pulse, (double)OF_PAIR * count * count / 2 *
-                                                   (area->u.nodes * area->v.nodes))) {
+            if (taut_pulse_beat(energy->pulse,
+                                of_pair * count * count / 2 * (area->u.nodes * area->v.nodes))) {
                 return TAUT_INTERRUPTED;
             }
         }
@@ -751,7 +752,7 @@ static void block_of(const void *context, int a, int b, double *block)
 taut_status taut_film_energy_factor(taut_film_energy *energy, double theta, int *negative)
 {
     energy->theta = theta;
-    return taut_sparse_factor(energy->sparse, block_of, energy, negative);
+    return taut_sparse_factor(energy->sparse, block_of, energy, energy->pulse, negative);
 }
 
 void taut_film_energy_solve(const taut_film_energy *energy, const double *c, double *right,

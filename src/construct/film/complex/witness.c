@@ -280,7 +280,7 @@ static taut_status solve(void *context, const double *psi, double *step)
         status = taut_dual_assemble(&s->dual, psi != NULL ? w->patch + s->first : NULL);
     }
     if (status == TAUT_OK) {
-        status = taut_sparse_factor(w->sparse, block_of, w, &negative);
+        status = taut_sparse_factor(w->sparse, block_of, w, &w->pulse, &negative);
     }
     if (status != TAUT_OK) {
         return status;
