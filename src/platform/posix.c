@@ -561,7 +561,7 @@ int taut_system_cut(FILE *stream, double length)
 
 FILE *taut_system_spool(char **text, size_t *length)
 {
-    return open_memstream(text, length);
+    return own_memory_stream(text, length);
 }
 
 int taut_system_spooled(FILE *spool, char **text, size_t *length)

@@ -5,8 +5,11 @@
 #ifndef TAUT_PLATFORM_POSIX_OWN_H
 #define TAUT_PLATFORM_POSIX_OWN_H
 
+#include "platform/system.h"
+
 #include <errno.h>
 #include <fcntl.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -53,6 +56,61 @@ static inline const char *own_getenv(const char *name)
 static inline int own_random(void *random, size_t size)
 {
     return getrandom(random, size, 0) == (ssize_t)size;
+}
+
+/* What a stream into memory keeps. */
+typedef struct own_kept {
+    char **text;
+    size_t *length, room;
+} own_kept;
+
+static inline ssize_t own_keep(void *cookie, const char *bytes, size_t count)
+{
+    own_kept *kept = cookie;
+    const size_t length = *kept->length, free = kept->room - length;
+    if (count >= free) { /* one byte for the 0 */
+        const size_t room = 2 * kept->room + count;
+        char *larger = room > count ? taut_system_resize(*kept->text, room) : NULL;
+        if (larger == NULL) {
+            errno = ENOMEM;
+            return 0;
+        }
+        *kept->text = larger;
+        kept->room = room;
+    }
+    memcpy(*kept->text + length, bytes, count);
+    (*kept->text)[length + count] = '\0';
+    *kept->length = length + count;
+    return (ssize_t)count;
+}
+
+static inline int own_drop(void *cookie)
+{
+    free(cookie);
+    return 0;
+}
+
+/* As open_memstream, of which glibc's copies all that there is whenever it grows: large blocks of realloc move by their pages. */
+static inline FILE *own_memory_stream(char **text, size_t *length)
+{
+    enum { FIRST_ROOM = 1 << 12 };
+    own_kept *kept = malloc(sizeof *kept);
+    FILE *stream = NULL;
+
+    *length = 0;
+    *text = taut_system_take(FIRST_ROOM);
+    if (kept != NULL && *text != NULL) {
+        **text = '\0';
+        *kept = (own_kept){text, length, FIRST_ROOM};
+        stream =
+            fopencookie(kept, "wb", (cookie_io_functions_t){.write = own_keep, .close = own_drop});
+    }
+    if (stream == NULL) {
+        free(kept);
+        taut_system_release(*text);
+        *text = NULL;
+    }
+    return stream;
 }
 
 #else
@@ -103,6 +161,11 @@ static inline const char *own_getenv(const char *name)
 static inline int own_random(void *random, size_t size)
 {
     return getentropy(random, size) == 0;
+}
+
+static inline FILE *own_memory_stream(char **text, size_t *length)
+{
+    return open_memstream(text, length);
 }
 #endif
 

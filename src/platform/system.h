@@ -153,7 +153,7 @@ int taut_system_open_device(const char *target, FILE **stream);
 
 /* A stream that keeps what is written; both calls get the same *text and *length. NULL: no memory. */
 FILE *taut_system_spool(char **text, size_t *length);
-/* Closes it: *text, malloc's, is there. EOF, with errno: it could not be kept. */
+/* Closes it: *text, ended by a 0 and to be freed as by taut_system_release, is there. EOF, with errno: it could not be kept. */
 int taut_system_spooled(FILE *spool, char **text, size_t *length);
 
 /* A file that grows in place, open for reading from its begin and for writing, made where there is none; EISDIR, and EINVAL

@@ -610,16 +610,16 @@ FILE *taut_system_spool(char **text, size_t *length)
     return spool;
 }
 
-/* All of the file, malloc's. */
+/* All of the file. */
 static int read_back(int file, char **text, size_t *length)
 {
     const int64_t size = _filelengthi64(file);
-    char *const block = size >= 0 ? malloc((size_t)size + 1) : NULL;
+    char *const block = size >= 0 ? taut_system_take((size_t)size + 1) : NULL;
     taut_source source = {.file = file};
     size_t filled = 0, got = 1;
 
     if (block == NULL || _lseeki64(file, 0, SEEK_SET) != 0) {
-        free(block);
+        taut_system_release(block);
         return EOF;
     }
     while (filled < (size_t)size && got > 0 &&
@@ -627,7 +627,7 @@ static int read_back(int file, char **text, size_t *length)
         filled += got;
     }
     if (filled < (size_t)size) {
-        free(block);
+        taut_system_release(block);
         return EOF;
     }
     block[filled] = '\0';

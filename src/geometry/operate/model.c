@@ -243,7 +243,7 @@ static taut_status surface_pieces(const operation *o, int i, taut_model *to, tau
     const double patches = (double)taut_basis_span_count(taut_surface_u(surface)) *
                            taut_basis_span_count(taut_surface_v(surface));
     const int pieces = patches <= TAUT_OBJECTS_MAX ? (int)patches : 0; /* more are refused */
-    return taut_operate_add_patches(surface, dashes_for(o->model, i, pieces, to), to, error);
+    return taut_operate_add_patches(surface, dashes_for(o->model, i, pieces, to), NULL, to, error);
 }
 
 static taut_status curve_pieces(const operation *o, int i, taut_model *to, taut_error *error)

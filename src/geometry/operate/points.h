@@ -3,6 +3,7 @@
 #define TAUT_GEOMETRY_OPERATE_POINTS_H
 
 #include "basis/change.h"
+#include "core/pulse.h"
 #include "taut/model.h"
 
 #include <stddef.h>
@@ -26,9 +27,13 @@ taut_status taut_operate_add_curve_parts(const taut_curve *curve, const taut_cha
 taut_status taut_operate_add_surface_parts(const taut_surface *surface, int direction,
                                            const taut_change_list *list, int dashes, taut_model *to,
                                            taut_error *error);
-/* Adds every patch of the surface, span by span. TAUT_NO_SOLUTION: more than a model holds. */
-taut_status taut_operate_add_patches(const taut_surface *surface, int dashes, taut_model *to,
-                                     taut_error *error);
+/* Adds every patch of the surface, span by span. pulse, which may be NULL, is told of them. TAUT_NO_SOLUTION: more than a model
+ * holds; TAUT_INTERRUPTED. */
+taut_status taut_operate_add_patches(const taut_surface *surface, int dashes, taut_pulse *pulse,
+                                     taut_model *to, taut_error *error);
+/* As taut_surface_pieces, of which pulse is told. */
+taut_status taut_operate_pieces(const taut_surface *surface, taut_pulse *pulse, taut_model **pieces,
+                                taut_error *error);
 
 /* A new model with the unit of another. */
 taut_status taut_operate_begin(const taut_model *model, taut_model **made, taut_error *error);

@@ -80,8 +80,11 @@ typedef struct cutting {
     taut_change_list across, along;
     taut_lattice whole;
     int dashes;
+    taut_pulse *pulse;
     taut_model *to;
 } cutting;
+
+enum { PATCH_WORK = 5000 }; /* operations of a patch, as pulses count them */
 
 /* Adds patch i, out of a strip whose basis along u is its own already. */
 static taut_status add_patch(const cutting *c, const taut_lattice *strip, const taut_basis *u,
@@ -109,6 +112,9 @@ static taut_status add_strip(const cutting *c, int i, taut_error *error)
 
     for (int j = 0; status == TAUT_OK && j < c->along.count; j++) {
         status = add_patch(c, &strip, across->to, c->along.items[j], i * c->along.count + j, error);
+        if (status == TAUT_OK && taut_pulse_beat(c->pulse, PATCH_WORK)) {
+            status = taut_fail_status(error, TAUT_INTERRUPTED);
+        }
     }
     taut_lattice_free(&strip);
     return status;
@@ -132,10 +138,10 @@ static taut_status cut_into_patches(cutting *c, taut_error *error)
     return status;
 }
 
-taut_status taut_operate_add_patches(const taut_surface *surface, int dashes, taut_model *to,
-                                     taut_error *error)
+taut_status taut_operate_add_patches(const taut_surface *surface, int dashes, taut_pulse *pulse,
+                                     taut_model *to, taut_error *error)
 {
-    cutting c = {.surface = surface, .dashes = dashes, .to = to};
+    cutting c = {.surface = surface, .dashes = dashes, .pulse = pulse, .to = to};
     const double patches = (double)taut_basis_span_count(taut_surface_u(surface)) *
                            taut_basis_span_count(taut_surface_v(surface));
     if (patches > TAUT_OBJECTS_MAX) {
@@ -152,6 +158,12 @@ taut_status taut_operate_add_patches(const taut_surface *surface, int dashes, ta
 
 taut_status taut_surface_pieces(const taut_surface *surface, taut_model **pieces, taut_error *error)
 {
+    return taut_operate_pieces(surface, NULL, pieces, error);
+}
+
+taut_status taut_operate_pieces(const taut_surface *surface, taut_pulse *pulse, taut_model **pieces,
+                                taut_error *error)
+{
     taut_model *made = NULL;
 
     if (surface == NULL || pieces == NULL) {
@@ -160,7 +172,7 @@ taut_status taut_surface_pieces(const taut_surface *surface, taut_model **pieces
     if (taut_model_new(&made) != TAUT_OK) {
         return taut_fail_memory(error);
     }
-    return taut_operate_end(taut_operate_add_patches(surface, 1, made, error), made, pieces);
+    return taut_operate_end(taut_operate_add_patches(surface, 1, pulse, made, error), made, pieces);
 }
 
 taut_status taut_surface_refine(const taut_surface *surface, int direction, taut_surface **refined,

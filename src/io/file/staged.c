@@ -140,7 +140,7 @@ void taut_staged_free(taut_staged *staged)
 {
     if (staged != NULL) {
         taut_staged_drop(staged);
-        free(staged->spool); /* malloc's */
+        taut_system_release(staged->spool);
         taut_free(staged->path);
         taut_free(staged->target);
         taut_free(staged->made.temporary);

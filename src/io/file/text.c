@@ -1,23 +1,36 @@
 /* text.c -- a model in memory, in any format that is written as a stream. */
 #include "core/fail.h"
 #include "core/memory.h"
+#include "core/pulse.h"
 #include "io/file/in.h"
 #include "io/format.h"
 #include "platform/system.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* The bytes of a spool as the library's own, ended by a 0. */
-static char *own_text(const char *bytes, size_t length)
+static taut_status own_text(const char *bytes, size_t length, const taut_monitor *monitor,
+                            char **text)
 {
-    char *text = taut_alloc(length + 1, 1);
-    if (text != NULL) {
-        memcpy(text, bytes, length);
-        text[length] = '\0';
+    enum { PART = 1 << 20, BYTE_WORK = 5 }; /* operations, as pulses count them */
+    taut_pulse pulse = {.monitor = monitor, .what = "writing", .done = taut_none};
+    char *made = taut_alloc(length + 1, 1);
+
+    if (made == NULL) {
+        return TAUT_NO_MEMORY;
     }
-    return text;
+    for (size_t at = 0; at < length; at += PART) {
+        const size_t count = length - at < PART ? length - at : PART;
+        memcpy(made + at, bytes + at, count);
+        if (taut_pulse_beat(&pulse, (double)BYTE_WORK * (double)count)) {
+            taut_free(made);
+            return TAUT_INTERRUPTED;
+        }
+    }
+    made[length] = '\0';
+    *text = made;
+    return TAUT_OK;
 }
 
 static taut_status write_stream(const taut_format_ops *ops, const taut_model *model,
@@ -64,13 +77,13 @@ taut_status taut_model_write_text(const taut_model *model, const char *format,
     if (status == TAUT_OK) {
         status = write_stream(ops, model, options, &bytes, &count, error);
     }
-    char *made = status == TAUT_OK ? own_text(bytes, count) : NULL;
-    free(bytes); /* malloc's */
+    char *made = NULL;
+    if (status == TAUT_OK) {
+        status = taut_fail_status(error, own_text(bytes, count, &options->monitor, &made));
+    }
+    taut_system_release(bytes);
     if (status != TAUT_OK) {
         return status;
-    }
-    if (made == NULL) {
-        return taut_fail_memory(error);
     }
     *text = made;
     *length = count;

@@ -18,7 +18,8 @@ void taut_fields_of(const double *vectors, double fields[TAUT_FIELDS])
 }
 
 taut_status taut_mesh_fields(const taut_surface *surface, const taut_mesh *mesh,
-                             const taut_mesh_group *group, int threads, double *fields)
+                             const taut_mesh_group *group, int threads, taut_pulse *pulse,
+                             double *fields)
 {
     const double *parameters = taut_mesh_parameters(mesh) + 2 * group->first_vertex;
     const size_t nv = (size_t)group->nv;
@@ -34,6 +35,9 @@ taut_status taut_mesh_fields(const taut_surface *surface, const taut_mesh *mesh,
         status = taut_surface_eval_grid(surface, 1, &u, group->nv, v, 2, threads, vectors);
         for (size_t j = 0; status == TAUT_OK && j < nv; j++) {
             taut_fields_of(vectors + 18 * j, fields + TAUT_FIELDS * (i * nv + j));
+        }
+        if (status == TAUT_OK && taut_pulse_beat(pulse, (double)TAUT_FIELDS_WORK * (double)nv)) {
+            status = TAUT_INTERRUPTED;
         }
     }
     taut_free(v);

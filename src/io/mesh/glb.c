@@ -383,9 +383,10 @@ static void choose_origin(glb_plan *plan)
 }
 
 /* The curvature asked for at every vertex. */
-static taut_status choose_curvature(const glb_plan *plan, const taut_model *model, int threads,
-                                    double *values)
+static taut_status choose_curvature(const glb_plan *plan, const taut_model *model,
+                                    const taut_write_options *options, double *values)
 {
+    taut_pulse pulse = {.monitor = &options->monitor, .what = "writing", .done = taut_none};
     const size_t vertices = taut_mesh_vertex_count(plan->mesh);
     static const int fields_of[] = {[TAUT_COLOUR_MEAN] = TAUT_FIELD_H,
                                     [TAUT_COLOUR_GAUSSIAN] = TAUT_FIELD_K,
@@ -396,8 +397,9 @@ static taut_status choose_curvature(const glb_plan *plan, const taut_model *mode
 
     for (int g = 0; status == TAUT_OK && g < plan->count; g++) {
         const taut_mesh_group *group = taut_mesh_group_at(plan->mesh, g);
-        status = taut_mesh_fields(taut_model_surface(model, group->surface), plan->mesh, group,
-                                  threads, fields + TAUT_FIELDS * group->first_vertex);
+        status =
+            taut_mesh_fields(taut_model_surface(model, group->surface), plan->mesh, group,
+                             options->threads, &pulse, fields + TAUT_FIELDS * group->first_vertex);
     }
     if (status != TAUT_OK) {
         return status;
@@ -409,7 +411,8 @@ static taut_status choose_curvature(const glb_plan *plan, const taut_model *mode
 }
 
 /* The value of the colour at every vertex, and the range that the colours show. */
-static taut_status choose_colours(glb_plan *plan, const taut_model *model, int threads)
+static taut_status choose_colours(glb_plan *plan, const taut_model *model,
+                                  const taut_write_options *options)
 {
     const size_t vertices = taut_mesh_vertex_count(plan->mesh);
     const int is_strain = plan->colour == TAUT_COLOUR_PLAIN;
@@ -420,7 +423,7 @@ static taut_status choose_colours(glb_plan *plan, const taut_model *model, int t
 
     if (status == TAUT_OK) {
         status = is_strain ? taut_mesh_strains(model, plan->mesh, plan->arena, values)
-                           : choose_curvature(plan, model, threads, values);
+                           : choose_curvature(plan, model, options, values);
     }
     if (status != TAUT_OK) {
         return status;
@@ -463,7 +466,7 @@ static taut_status plan_file(glb_plan *plan, const taut_model *model,
         return TAUT_NO_MEMORY;
     }
     return plan->is_cloth || plan->colour != TAUT_COLOUR_PLAIN
-               ? choose_colours(plan, model, options->threads)
+               ? choose_colours(plan, model, options)
                : TAUT_OK;
 }
 
@@ -565,8 +568,9 @@ static taut_status write_planned(glb_plan *plan, const taut_model *model,
         return status;
     }
     plan->mesh = mesh;
-    if (plan_file(plan, model, options) != TAUT_OK) {
-        return taut_fail_memory(error);
+    status = plan_file(plan, model, options);
+    if (status != TAUT_OK) {
+        return taut_fail_status(error, status);
     }
     return write_file(plan, model, &options->monitor, out, error);
 }

@@ -41,6 +41,10 @@ typedef struct side {
     int forwards;
 } side;
 
+enum {
+    SIDE_WORK = 100
+}; /* operations to note a triangle, or to sort a side, as pulses count them */
+
 typedef struct threemf {
     const taut_model *model;
     const taut_mesh *mesh;
@@ -49,7 +53,9 @@ typedef struct threemf {
     int *body;        /* [groups]: the first group of its body */
     uint32_t *vertex; /* [vertices]: the number of a place in its object */
     uint32_t *place;  /* [vertices]: the place of a number */
-    side *sides;      /* [3 triangles]; of the body at hand: */
+    side *sides;      /* [3 triangles], of the body at hand, as they come, */
+    side *sorted;     /* [3 triangles], and by their lower place, */
+    size_t *begin;    /* [vertices + 1]: which begin here */
     size_t side_count, vertex_count, triangle_count;
 } threemf;
 
@@ -97,6 +103,7 @@ static taut_status find_bodies(threemf *file, taut_arena *arena)
     }
     for (size_t i = 0; i < vertices; i++) {
         unite(file->body, owner[i], owner[welded[i]]);
+        (void)taut_pulse_beat(&file->sink.pulse, SIDE_WORK);
     }
     for (int g = 0; g < file->groups; g++) {
         unite(file->body, g, taut_mesh_out_colour(file->mesh, file->surfaces, g));
@@ -174,6 +181,7 @@ static void look_at(threemf *file, int group, const uint32_t places[3])
         }
     }
     file->triangle_count++;
+    (void)taut_pulse_beat(&file->sink.pulse, SIDE_WORK);
 }
 
 static void put_number(taut_sink *sink, const char *before, size_t number)
@@ -206,12 +214,39 @@ static int by_places(const void *a, const void *b)
     return x->forwards - y->forwards;
 }
 
+/* The sides in the order of their places: counted into those of each lower place, which are few. */
+static void sort_sides(threemf *file)
+{
+    const size_t vertices = taut_mesh_vertex_count(file->mesh);
+    size_t *begin = file->begin;
+
+    memset(begin, 0, (vertices + 1) * sizeof *begin);
+    for (size_t i = 0; i < file->side_count; i++) {
+        begin[file->sides[i].lo + 1]++;
+    }
+    for (size_t i = 0; i < vertices; i++) {
+        begin[i + 1] += begin[i];
+    }
+    for (size_t i = file->side_count;
+         i-- > 0;) { /* from behind: begin[lo + 1] is the end, then where they begin */
+        file->sorted[--begin[file->sides[i].lo + 1]] = file->sides[i];
+    }
+    for (size_t i = 0; i < vertices; i++) {
+        const size_t end = i + 1 < vertices ? begin[i + 2] : file->side_count;
+        const size_t count = end - begin[i + 1];
+        qsort(file->sorted + begin[i + 1], count, sizeof *file->sorted, by_places);
+        if (taut_pulse_beat(&file->sink.pulse, (double)SIDE_WORK * (double)count)) {
+            return;
+        }
+    }
+}
+
 /* Is every side there once each way? */
 static int is_closed(threemf *file)
 {
-    const side *s = file->sides;
+    const side *s = file->sorted;
     size_t i = 0;
-    qsort(file->sides, file->side_count, sizeof *file->sides, by_places);
+    sort_sides(file);
     while (i + 1 < file->side_count && s[i].lo == s[i + 1].lo && s[i].hi == s[i + 1].hi &&
            s[i].forwards != s[i + 1].forwards &&
            (i + 2 == file->side_count || s[i].lo != s[i + 2].lo || s[i].hi != s[i + 2].hi)) {
@@ -311,11 +346,15 @@ static taut_status write_mesh(threemf *file, const char *unit, taut_arena *arena
     file->vertex = taut_arena_take(arena, vertices, sizeof *file->vertex);
     file->place = taut_arena_take(arena, vertices, sizeof *file->place);
     file->sides = taut_arena_take(arena, 6 * taut_mesh_quad_count(file->mesh), sizeof *file->sides);
-    if (taut_arena_status(arena) != TAUT_OK || find_bodies(file, arena) != TAUT_OK) {
-        return taut_fail_memory(error);
-    }
+    file->sorted =
+        taut_arena_take(arena, 6 * taut_mesh_quad_count(file->mesh), sizeof *file->sorted);
+    file->begin = taut_arena_take(arena, vertices + 1, sizeof *file->begin);
     file->sink = taut_sink_to(NULL);
     taut_sink_watch(&file->sink, monitor);
+    if (taut_arena_status(arena) != TAUT_OK || find_bodies(file, arena) != TAUT_OK) {
+        taut_free(file->sink.text);
+        return taut_fail_memory(error);
+    }
     put_model(file, unit);
     taut_status status = taut_mesh_out_finish(&file->sink, error);
     if (status != TAUT_OK) {

@@ -17,9 +17,9 @@
 #include "core/elementary/elementary.h"
 #include "core/fail.h"
 #include "geometry/keep.h"
+#include "geometry/operate/points.h"
 #include "io/vtu/grid.h"
 #include "numeric/bernstein.h"
-#include "taut/operations.h"
 
 #include <math.h>
 #include <string.h>
@@ -357,6 +357,7 @@ static taut_status add_cells(const taut_surface *surface, const taut_model *piec
 {
     const taut_vtu_cells *plan = work->plan;
     const int order = work->rules[1].order, spans_v = plan->count[1] / plan->per_span[1];
+    const double row = (double)TAUT_FIELDS_WORK * plan->count[1] * order * work->rules[0].order;
     taut_status status = TAUT_OK;
     for (int l = 0; l < plan->count[1] * order; l++) {
         work->v[l] = node_at(taut_surface_v(surface), plan->per_span[1], l / order,
@@ -369,6 +370,9 @@ static taut_status add_cells(const taut_surface *surface, const taut_model *piec
             cut_net(taut_model_surface(pieces, piece), work, a % plan->per_span[0],
                     b % plan->per_span[1]);
             add_cell(work, index, b * order, grid);
+        }
+        if (status == TAUT_OK && taut_pulse_beat(grid->pulse, row)) {
+            status = TAUT_INTERRUPTED;
         }
     }
     return status;
@@ -389,18 +393,17 @@ static taut_status add_surface(const taut_surface *surface, const taut_vtu_cells
     if (taut_arena_status(arena) != TAUT_OK) {
         return taut_fail_memory(error);
     }
-    status = taut_surface_pieces(surface, &pieces, error);
+    status = taut_operate_pieces(surface, grid->pulse, &pieces, error);
     if (status != TAUT_OK) {
         return status;
     }
     *work = (cell_work){.plan = plan, .v = v, .vectors = vectors, .fields = fields};
     make_rule(plan->degree[0], plan->coefficients, &work->rules[0]);
     make_rule(plan->degree[1], plan->coefficients, &work->rules[1]);
-    if (!taut_keep_model(arena, pieces) ||
-        add_cells(surface, pieces, index, work, grid) != TAUT_OK) {
+    if (!taut_keep_model(arena, pieces)) {
         return taut_fail_memory(error);
     }
-    return TAUT_OK;
+    return taut_fail_status(error, add_cells(surface, pieces, index, work, grid));
 }
 
 taut_status taut_vtu_cells_add(const taut_surface *surface, const taut_vtu_cells *plan, int index,

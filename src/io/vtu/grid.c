@@ -6,14 +6,14 @@
 taut_vtu_grid taut_vtu_grid_of(taut_arena *arena, size_t points, size_t cells, size_t corners)
 {
     return (taut_vtu_grid){
-        .positions = taut_arena_take(arena, points, 3 * sizeof(double)),
-        .weights = taut_arena_take(arena, points, sizeof(double)),
-        .fields = taut_arena_take(arena, points, TAUT_FIELDS * sizeof(double)),
-        .connectivity = taut_arena_take(arena, corners, sizeof(int64_t)),
-        .offsets = taut_arena_take(arena, cells, sizeof(int64_t)),
-        .types = taut_arena_take(arena, cells, 1),
-        .degrees = taut_arena_take(arena, cells, 3 * sizeof(int32_t)),
-        .surfaces = taut_arena_take(arena, cells, sizeof(int32_t)),
+        .positions = taut_arena_take_raw(arena, points, 3 * sizeof(double)),
+        .weights = taut_arena_take_raw(arena, points, sizeof(double)),
+        .fields = taut_arena_take_raw(arena, points, TAUT_FIELDS * sizeof(double)),
+        .connectivity = taut_arena_take_raw(arena, corners, sizeof(int64_t)),
+        .offsets = taut_arena_take_raw(arena, cells, sizeof(int64_t)),
+        .types = taut_arena_take_raw(arena, cells, 1),
+        .degrees = taut_arena_take_raw(arena, cells, 3 * sizeof(int32_t)),
+        .surfaces = taut_arena_take_raw(arena, cells, sizeof(int32_t)),
     };
 }
 

@@ -3,6 +3,7 @@
 #define TAUT_IO_VTU_GRID_H
 
 #include "core/arena.h"
+#include "core/pulse.h"
 #include "io/mesh/fields.h"
 #include "taut/write.h"
 
@@ -29,6 +30,7 @@ typedef struct taut_vtu_grid {
     uint8_t *types;                /* [cells] */
     int32_t *degrees;              /* [cells][3] */
     int32_t *surfaces;             /* [cells] */
+    taut_pulse *pulse;             /* borrowed: is told of cells and fields; NULL at first */
 } taut_vtu_grid;
 
 /* Room for so many; whether there was memory is taut_arena_status. */

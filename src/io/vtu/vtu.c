@@ -111,6 +111,8 @@ static taut_status take_grids(vtu_file *file, taut_error *error)
     return taut_arena_status(file->arena) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 }
 
+enum { PLACE_WORK = 100 }; /* operations to note a place or a cell, as pulses count them */
+
 /* The quads of the mesh of one surface. */
 static taut_status add_mesh(const vtu_part *part, const taut_mesh *mesh, int threads,
                             taut_vtu_grid *grid)
@@ -122,14 +124,16 @@ static taut_status add_mesh(const vtu_part *part, const taut_mesh *mesh, int thr
     const uint32_t *corners = taut_mesh_quads(mesh) + 4 * group->first_quad;
     for (size_t i = 0; i < vertices; i++) {
         taut_vtu_grid_add_point(grid, taut_mesh_positions(mesh) + 3 * (group->first_vertex + i), 1);
+        (void)taut_pulse_beat(grid->pulse, PLACE_WORK);
     }
     for (size_t i = 0; i < quads; i++) {
         int64_t *cell = taut_vtu_grid_add_cell(grid, VTK_QUAD, 4, 1, 1, part->index);
         for (size_t c = 0; c < 4; c++) {
             cell[c] = (int64_t)(corners[4 * i + c] - group->first_vertex + first);
         }
+        (void)taut_pulse_beat(grid->pulse, PLACE_WORK);
     }
-    return taut_mesh_fields(part->surface, mesh, group, threads,
+    return taut_mesh_fields(part->surface, mesh, group, threads, grid->pulse,
                             grid->fields + TAUT_FIELDS * first);
 }
 
@@ -166,8 +170,9 @@ static taut_status fill_grids(const taut_write_options *options, vtu_file *file,
         if (part->is_exact) {
             status = taut_vtu_cells_add(part->surface, &part->cells, part->index, &file->surfaces,
                                         error);
-        } else if (add_mesh(part, file->mesh, options->threads, &file->surfaces) != TAUT_OK) {
-            status = taut_fail_memory(error);
+        } else {
+            status = taut_fail_status(
+                error, add_mesh(part, file->mesh, options->threads, &file->surfaces));
         }
         if (status != TAUT_OK) {
             return status;
@@ -336,6 +341,7 @@ static taut_status write_file(vtu_file *file, const taut_model *model,
                               const taut_write_options *options, FILE *out, taut_error *error)
 {
     taut_sink sink;
+    taut_pulse pulse = {.monitor = &options->monitor, .what = "writing", .done = taut_none};
     taut_status status = choose_parts(model, options, file, error);
 
     if (status != TAUT_OK) {
@@ -345,6 +351,7 @@ static taut_status write_file(vtu_file *file, const taut_model *model,
     if (status != TAUT_OK) {
         return status;
     }
+    file->surfaces.pulse = &pulse;
     status = fill_grids(options, file, error);
     if (status != TAUT_OK) {
         return status;

@@ -7,14 +7,16 @@
 enum { VERSION = 20, FIRST_DAY = 0x0021, LOCAL = 30, CENTRAL = 46, END = 22 };
 enum { SIGN_LOCAL = 0x04034b50, SIGN_CENTRAL = 0x02014b50, SIGN_END = 0x06054b50 };
 enum { ROOM = 1 << 16 }; /* for headers, names and the list */
+enum { PART = 1 << 18 }; /* bytes at once */
 
 int taut_zip_fits(size_t bytes)
 {
     return bytes <= UINT32_MAX - ROOM;
 }
 
-uint32_t taut_crc32(const char *bytes, size_t length)
+uint32_t taut_crc32(const char *bytes, size_t length, taut_pulse *pulse)
 {
+    enum { BYTE_WORK = 10 }; /* operations, as pulses count them */
     uint32_t table[256], crc = 0xffffffff;
     for (uint32_t i = 0; i < 256; i++) {
         table[i] = i;
@@ -22,8 +24,14 @@ uint32_t taut_crc32(const char *bytes, size_t length)
             table[i] = table[i] >> 1 ^ (table[i] & 1 ? 0xedb88320 : 0);
         }
     }
-    for (size_t i = 0; i < length; i++) {
-        crc = crc >> 8 ^ table[(crc ^ (unsigned char)bytes[i]) & 0xff];
+    for (size_t at = 0; at < length; at += PART) {
+        const size_t end = length - at < PART ? length : at + PART;
+        for (size_t i = at; i < end; i++) {
+            crc = crc >> 8 ^ table[(crc ^ (unsigned char)bytes[i]) & 0xff];
+        }
+        if (taut_pulse_beat(pulse, (double)BYTE_WORK * (double)(end - at))) {
+            break;
+        }
     }
     return ~crc;
 }
@@ -62,11 +70,14 @@ void taut_zip_add(taut_zip *zip, const char *name, const char *bytes, size_t len
 {
     assert(zip->count < TAUT_ZIP_FILES && taut_zip_fits(zip->length + length));
     taut_zip_file *file = &zip->files[zip->count++];
-    *file = (taut_zip_file){name, taut_crc32(bytes, length), (uint32_t)length, zip->length};
+    *file = (taut_zip_file){name, taut_crc32(bytes, length, &zip->sink->pulse), (uint32_t)length,
+                            zip->length};
     put_32(zip, SIGN_LOCAL);
     put_common(zip, file);
     taut_sink_text(zip->sink, name);
-    taut_sink_bytes(zip->sink, bytes, length);
+    for (size_t at = 0; at < length; at += PART) {
+        taut_sink_bytes(zip->sink, bytes + at, length - at < PART ? length - at : PART);
+    }
     zip->length += (uint32_t)(LOCAL + strlen(name) + length);
 }
 

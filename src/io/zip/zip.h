@@ -32,7 +32,8 @@ void taut_zip_add(taut_zip *zip, const char *name, const char *bytes, size_t len
 /* The list of the files, which ends an archive; the sink is the caller's to finish. */
 void taut_zip_end(taut_zip *zip);
 
-/* CRC-32 (ISO 3309, polynomial 0xEDB88320 reflected). */
-uint32_t taut_crc32(const char *bytes, size_t length);
+/* CRC-32 (ISO 3309, polynomial 0xEDB88320 reflected). pulse, which may be NULL, is told of it; once it is to end what is returned has
+ * no meaning. */
+uint32_t taut_crc32(const char *bytes, size_t length, taut_pulse *pulse);
 
 #endif /* TAUT_IO_ZIP_ZIP_H */
