@@ -375,7 +375,7 @@ static int reduce(double *front, size_t rows, size_t own, double *column, taut_p
         for (size_t i = k + 1; i < rows; i++) {
             front[i * rows + k] /= pivot;
         }
-        if (taut_pulse_beat(pulse, 2.0 * (double)(rows - k) * (double)(own - k))) {
+        if (taut_pulse_beat(pulse, (double)(2 * (rows - k) - (own - k)) * (double)(own - k))) {
             break;
         }
     }

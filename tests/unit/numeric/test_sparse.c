@@ -1,6 +1,7 @@
 /* test_sparse.c -- fronts against dense meaning: products, inertia, nodes of all sizes. */
 #include "check.h"
 
+#include "monitors.h"
 #include "numeric/sparse.h"
 
 #include <string.h>
@@ -122,11 +123,59 @@ static void test_random(double lift, double error)
     }
 }
 
+/* Twice the identity where a node meets itself, ones elsewhere, scaled: definite. */
+static void plain_block(const void *context, int a, int b, double *entries)
+{
+    (void)context;
+    for (int i = 0; i < 9; i++) {
+        entries[i] = 1e-4 + (a == b && i % 4 == 0 ? 2 : 0);
+    }
+}
+
+/* Two cliques of 2 n rows that have n in common: of one the others go first, then all of the second. Eliminating k of m rows takes
+ * m^2 + ... + (m - k + 1)^2 multiplications and additions, about. It is told, and ended, on the way. */
+static void test_told(void)
+{
+    enum { SHARE = 100, COUNT = 3 * SHARE };
+    static int members[4 * SHARE];
+    static unsigned char sizes[COUNT];
+    const int first[] = {0, 2 * SHARE, 4 * SHARE};
+    const double n = 3 * SHARE, operations = 7 * n * n * n / 3 + 8 * n * n * n / 3;
+    int negative = 0;
+    taut_sparse *sparse = NULL;
+    watch all = {.stop_at = 0};
+    taut_monitor monitor = monitor_of(&all);
+    taut_pulse pulse = {.monitor = &monitor, .what = "factors"};
+
+    for (int i = 0; i < 4 * SHARE; i++) {
+        members[i] = i < 2 * SHARE ? i : i - SHARE;
+    }
+    memset(sizes, 3, sizeof sizes);
+    CHECK(taut_sparse_new(COUNT, sizes, 2, first, members, &sparse) == TAUT_OK, "new");
+    CHECK(taut_sparse_factor(sparse, plain_block, NULL, &pulse, &negative) == TAUT_OK &&
+              negative == 0,
+          "factors");
+    CHECK(all.reports >= 0.9 * operations / TAUT_PULSE_WORK, "%d reports of %.3g operations",
+          all.reports, operations);
+    for (int k = 1; k <= all.reports; k++) {
+        watch stop = {.stop_at = k};
+        monitor = monitor_of(&stop);
+        pulse = (taut_pulse){.monitor = &monitor, .what = "factors"};
+        CHECK(taut_sparse_factor(sparse, plain_block, NULL, &pulse, &negative) ==
+                      TAUT_INTERRUPTED &&
+                  stop.reports == k,
+              "stopped at %d of %d: went on to %d", k, all.reports, stop.reports);
+    }
+    CHECK(taut_sparse_factor(sparse, plain_block, NULL, NULL, &negative) == TAUT_OK, "again");
+    taut_sparse_free(sparse);
+}
+
 int main(void)
 {
     test_random(30,
                 1e-13); /* at most 24 entries of a row beside the diagonal: condition below 10 */
     test_random(-30, 1e-13);
     test_random(0, 0); /* indefinite: inertia alone */
+    test_told();
     return check_failures != 0;
 }
