@@ -82,6 +82,7 @@ nightly cmd:ruby                     ruby                   reads the recipe for
 nightly file:/usr/lib/python3/dist-packages/yaml/__init__.py python3-yaml reads the one for conda
 hosts cmd:freecadcmd                 freecad                runs the tests of plugins/freecad
 hosts cmd:blender                    blender                those of plugins/blender
+hosts cmd:admesh                     admesh                 looks for what STL files need mended
 hosts cmd:pvpython                   python3-paraview       those of plugins/paraview
 hosts cmd:xvfb-run                   xvfb                   the windows of these
 hosts cmd:xauth                      xauth                  likewise

@@ -15,13 +15,14 @@
 #     mutants    every mutant that was made by hand
 #     generated  mutants made by rule, for NIGHTLY_GENERATED seconds (7200)
 #     recipes    those of packaging/ for conda-forge, Homebrew and vcpkg, run by stand-ins of their tools
+#     peers      what other programs make of files: FreeCAD of STEP and DXF, Blender and admesh of meshes, each there
 #     plugins    those of FreeCAD, Blender, ParaView and Grasshopper in their hosts
 #     layouts    a thousand random films of many patches, against what is known of them
 #     films      a thousand random sails and rings: films whose claims hold, or refusals that are true by other means
 #     forge      forgeries of models against the judge from outside, seed NIGHTLY_SEED (the day)
 set -u
 cd "$(dirname "$0")/.." || exit 1
-all="compilers musl aarch64 sanitize windows wasm studio fuzz mutants generated recipes plugins layouts films forge"
+all="compilers musl aarch64 sanitize windows wasm studio fuzz mutants generated recipes peers plugins layouts films forge"
 page=docs/nightly.md logs=build/nightly
 for name in "$@"; do
     case " $all " in *" $name "*) ;; *)
@@ -70,6 +71,9 @@ do_fuzz() {
 do_mutants() { tools/mutants.sh; }
 do_generated() { tools/mutants_generated.py --seconds "${NIGHTLY_GENERATED:-7200}"; }
 do_recipes() { tools/recipes.sh; }
+do_peers() {
+    tools/deps.sh hosts && TAUT_REQUIRE=all ctest --preset release -R '^cli/(assembly|cloth_peer|dxf|mesh_peer|sheets|sheets_peer|step_solids)$'
+}
 do_plugins() { tools/deps.sh hosts && tools/plugins.sh test; }
 do_layouts() { cmake --build --preset release --target test-property-layouts && build/release/tests/test-property-layouts 1000; }
 do_films() { cmake --build --preset release --target test-property-film_laws && build/release/tests/test-property-film_laws 1000 200; }
