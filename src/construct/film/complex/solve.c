@@ -23,6 +23,7 @@
 
 #include "construct/film/complex/border.h"
 #include "construct/film/complex/energy.h"
+#include "construct/film/complex/even.h"
 #include "construct/film/complex/parting.h"
 #include "construct/film/complex/pressure.h"
 #include "core/fail.h"
@@ -753,6 +754,14 @@ static taut_status take_forces(const work *w, taut_arena *arena, taut_film_rest 
     return check_slack(w);
 }
 
+/* In a plane a net may be at rest by all rules and fold where none of them looks. */
+static taut_status even_out(work *w)
+{
+    int made = 0;
+    const taut_status status = taut_film_even(w->layout, w->x, &made);
+    return status == TAUT_OK && made ? settle(w) : status;
+}
+
 taut_status taut_film_rest_find(const taut_film_layout *layout, const taut_monitor *monitor,
                                 taut_arena *arena, taut_film_rest *rest, taut_error *error)
 {
@@ -799,6 +808,9 @@ taut_status taut_film_rest_find(const taut_film_layout *layout, const taut_monit
     }
     if (status == TAUT_OK) {
         status = find_film(&w, &parting, arena, rest);
+    }
+    if (status == TAUT_OK) {
+        status = even_out(&w);
     }
     if (status == TAUT_OK) {
         status = taut_film_parting_discs(layout, &parting, arena, &rest->rival);

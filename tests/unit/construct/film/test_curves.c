@@ -158,6 +158,25 @@ static void test_discs(void)
     }
 }
 
+/* Three lines and half a circle that is tangent to two of them: in a plane the energy does not say where the net is to be, and the
+ * first that is found folds over at the centres of its patches. */
+static void test_arches(void)
+{
+    static const double sizes[][2] = {{10, 10}, {4, 2}, {4, 3}, {2, 1}};
+    for (int k = 0; k < 4; k++) {
+        const double w = sizes[k][0], h = sizes[k][1];
+        char text[1000];
+        snprintf(
+            text, sizeof text,
+            "{\"taut\":1,\"construct\":\"film\",\"least\":false,\"curves\":[{\"line\":[[0,%g,0],"
+            "[0,0,0]]},{\"line\":[[0,0,0],[%g,0,0]]},{\"line\":[[%g,0,0],[%g,%g,0]]},{\"arc\":"
+            "[[%g,%g,0],[%g,%g,0],[0,%g,0]]}]}",
+            h, w, w, w, h, w, h, w / 2, h + w / 2, h);
+        CHECK_NEAR(area_of(text, 12, "", ""), w * h + pi * w * w / 8, 1e-8 * w * w,
+                   "an arch, %g x %g", w, h);
+    }
+}
+
 /* The quad of Schwarz's D, its edges in pieces, all of whose corners but four are straight. */
 static void test_pieces(void)
 {
@@ -232,6 +251,7 @@ int main(void)
     test_polygons();
     test_shapes();
     test_discs();
+    test_arches();
     test_pieces();
     test_schwarz();
     test_uneven();
