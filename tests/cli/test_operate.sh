@@ -28,6 +28,12 @@ near "$(at halves.json p-1 0.9,0.7)" "$(at patch.json p 0.9,0.7)"
 run 0 join halves.json p-0.u1 halves.json p-1.u0 --json
 contains out.txt '"c_order": 3'
 contains out.txt '"g_order": 3'
+# several cuts, in any order: each of the pieces that it is inside of
+run 0 split patch.json --u 0.6,0.3 -o thirds.json
+[ "$(grep -c '"u": {' thirds.json)" = "$(( $(grep -c '"u": {' halves.json) / 2 * 3 ))" ] || complain "two cuts leave $(grep -c '"u": {' thirds.json) pieces"
+refused 2 'value --u 0\.3,x' split patch.json --u 0.3,x
+refused 2 'value --u 0\.3,' split patch.json --u 0.3,
+refused 2 'option' split patch.json --u 0.3,0.6 --exact
 run 0 split patch.json --v 1 --surface p -o other.json
 near "$(at other.json p-1 0.4,1.2)" "$(at patch.json p 0.4,1.2)"
 run 0 refine patch.json -o fine.json

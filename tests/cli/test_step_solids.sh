@@ -141,6 +141,22 @@ PY
     near "$(sed -n 's/^THICK True 1 //p' freecad.txt | tail -n 1)" "$(awk -v l="$run_length" 'BEGIN { printf "%.17g", atan2(0, -1) * (484 - 400) * l }')" 1e-9 "arcs.step thickened outwards, FreeCAD"
     # an offset has its caps 1 farther out, and rounds its two rims: between none of their corner and all of it
     near "$(sed -n 's/^OFFSET True //p' freecad.txt)" "$(awk -v l="$run_length" 'BEGIN { printf "%.17g", atan2(0, -1) * 441 * (l + 2) }')" 1e-4 "arcs.step offset, FreeCAD"
+    # elbows that are splines are offset once they are cut at their quarters, where their knots are as of creases
+    printf '{ "taut": 1, "construct": "pipe", "radius": 20, "caps": true, "bend_radius": 60, "run": [[0,0,0],[0,200,0],[200,200,0]] }' > elbow-problem.json
+    run 0 make elbow-problem.json --quiet -o elbow.json
+    run 0 split elbow.json --v 0.25,0.5,0.75 -o quarters.step
+    cat > look.py <<PY
+import Part
+shape = Part.Shape()
+shape.read("$PWD/quarters.step")
+offset = shape.Solids[0].makeOffsetShape(1.0, 1e-4)
+points, triangles = offset.tessellate(0.003)
+volume = sum(points[a].dot(points[b].cross(points[c])) for a, b, c in triangles) / 6
+print("OFFSET", len(shape.Faces), offset.isValid(), repr(volume))
+PY
+    freecadcmd look.py > freecad.txt 2>&1 < /dev/null
+    run_length=$(tr -d ' \n' < elbow.json | sed -n 's/.*"length":\([-0-9.e]*\),.*/\1/p')
+    near "$(sed -n 's/^OFFSET 20 True //p' freecad.txt | grep . || echo 0)" "$(awk -v l="$run_length" 'BEGIN { printf "%.17g", atan2(0, -1) * 441 * (l + 2) }')" 5e-4 "quarters.step offset, FreeCAD"
     # an open pipe shows its outside: in each face the normal points away from the middle of the ring through it
     cat > look.py <<PY
 import Part
