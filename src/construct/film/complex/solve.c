@@ -52,8 +52,10 @@ static const double unsettled = 100; /* times the aim: what the last rule may fi
 static const double blown = 10,
                     blown_led = 4; /* times the size; on the way of pressures that are led */
 static const double gain_soft = 1e-5,
-                    theta_hard = 1e-3;   /* where soft cables end, and theta where they are hard */
-static const double led_least = 0x1p-11; /* the least step of pressures that are led */
+                    theta_hard = 1e-3; /* where soft cables end, and theta where they are hard */
+static const double led_least =
+    0x1p-11; /* the least step of pressures that are led; of twice the last one found, where that is less */
+static const double led_near = 1e-6;       /* the residual of a film on the way */
 static const double apart_least = 0x1p-15; /* of rims, in their distance */
 static const double neck_most =
     0.9; /* of the shorter side at the start: else it is the net that folds */
@@ -477,10 +479,10 @@ static taut_status find_here(work *w, int *found)
 
     w->most = before + LED;
     taut_status status = descend_both(w);
-    if (status == TAUT_OK) {
+    if (status == TAUT_OK || (status == TAUT_NOT_CONVERGED && w->residual <= led_near)) {
         status = count_down(w, &down);
     }
-    *found = status == TAUT_OK && down == 0 && w->residual <= fmax(w->aim, 1e-6);
+    *found = status == TAUT_OK && down == 0 && w->residual <= fmax(w->aim, led_near);
     w->most = most;
     return status == TAUT_NO_MEMORY || status == TAUT_INTERRUPTED ? status : TAUT_OK;
 }
@@ -535,7 +537,7 @@ static taut_status lead(work *w)
             memcpy(w->x, last, bytes);
             step /= 2;
         }
-        if (step < led_least) {
+        if (step < led_least * (at > 0 ? fmin(1, 2 * at) : 1)) {
             break;
         }
     }

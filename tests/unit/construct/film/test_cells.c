@@ -294,6 +294,28 @@ static void test_refused(void)
     check_document_refused(t.at, TAUT_BAD_INPUT, "name", "/cells/1/sides/5");
 }
 
+/* A tube between unit circles at distance 1: surfaces of revolution of one mean curvature end at 2.58697. However far beyond is
+ * asked for, the last film that was found is near it. */
+static void test_led(void)
+{
+    static const double asked[] = {4, 100};
+    for (int k = 0; k < 2; k++) {
+        static char tube[2000];
+        snprintf(tube, sizeof tube,
+                 "{\"taut\":1,\"construct\":\"film\",\"u\":{\"type\":\"bspline\",\"degree\":4,"
+                 "\"count\":12},\"v\":{\"type\":\"bspline\",\"degree\":4,\"count\":6},"
+                 "\"seams\":[[\"u0\",\"u1\"]],\"edges\":{\"v0\":{\"fixed\":{\"circle\":"
+                 "{\"center\":[0,0,0],\"normal\":[0,0,1],\"radius\":1}}},\"v1\":{\"fixed\":"
+                 "{\"circle\":{\"center\":[0,0,1],\"normal\":[0,0,1],\"radius\":1}}}},"
+                 "\"cells\":[{\"name\":\"air\",\"sides\":[\"film\"],\"pressure\":%g}]}",
+                 asked[k]);
+        const taut_error error = check_document_refused(tube, TAUT_NO_SOLUTION, "pressure-too-high",
+                                                        "/cells/0/pressure");
+        CHECK(error.limit > 2.58697 * (1 - 1.0 / 512) && error.limit < 2.5871, "%g: %.17g",
+              asked[k], error.limit);
+    }
+}
+
 int main(void)
 {
     test_caps();
@@ -302,5 +324,6 @@ int main(void)
     test_unduloid();
     test_bubbles();
     test_refused();
+    test_led();
     return check_failures != 0;
 }
