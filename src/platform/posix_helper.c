@@ -147,18 +147,20 @@ int taut_system_helper_start(taut_helper *helper, const char *program, FILE *req
         }
         return reason;
     }
-    *helper = (taut_helper){process, ends[0], seconds_now() + seconds};
+    *helper = (taut_helper){process, ends[0], seconds_now() + seconds, 0};
     return 0;
 }
 
-/* Is there something to read, or the end, before the deadline? */
+/* Is there something to read, or the end, before the deadline and its patience is at an end? */
 static int wait_for_answer(const taut_helper *helper)
 {
     struct pollfd one = {.fd = (int)helper->answer, .events = POLLIN};
+    const double asked = seconds_now() + helper->patience;
+    const int is_patient = !(helper->patience > 0) || asked >= helper->deadline;
     for (;;) {
-        const double left = 1000 * (helper->deadline - seconds_now());
+        const double left = 1000 * ((is_patient ? helper->deadline : asked) - seconds_now());
         if (!(left > 0)) {
-            return ETIMEDOUT;
+            return is_patient ? ETIMEDOUT : EAGAIN;
         }
         const int ready = poll(&one, 1, left < WAIT_MAX ? (int)left + 1 : WAIT_MAX);
         if (ready > 0) {

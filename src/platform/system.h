@@ -69,6 +69,7 @@ FILE *taut_system_helper_request(int *reason);
 typedef struct taut_helper {
     int64_t process, answer; /* as the system numbers them */
     double deadline;         /* on a clock of the system's own */
+    double patience; /* seconds that one read waits at most; 0 at first: until the deadline */
 } taut_helper;
 
 /* Starts `program`, without arguments: its standard input is `request` from its begin, which has been flushed and
@@ -76,7 +77,8 @@ typedef struct taut_helper {
  * ignored. `seconds` from now its time is up. */
 int taut_system_helper_start(taut_helper *helper, const char *program, FILE *request,
                              double seconds);
-/* Reads at most `room` bytes of its standard output: *count, 0 at the end. ETIMEDOUT. */
+/* Reads at most `room` bytes of its standard output: *count, 0 at the end. ETIMEDOUT; EAGAIN: its patience is at an end, not yet
+ * its time. */
 int taut_system_helper_read(const taut_helper *helper, void *to, size_t room, size_t *count);
 
 typedef enum taut_helper_fate {

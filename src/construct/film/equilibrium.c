@@ -334,7 +334,7 @@ static taut_status polish_moves(taut_film_work *w, taut_film_polished *all, taut
                 status = taut_film_polish(w->functional, w->space, w->net, w->enough, &w->memory,
                                           &found, &w->is_definite);
                 if (status != TAUT_OK) {
-                    return taut_fail_memory(error);
+                    return taut_fail_status(error, status);
                 }
                 if (found.residual <= fmax(w->enough, residual_settled * w->region.tolerance)) {
                     *all = found;

@@ -47,8 +47,9 @@ static void list_items(const taut_model *nurbs, taut_cad_item *items)
     }
 }
 
-static taut_status send_items(const taut_model *nurbs, const taut_cad_facts *facts, FILE *text,
-                              taut_arena *arena, taut_error *error)
+static taut_status send_items(const taut_model *nurbs, const taut_cad_facts *facts,
+                              const taut_monitor *monitor, FILE *text, taut_arena *arena,
+                              taut_error *error)
 {
     const int count = taut_model_surface_count(nurbs) + taut_model_curve_count(nurbs);
     taut_cad_item *items = taut_arena_take(arena, (size_t)count, sizeof *items);
@@ -66,12 +67,12 @@ static taut_status send_items(const taut_model *nurbs, const taut_cad_facts *fac
                               .note_count = 2,
                               .date = facts->date,
                               .precision = facts->precision};
-    return taut_cad_run(&job, count, items, &result, error);
+    return taut_cad_run(&job, count, items, monitor, &result, error);
 }
 
 /* The file `path`, which is there and empty. */
 static taut_status write_items(const taut_model *nurbs, const taut_cad_facts *facts,
-                               const char *path, taut_error *error)
+                               const taut_monitor *monitor, const char *path, taut_error *error)
 {
     FILE *text = NULL;
     const int reason = taut_system_open_device(path, &text);
@@ -79,7 +80,7 @@ static taut_status write_items(const taut_model *nurbs, const taut_cad_facts *fa
         return taut_fail_file(error, path, "write", reason);
     }
     taut_arena *arena = taut_arena_new();
-    taut_status status = send_items(nurbs, facts, text, arena, error);
+    taut_status status = send_items(nurbs, facts, monitor, text, arena, error);
     taut_arena_free(arena);
     if (fclose(text) != 0 && status == TAUT_OK) {
         status = taut_fail(error, TAUT_IO, "write", NULL, taut_none, taut_none,
@@ -97,7 +98,7 @@ static taut_status write_iges(const taut_model *model, const taut_write_options 
     taut_status status = taut_cad_prepare(model, options, arena, &nurbs, &facts, error);
 
     if (status == TAUT_OK) {
-        status = write_items(nurbs, &facts, path, error);
+        status = write_items(nurbs, &facts, &options->monitor, path, error);
     }
     taut_model_free(nurbs);
     taut_arena_free(arena);
@@ -264,7 +265,7 @@ static taut_status read_items(const taut_cad_job *job, taut_cad_result *result, 
         taut_model_new(&result->model) != TAUT_OK) {
         return taut_fail_memory(error);
     }
-    status = taut_cad_run(job, 0, NULL, result, error);
+    status = taut_cad_run(job, 0, NULL, NULL, result, error);
     return status == TAUT_OK ? finish_model(job->kind, result, error) : status;
 }
 

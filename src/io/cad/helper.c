@@ -7,6 +7,7 @@
 #include "io/cad/helper.h"
 
 #include "core/fail.h"
+#include "core/pulse.h"
 #include "platform/module.h"
 #include "platform/system.h"
 
@@ -23,6 +24,7 @@ typedef struct attempt {
     int is_reading;
     double seconds;
     int is_late; /* the time was up */
+    taut_pulse pulse;
 } attempt;
 
 static const char *blamed(const attempt *a)
@@ -136,15 +138,18 @@ static taut_status refuse_claim(taut_error *error)
 /* As taut_cad_source.more. */
 typedef struct ear {
     const taut_helper *helper;
-    int *is_late;
+    attempt *attempt;
 } ear;
 
 static size_t hear(void *context, void *to, size_t room)
 {
     const ear *e = context;
     size_t count = 0;
-    const int reason = taut_system_helper_read(e->helper, to, room, &count);
-    *e->is_late = *e->is_late || reason == ETIMEDOUT;
+    int reason = 0;
+    do {
+        reason = taut_system_helper_read(e->helper, to, room, &count);
+    } while (reason == EAGAIN && !taut_pulse_report(&e->attempt->pulse));
+    e->attempt->is_late = e->attempt->is_late || reason == ETIMEDOUT;
     return reason == 0 ? count : 0;
 }
 
@@ -152,7 +157,7 @@ static size_t hear(void *context, void *to, size_t room)
 static taut_status hear_helper(attempt *a, const taut_helper *helper, taut_cad_result *result,
                                taut_error *error)
 {
-    ear e = {helper, &a->is_late};
+    ear e = {helper, a};
     taut_cad_source source = {.more = hear, .context = &e};
     taut_cad_hello hello;
     taut_status status = TAUT_OK;
@@ -163,6 +168,9 @@ static taut_status hear_helper(attempt *a, const taut_helper *helper, taut_cad_r
         status = taut_cad_get_all(&source, result, error);
     }
     const taut_helper_fate fate = taut_system_helper_end(helper, &number);
+    if (taut_pulse_is_stopped(&a->pulse)) {
+        return refuse_death(a, TAUT_HELPER_INTERRUPTED, 0, error);
+    }
     if (greeting == TAUT_CAD_STRANGER || greeting == TAUT_CAD_OTHER_VERSION) {
         return refuse_greeting(a, greeting, &hello, error);
     }
@@ -219,14 +227,18 @@ static taut_status start_and_hear(attempt *a, FILE *request, taut_cad_result *re
         return is_about_program(reason) ? refuse_program(a, reason, error)
                                         : refuse_start(reason, error);
     }
+    helper.patience =
+        a->pulse.monitor != NULL && a->pulse.monitor->progress != NULL ? TAUT_CAD_PATIENCE : 0;
     return hear_helper(a, &helper, result, error);
 }
 
 taut_status taut_cad_run(const taut_cad_job *job, int count, const taut_cad_item *items,
-                         taut_cad_result *result, taut_error *error)
+                         const taut_monitor *monitor, taut_cad_result *result, taut_error *error)
 {
     char program[TAUT_PATH_ROOM];
     attempt a = {.program = program, .is_reading = count == 0};
+    a.pulse = (taut_pulse){
+        .monitor = monitor, .what = count == 0 ? "reading" : "writing", .done = taut_none};
     taut_status status = TAUT_OK;
 
     if (!taut_system_helper("taut-cad", "TAUT_CAD", program)) {

@@ -6,6 +6,7 @@
 #include "check.h"
 #include "fake_cad.h"
 #include "folder.h"
+#include "monitors.h"
 #include "shapes.h"
 
 #include "platform/parallel.h"
@@ -277,6 +278,28 @@ static void test_hang(void)
     check_nothing_left(files, "hang");
 }
 
+/* While it is waited for the monitor is told; an end stops it, and nothing is left, the file neither. */
+static void test_watched(void)
+{
+    const int files = open_files();
+
+    fake_cad_as("hang");
+    for (int k = 1; k <= 3; k++) {
+        watch stop = {.stop_at = k, .answer = k == 2 ? TAUT_ENOUGH : TAUT_STOP};
+        const taut_write_options options = {.monitor = monitor_of(&stop)};
+        taut_error error = {.status = TAUT_OK};
+        CHECK(taut_model_write(model, output_path, &options, &error) == TAUT_INTERRUPTED &&
+                  strcmp(error.reason, "interrupted") == 0 && stop.reports == k,
+              "stopped at %d: went on to %d, %s", k, stop.reports, error.message);
+        check_nothing_left(files, "watched");
+    }
+    watch all = {.stop_at = 0};
+    const taut_write_options options = {.monitor = monitor_of(&all)};
+    fake_cad_as("writer");
+    CHECK(taut_model_write(model, output_path, &options, NULL) == TAUT_OK, "written");
+    CHECK(unlink(output_path) == 0, "there");
+}
+
 /* What the taut-cad that is installed says to a request: the status it ends with; -1: none. */
 static int said_to(const char *program, const void *bytes, size_t length)
 {
@@ -417,6 +440,7 @@ int main(void)
     test_bare_host();
     test_threads();
     test_hang();
+    test_watched();
     test_proportion();
     fake_cad_as(NULL);
     if (taut_system_helper("taut-cad", "TAUT_CAD", program)) {
