@@ -7,8 +7,8 @@
 #include <string.h>
 
 enum { DEGREE = TAUT_QUINTIC - 1 };
-/* Pieces shorter than this, over the size, become part of their neighbour. */
-static const double shortest = 1e-8;
+/* Pieces shorter than this, over the size, become part of their neighbour; those that lath.c cuts are longer. */
+static const double shortest = 2e-9;
 /* Jumps, over what they are of, below which the curve counts as continuous there. */
 static const double same_tangent = 1e-10, same_bend = 1e-8;
 /* A jump of the parameters over the window's width is a seam. */

@@ -24,6 +24,9 @@ static const struct {
     double measure; /* its error counts so much: near R = 0 and K = 0 estimates are too small */
     /* Where R is round, over its largest value, it may change by this factor in a step that is not the least. */
     double round, change, least_round;
+    /* A step's error over its length at most, as beside an umbilic what moves a curve turns it; and over the size, what is
+     * rounding. */
+    double sideways, noise;
 } limits = {.first = 1e-2,
             .largest = 0.1,
             .least = 1e-12,
@@ -39,7 +42,9 @@ static const struct {
             .measure = 30,
             .round = 0.1,
             .change = 1.25,
-            .least_round = 1e-6};
+            .least_round = 1e-8,
+            .sideways = 3e-9,
+            .noise = 1e-16};
 
 /* What steps from one state begin with, as events step from it again and again. */
 typedef struct launch {
@@ -681,14 +686,15 @@ static int next_step(follower *f, taut_walk_state *end, double *step)
         const double rest = f->options->max_length - fabs(f->state.s);
         double error = 0;
         *step = fmin(f->h, rest);
+        const double room = fmin(tolerance, fmax(limits.sideways * *step, limits.noise * size));
         if (!try_step(&f->field, &f->state, *step, end, &error)) {
             f->h = *step / 4;
         } else if (is_too_long(f, end) && *step > limits.least_round * size) {
             f->h = *step / 2;
-        } else if (error > tolerance) {
-            f->h = *step * fmax(0.2, 0.9 * sqrt(sqrt(sqrt(tolerance / error))));
+        } else if (error > room) {
+            f->h = *step * fmax(0.2, 0.9 * sqrt(sqrt(sqrt(room / error))));
         } else {
-            const double grow = error > 0 ? 0.9 * sqrt(sqrt(sqrt(tolerance / error))) : 5;
+            const double grow = error > 0 ? 0.9 * sqrt(sqrt(sqrt(room / error))) : 5;
             f->h = fmax(f->h, *step * fmin(5, fmax(0.2, grow)));
             f->walk->drift += error;
             return 1;

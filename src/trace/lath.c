@@ -10,11 +10,13 @@ enum { DEPTH = 8 /* halvings of a piece */, PLACES = 3 };
 /* Of geodesics k_g times the size is to be so much less than the residual, as it is summed up. */
 static const double geodesic_share = 5;
 /* Pieces shorter than this, over the size, are as good as doubles let them be: the rounding of points turns tangents
- * by 2e-16 over it, far below what a net is off at most, and bends geodesics by 2e-16 over its square. Beside an umbilic
+ * by 2e-16 over it, below what a net is off at most, and bends geodesics by 2e-16 over its square. Beside an umbilic
  * a curve turns within its distance from it, so that pieces of the nets have to be as short. */
-static const double short_enough = 1e-6, short_geodesic = 1e-4;
+static const double short_enough = 5e-9, short_geodesic = 1e-4;
 /* And how far the speed of any quintic may be from 1. */
 static const double uneven = 1e-9;
+/* Of points, over the size. */
+static const double rounding = 1e-15;
 /* Below this angle with a border (sine), a curve that starts on it runs along it. */
 static const double along_border = 1e-9;
 /* Over the window's side: a corner of a curve that is its end. */
@@ -130,7 +132,8 @@ static int is_good(taut_linefield_kind kind, const taut_piece *piece,
     for (int k = 1; k <= PLACES; k++) {
         double distance = 0, residual = 0, speed = 1;
         judge(kind, piece, (double)k / (PLACES + 1), &distance, &residual, &speed);
-        if (!(fabs(speed - 1) <= uneven) || !(distance <= options->tolerance / 4 * carrier->size) ||
+        if (!(fabs(speed - 1) <= uneven + rounding * carrier->size / piece->h) ||
+            !(distance <= options->tolerance / 4 * carrier->size) ||
             !(residual <= options->residual)) {
             return 0;
         }

@@ -267,8 +267,27 @@ static double twist_size(const taut_net_course *course, const taut_net_course_at
 
 static taut_net_measure *const sizes[] = {normal_size, sideways_size, twist_size};
 
-/* How far a bend is from what it is at a parameter, from either side of it, as surfaces may bend otherwise beyond a break;
- * `of_size`: from its absolute value. */
+/* How far a bend is from what it is at a parameter, from one side of it; `of_size`: from its absolute value. */
+static double bend_beside(const taut_net_audit *audit, const taut_net_line *line,
+                          const taut_net_course *course, int bend, double at, int side, double told,
+                          int of_size)
+{
+    double value =
+        (side == 0 ? taut_net_course_see : taut_net_course_beyond)(course, at).bend[bend];
+    double away = fabs(told - (of_size ? fabs(value) : value));
+    double part = closer;
+    for (int k = 0; bend == TAUT_NET_K_G && away > close_enough * fabs(told) && k < CLOSER; k++) {
+        if (taut_net_course_closer(audit->cells, audit->lines->net, line, course, at, side, part,
+                                   &value)) {
+            away = fmin(away, fabs(told - (of_size ? fabs(value) : value)));
+        }
+        part *= closer;
+    }
+    return away;
+}
+
+/* The same from either side, as surfaces may bend otherwise beyond a break; and at the parameter itself, as beside an
+ * umbilic bends change within so little. */
 static double bend_off(const taut_net_audit *audit, const taut_net_line *line,
                        const taut_net_course *course, int bend, double t, double told, int of_size)
 {
@@ -276,21 +295,10 @@ static double bend_off(const taut_net_audit *audit, const taut_net_line *line,
     const double room = at_break * (taut_basis_hi(range) - taut_basis_lo(range));
     double least = INFINITY;
 
-    for (int side = 0; !isnan(t) && side < 2; side++) {
-        const double at = side == 0 ? t - room : t + room;
-        double value =
-            (side == 0 ? taut_net_course_see : taut_net_course_beyond)(course, at).bend[bend];
-        double away = fabs(told - (of_size ? fabs(value) : value));
-        double part = closer;
-        for (int k = 0; bend == TAUT_NET_K_G && away > close_enough * fabs(told) && k < CLOSER;
-             k++) {
-            if (taut_net_course_closer(audit->cells, audit->lines->net, line, course, at, side,
-                                       part, &value)) {
-                away = fmin(away, fabs(told - (of_size ? fabs(value) : value)));
-            }
-            part *= closer;
-        }
-        least = taut_certify_min(away, least);
+    for (int k = 0; !isnan(t) && k < 4 && !(k == 2 && least <= close_enough * fabs(told)); k++) {
+        const double at = k == 0 ? t - room : k == 1 ? t + room : t;
+        least = taut_certify_min(bend_beside(audit, line, course, bend, at, k % 2, told, of_size),
+                                 least);
     }
     return isnan(t) ? t : least;
 }

@@ -478,6 +478,59 @@ static void test_cells(void)
     }
 }
 
+/* Lines of curvature of z = c (x^2 + y^2) + a cubic that pass an umbilic at 1e-7 of the size: there the net turns by as much
+ * as in all the rest, within that distance. */
+static void test_beside_umbilics(void)
+{
+    static const struct {
+        const char *family;
+        double seed[2], c, cubic[4]; /* of x^3, x^2 y, x y^2, y^3 */
+    } rows[] = {
+        {"min",
+         {-0.18432396112571592, -0.30927430223809815},
+         1.5963279085774371,
+         {-0.16272199986939884, -0.10431468597634519, -0.2530628573574798, 0.06750863273093699}},
+        {"min",
+         {0.31, 0.17},
+         1.6148406433408944,
+         {0.2748980921186417, 0.19459674945089445, 0.1640184449726233, 0.2596387364394894}}};
+    const double power[4][4] = {{1, 1, 1, 1},
+                                {-1, -1.0 / 3, 1.0 / 3, 1},
+                                {1, -1.0 / 3, -1.0 / 3, 1},
+                                {-1, 1, -1, 1}}; /* of x, by Bernstein's polynomials */
+    for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+        char surface[4096], seeds[256];
+        int at = snprintf(surface, sizeof surface,
+                          "{ \"taut\": 1, \"surfaces\": [{ \"u\": { \"type\": \"bezier\", "
+                          "\"degree\": 3, \"range\": [-1, 1] }, \"v\": { \"type\": \"bezier\", "
+                          "\"degree\": 3, \"range\": [-1, 1] }, \"points\": [");
+        for (int i = 0; i < 4; i++) {
+            for (int j = 0; j < 4; j++) {
+                double z = rows[k].c * (power[2][i] + power[2][j]);
+                for (int m = 0; m < 4; m++) {
+                    z += rows[k].cubic[m] * power[3 - m][i] * power[m][j];
+                }
+                at +=
+                    snprintf(surface + at, sizeof surface - (size_t)at, "%s[%.17g, %.17g, %.17g]%s",
+                             j == 0 ? "[" : "", power[1][i], power[1][j], z,
+                             j < 3   ? ", "
+                             : i < 3 ? "], "
+                                     : "]] }] }");
+            }
+        }
+        snprintf(seeds, sizeof seeds, "\"seeds\": [{ \"at\": [%.17g, %.17g], \"family\": \"%s\" }]",
+                 rows[k].seed[0], rows[k].seed[1], rows[k].family);
+        made_net made = net_make("principal", surface, seeds);
+        CHECK(made.status == TAUT_OK, "row %zu: %s", k, made.error.message);
+        const taut_record *bend = taut_record_get(net_lath(&made, "B1"), "k_g");
+        CHECK(taut_record_number(taut_record_get(bend, "max")) > 1e5, "row %zu passes by", k);
+        CHECK(taut_certificate_holds(made.proof) == TAUT_TRUE, "row %zu: principal %g, figures %g",
+              k, claim_of(made.proof, "principal")->residual,
+              claim_of(made.proof, "figures")->residual);
+        net_free(&made);
+    }
+}
+
 /* The same net, and the same certificate, by any number of threads. */
 static void test_threads(void)
 {
@@ -776,6 +829,7 @@ int main(void)
     test_isometric();
     test_everywhere();
     test_cells();
+    test_beside_umbilics();
     test_threads();
     test_spacing_across();
     test_seams();
