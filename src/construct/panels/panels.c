@@ -8,6 +8,7 @@
 #include "core/constants.h"
 #include "core/elementary/elementary.h"
 #include "core/fail.h"
+#include "core/pulse.h"
 #include "core/vec3.h"
 #include "problem/problem.h"
 #include "taut/recognise.h"
@@ -32,7 +33,11 @@ typedef struct making {
     taut_model *model;
     taut_record *lists; /* planarity, balance or circle, distance */
     taut_record *list[3];
+    taut_pulse pulse;
 } making;
+
+/* Operations of a vertex, and of its angles, as pulses count them. */
+enum { VERTEX_WORK = 1600, ANGLES_WORK = 1000 };
 
 static int panels_along(const taut_panels_options *options, int d)
 {
@@ -108,11 +113,11 @@ static void measure_panel(const double *const corner[4], residuals *r)
     }
 }
 
-static residuals measure_mesh(int nu, int nv, const double *vertices)
+static residuals measure_mesh(int nu, int nv, const double *vertices, taut_pulse *pulse)
 {
     residuals r = {0, nu > 2 && nv > 2 ? 0 : (double)NAN, 0};
 
-    for (int i = 0; i + 1 < nu; i++) {
+    for (int i = 0; i + 1 < nu && !taut_pulse_beat(pulse, (double)ANGLES_WORK * nv); i++) {
         for (int j = 0; j + 1 < nv; j++) {
             const double *const at = vertices + 3 * ((int64_t)i * nv + j);
             const double *const corner[4] = {at, at + 3 * (int64_t)nv, at + 3 * ((int64_t)nv + 1),
@@ -120,7 +125,7 @@ static residuals measure_mesh(int nu, int nv, const double *vertices)
             measure_panel(corner, &r);
         }
     }
-    for (int i = 1; i + 1 < nu; i++) {
+    for (int i = 1; i + 1 < nu && !taut_pulse_beat(pulse, (double)ANGLES_WORK * nv); i++) {
         for (int j = 1; j + 1 < nv; j++) {
             const double *const at = vertices + 3 * ((int64_t)i * nv + j);
             const double *const around[4] = {at + 3 * (int64_t)nv, at + 3, at - 3 * (int64_t)nv,
@@ -151,8 +156,13 @@ static taut_basis_spec spec_of(double lo, double hi, int count, double *knots)
     return spec;
 }
 
+static taut_status refuse_stop(taut_error *error)
+{
+    return taut_fail(error, TAUT_INTERRUPTED, "interrupted", NULL, taut_none, taut_none, "stopped");
+}
+
 /* The vertices as double[nu][nv][3]; `turned` has the window's first direction along v. */
-static taut_status fill_vertices(const making *m, const taut_panels_window *window, int turned,
+static taut_status fill_vertices(making *m, const taut_panels_window *window, int turned,
                                  double *vertices, double *distance, taut_error *error)
 {
     const int nu = window->count[turned] + 1, nv = window->count[1 - turned] + 1;
@@ -178,6 +188,9 @@ static taut_status fill_vertices(const making *m, const taut_panels_window *wind
             const double apart = taut_hypot(
                 vertex[0] - placed[0], taut_hypot(vertex[1] - placed[1], vertex[2] - placed[2]));
             *distance = fmax(*distance, apart);
+        }
+        if (taut_pulse_beat(&m->pulse, (double)VERTEX_WORK * nv)) {
+            return refuse_stop(error);
         }
     }
     return TAUT_OK;
@@ -207,7 +220,10 @@ static taut_status add_mesh(making *m, const char *name, const taut_panels_windo
     if (status != TAUT_OK) {
         return status;
     }
-    const residuals r = measure_mesh(nu, nv, vertices);
+    const residuals r = measure_mesh(nu, nv, vertices, &m->pulse);
+    if (taut_pulse_is_stopped(&m->pulse)) {
+        return refuse_stop(error);
+    }
     taut_record_add_number(m->list[0], NULL, r.planarity);
     taut_record_add_number(m->list[1], NULL,
                            m->options->kind == TAUT_PANELS_CONICAL ? r.balance : r.circle);
@@ -335,7 +351,6 @@ static taut_status add_member(making *m, int i, taut_error *error)
 static taut_status add_surfaces(making *m, taut_error *error)
 {
     const taut_panels_options *options = m->options;
-    const taut_monitor *monitor = &options->monitor;
     const int count = taut_model_surface_count(m->source);
     if (count == 0) {
         return taut_fail(error, TAUT_NO_SOLUTION, "no-surface", "/surfaces", 0, 1,
@@ -348,10 +363,9 @@ static taut_status add_surfaces(making *m, taut_error *error)
         if (status != TAUT_OK) {
             return status;
         }
-        if (monitor->progress != NULL &&
-            monitor->progress(monitor->context, (i + 1.0) / count, "panels") != 0) {
-            return taut_fail(error, TAUT_INTERRUPTED, "interrupted", NULL, taut_none, taut_none,
-                             "stopped");
+        m->pulse.done = (i + 1.0) / count;
+        if (taut_pulse_report(&m->pulse)) {
+            return refuse_stop(error);
         }
     }
     return TAUT_OK;
@@ -387,6 +401,7 @@ static taut_status make_panels(making *m, const taut_panels_options *options, ta
     taut_status status = TAUT_OK;
 
     m->options = options != NULL ? options : &none;
+    m->pulse = (taut_pulse){.monitor = &m->options->monitor, .what = "panels"};
     status = check_options(m->options, error);
     return status == TAUT_OK ? taut_construct_build(fill_model, m, panels, error) : status;
 }

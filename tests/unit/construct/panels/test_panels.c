@@ -2,6 +2,7 @@
  * those of the published formula, both have the angles they are named for; and what is refused. */
 #include "certificates.h"
 #include "check.h"
+#include "core/pulse.h"
 #include "monitors.h"
 
 #include "core/constants.h"
@@ -297,6 +298,29 @@ static void test_refused_models(void)
     taut_model_free(model);
 }
 
+/* A vertex takes some thousand operations: twelve sines and cosines, hypotenuses and arcs of four angles. */
+static void test_told(void)
+{
+    enum { SIDE = 200 };
+    const taut_bonnet_problem problem = {.lambda = {0.3, 0.3}, .sign = 1, .alpha = 1, .beta = 1};
+    watch all = {.stop_at = 0};
+    taut_panels_options o = {.divide = {SIDE, SIDE}, .monitor = monitor_of(&all)};
+    taut_model *made = NULL;
+    taut_error error = {.status = TAUT_OK};
+
+    CHECK(taut_panels_of_bonnet(&problem, &o, &made, &error) == TAUT_OK, "%s", error.message);
+    taut_model_free(made);
+    CHECK(all.reports >= 1e3 * SIDE * SIDE / TAUT_PULSE_WORK, "%d reports", all.reports);
+    for (int k = 1; k <= all.reports; k++) {
+        watch stop = {.stop_at = k};
+        made = NULL;
+        o.monitor = monitor_of(&stop);
+        CHECK(taut_panels_of_bonnet(&problem, &o, &made, &error) == TAUT_INTERRUPTED &&
+                  made == NULL && stop.reports == k,
+              "stopped at %d of %d: went on to %d", k, all.reports, stop.reports);
+    }
+}
+
 int main(void)
 {
     random_seed(20261123);
@@ -306,5 +330,6 @@ int main(void)
     test_names();
     test_problem_of_points();
     test_refused_models();
+    test_told();
     return check_failures != 0;
 }
