@@ -17,6 +17,7 @@
 #include "core/fail.h"
 #include "core/unit.h"
 #include "core/vec3.h"
+#include "geometry/exponent.h"
 #include "problem/problem.h"
 #include "taut/join.h"
 #include "trace/seam.h"
@@ -31,9 +32,11 @@ enum { EXPONENT_MOST = 150, MARKS_MOST = 1000 /* along a seam */ };
 static const double work_of_outline = 1e7;
 /* Edges of exact length leave those of the flat spline by so much of the size at the most, or it gets twice the spans both ways. */
 static const double drift_most = 2e-7;
-enum { REFINEMENTS = 2, DRIFT_PLACES = 64, CLAIMED_PLACES = 1024 /* of the certificate */ };
+enum { REFINEMENTS = 3, DRIFT_PLACES = 64, CLAIMED_PLACES = 1024 /* of the certificate */ };
 /* What is claimed of them, over the size; and of their lengths, which are off by what is left at their ends. */
 static const double drift_claimed = 1e-6, closure_claimed = 1e-9;
+/* Seams are claimed to be as equal over their own length, with what is left at the ends of both sides. */
+static const double closure_most = 3e-10;
 /* Strains between the places that are looked at may be larger. */
 static const double strain_room = 0.999;
 /* Corners of surfaces that meet, over the size. */
@@ -541,14 +544,31 @@ static double drift_of(const taut_pattern_piece *piece, const taut_pattern_outli
     return most;
 }
 
-/* Finer splines where the edges of these are not what is sewn; whether there are any. Not between straight ends, whose corners
- * finer ones do not settle. */
-static int refine(made_pieces *made)
+/* As the certificate has it: of several surfaces that of the largest one, not of all together. */
+static double size_of(const taut_pattern_layout *layout)
 {
+    double half = 0;
+    for (int g = 0; g < layout->ground_count; g++) {
+        const taut_carrier *carrier = layout->grounds[g].carrier;
+        const size_t count = taut_point_count(carrier->surface);
+        const double own = taut_half_size(count, taut_surface_points(carrier->surface));
+        half = fmax(half, ldexp(own, 1 - carrier->scale));
+    }
+    return half;
+}
+
+/* Finer splines where the edges of these are not what is sewn, or, at first, end elsewhere; whether there are any. The last ones only
+ * where claims would not hold. Not between straight ends, whose corners finer ones do not settle. */
+static int refine(made_pieces *made, int round)
+{
+    const double size = size_of(&made->layout);
+    const double most = (round < REFINEMENTS - 1 ? drift_most : drift_claimed / 2) * size;
     int any = 0;
     for (int k = 0; k < made->layout.piece_count; k++) {
         taut_pattern_piece *piece = &made->layout.pieces[k];
-        if (drift_of(piece, &made->outlines[k], DRIFT_PLACES) > drift_most * piece->carrier->size) {
+        const taut_pattern_outline *outline = &made->outlines[k];
+        if (drift_of(piece, outline, DRIFT_PLACES) > most ||
+            (round == 0 && outline->closure > closure_most * size)) {
             piece->spans[0] *= 2;
             piece->spans[1] *= 2;
             any = 1;
@@ -561,9 +581,9 @@ static int refine(made_pieces *made)
  * does: strain is singular there. */
 static taut_status check_drift(const made_pieces *made, taut_error *error)
 {
+    const double size = size_of(&made->layout);
     for (int k = 0; k < made->layout.piece_count; k++) {
         const taut_pattern_piece *piece = &made->layout.pieces[k];
-        const double size = piece->carrier->size;
         double drift = drift_of(piece, &made->outlines[k], DRIFT_PLACES) / size;
         if (drift > drift_most) { /* by all places that are looked at then */
             drift = drift_of(piece, &made->outlines[k], CLAIMED_PLACES) / size;
@@ -598,8 +618,8 @@ static taut_status make_parts(const request *r, const taut_pattern_ground *own, 
         if (status == TAUT_OK) {
             status = make_outlines(r, made, error);
         }
-        is_rough =
-            status == TAUT_OK && round < (r->cut.is_straight ? 0 : REFINEMENTS) && refine(made);
+        is_rough = status == TAUT_OK && round < (r->cut.is_straight ? 0 : REFINEMENTS) &&
+                   refine(made, round);
     }
     return status == TAUT_OK ? check_drift(made, error) : status;
 }
