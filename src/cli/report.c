@@ -220,7 +220,8 @@ static void print_members(const taut_record *record, const taut_record *supports
             continue;
         }
         const char *key = taut_record_key(record, i);
-        fprintf(stderr, "  %-*s ", COLUMN - 1, label_of(key, name, sizeof name));
+        const int width = fprintf(stderr, "  %-*s ", COLUMN - 1, label_of(key, name, sizeof name));
+        fprintf(stderr, "%s", width > COLUMN + 2 ? " " : ""); /* long names have two as well */
         const int digits = digits_of(record, key);
         const taut_record *names = strcmp(key, "reactions") == 0 ? supports : NULL;
         if (is_rows(value) || names != NULL) {
