@@ -26,7 +26,7 @@ set(web_features --enable-simd --enable-bulk-memory --enable-nontrapping-float-t
 add_custom_command(TARGET taut_web POST_BUILD
   COMMAND ${WASM_OPT} --flatten --rereloop -Oz -Oz -Oz --converge ${web_features}
           $<TARGET_FILE:taut_web> -o $<TARGET_FILE:taut_web>
-  COMMAND ${WASM_OPT} --low-memory-unused --flatten --rereloop --optimize-added-constants-propagate -Oz -Oz ${web_features}
+  COMMAND ${WASM_OPT} --low-memory-unused --flatten --rereloop --optimize-added-constants-propagate -Oz -Oz -Oz ${web_features}
           $<TARGET_FILE:taut_web> -o $<TARGET_FILE:taut_web> VERBATIM)
 # Small code, but in the loops over numbers that a hand that drags waits for.
 target_compile_options(taut_web PRIVATE -Oz)

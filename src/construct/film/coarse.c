@@ -2,7 +2,7 @@
  *
  *     the same problem on every second knot, begun in the same way itself
  *     a few Newton steps there
- *     its net with all spans halved is the same surface, and the start
+ *     its net with the other knots is the same surface, and the start
  */
 #include "construct/film/coarse.h"
 
@@ -15,36 +15,53 @@
 enum { NODES = 1 /* beyond the functions alive on a span */, SPANS = 2, STEPS = 5, STEPS_MORE = 3 };
 static const double middle = 1e-9; /* of a span: how near to its middle a knot is that halves it */
 
+/* Is inner knot k one of the coarser basis: every second one from either end. */
+static int stays(int k, int spans)
+{
+    return (k < spans - k ? k : spans - k) % 2 == 0;
+}
+
+/* Do the knots that go halve the spans of those that stay? */
+static int is_halved(const taut_basis *basis)
+{
+    const double *t = taut_basis_breaks(basis);
+    const int spans = taut_basis_span_count(basis);
+    int halved = spans % 2 == 0;
+
+    for (int k = 1; halved && k < spans; k += 2) {
+        const double span = t[k + 1] - t[k - 1];
+        halved = fabs(t[k] - t[k - 1] - 0.5 * span) <= middle * span;
+    }
+    return halved;
+}
+
 /* The basis with every second inner knot, all of which are simple; NULL: there is none. */
-static taut_status halve(const taut_basis *basis, taut_arena *arena, taut_basis **half)
+static taut_status coarsen(const taut_basis *basis, taut_arena *arena, taut_basis **coarse)
 {
     const int p = taut_basis_degree(basis), spans = taut_basis_span_count(basis);
-    const int count = 2 * p + spans / 2 + 1;
     const double *t = taut_basis_breaks(basis);
     taut_basis_spec spec;
+    int count = 0;
 
-    *half = NULL;
-    if (taut_basis_count(basis) != p + spans || spans % 2 != 0 || spans < 2 * SPANS) {
+    *coarse = NULL;
+    if (taut_basis_count(basis) != p + spans || spans < 2 * SPANS) {
         return TAUT_OK;
     }
-    for (int k = 1; k < spans; k += 2) {
-        const double span = t[k + 1] - t[k - 1];
-        if (!(fabs(t[k] - t[k - 1] - 0.5 * span) <= middle * span)) {
-            return TAUT_OK;
-        }
-    }
-    double *knots = taut_arena_take(arena, (size_t)count, sizeof(double));
+    double *knots = taut_arena_take(arena, 2 * (size_t)p + (size_t)spans + 1, sizeof(double));
     if (knots == NULL) {
         return TAUT_NO_MEMORY;
     }
-    for (int k = 0; k < count; k++) {
-        knots[k] = t[2 * (k < p ? 0 : k - p < spans / 2 ? k - p : spans / 2)];
+    for (int k = 0; k <= spans; k++) {
+        const int is_end = k == 0 || k == spans;
+        for (int times = is_end ? p + 1 : stays(k, spans); times > 0; times--) {
+            knots[count++] = t[k];
+        }
     }
     taut_basis_spec_of(basis, &spec);
     spec.count = 0;
     spec.knots = knots;
     spec.knot_count = count;
-    const taut_status status = taut_basis_new(&spec, p + spans / 2, half, NULL);
+    const taut_status status = taut_basis_new(&spec, count - p - 1, coarse, NULL);
     return status == TAUT_NO_MEMORY ? status : TAUT_OK;
 }
 
@@ -84,11 +101,33 @@ static taut_status step(taut_film_work *cw, double factor, int *better)
     return status == TAUT_NO_MEMORY || status == TAUT_INTERRUPTED ? status : TAUT_OK;
 }
 
-/* The net of cw, with all spans halved, becomes that of w where it is not held. */
+/* *surface gets the knots of `fine` that are not there yet. */
+static taut_status refine_to(taut_surface **surface, int along, const taut_basis *fine)
+{
+    const int spans = taut_basis_span_count(fine), is_whole = is_halved(fine);
+    const double *t = taut_basis_breaks(fine);
+    taut_status status = TAUT_OK;
+
+    for (int k = 1; status == TAUT_OK && k < (is_whole ? 2 : spans); k++) {
+        taut_surface *next = NULL;
+        if (is_whole) {
+            status = taut_surface_refine(*surface, along, &next, NULL);
+        } else if (!stays(k, spans)) {
+            status = taut_surface_insert(*surface, along, t[k], 1, &next, NULL);
+        }
+        if (next != NULL) {
+            taut_surface_free(*surface);
+            *surface = next;
+        }
+    }
+    return status;
+}
+
+/* The net of cw, with the knots of that of w, becomes that of w where it is not held. */
 static taut_status hand_over(const taut_film_work *cw, taut_film_work *w, taut_arena *arena)
 {
     const taut_film_space *from = cw->space, *to = w->space;
-    taut_surface *surface = NULL, *along_u = NULL, *halved = NULL;
+    taut_surface *surface = NULL;
     double *points = taut_arena_take(arena, from->count, 3 * sizeof(double));
     double *scaled = taut_arena_take(arena, to->count, 3 * sizeof(double));
     taut_status status = scaled != NULL && points != NULL ? TAUT_OK : TAUT_NO_MEMORY;
@@ -102,14 +141,14 @@ static taut_status hand_over(const taut_film_work *cw, taut_film_work *w, taut_a
                                   NULL);
     }
     if (status == TAUT_OK) {
-        status = taut_surface_refine(surface, TAUT_ALONG_U, &along_u, NULL);
+        status = refine_to(&surface, TAUT_ALONG_U, to->problem->u);
     }
     if (status == TAUT_OK) {
-        status = taut_surface_refine(along_u, TAUT_ALONG_V, &halved, NULL);
+        status = refine_to(&surface, TAUT_ALONG_V, to->problem->v);
     }
-    if (status == TAUT_OK && taut_basis_count(taut_surface_u(halved)) == to->nu &&
-        taut_basis_count(taut_surface_v(halved)) == to->nv) {
-        taut_scaling_apply(&to->scaling, to->count, taut_surface_points(halved), NULL, scaled);
+    if (status == TAUT_OK && taut_basis_count(taut_surface_u(surface)) == to->nu &&
+        taut_basis_count(taut_surface_v(surface)) == to->nv) {
+        taut_scaling_apply(&to->scaling, to->count, taut_surface_points(surface), NULL, scaled);
         for (size_t i = 0; i < to->count; i++) {
             if (!to->known[i]) {
                 memcpy(w->net + 3 * i, scaled + 3 * i, 3 * sizeof(double));
@@ -120,8 +159,6 @@ static taut_status hand_over(const taut_film_work *cw, taut_film_work *w, taut_a
         w->region.work = cw->region.work;
     }
     taut_surface_free(surface);
-    taut_surface_free(along_u);
-    taut_surface_free(halved);
     return status == TAUT_NO_MEMORY ? status : TAUT_OK;
 }
 
@@ -167,10 +204,10 @@ taut_status taut_film_begin_coarse(taut_film_work *w, double factor)
     taut_arena *arena = taut_arena_new();
     taut_status status = taut_arena_status(arena);
     if (status == TAUT_OK) {
-        status = halve(coarse.u, arena, &u);
+        status = coarsen(coarse.u, arena, &u);
     }
     if (status == TAUT_OK && u != NULL) {
-        status = halve(coarse.v, arena, &v);
+        status = coarsen(coarse.v, arena, &v);
     }
     if (status == TAUT_OK && v != NULL) {
         coarse.method = TAUT_FILM_FULL;
