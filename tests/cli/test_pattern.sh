@@ -98,6 +98,18 @@ run 0 pattern ring-made.json --across v0,v1 --count 4 --allowance 0.02 -o ring-c
 contains ring-cloth.json '"name": "S4"'
 refused 4 'no-geodesic' pattern ring-made.json --across u0,u1 --count 4 -o none.json
 
+# a roof with a ridge along u = 1, and a surface that crosses itself up to a point in its middle, where it has no normal
+printf '{"taut": 1, "surfaces": [{"u": {"type": "bspline", "degree": 1, "knots": [0,0,1,2,2]}, "v": {"type": "bezier", "degree": 1},
+    "points": [[[0,0,0],[0,1,0]],[[1,0,0.6],[1,1,0.8]],[[2,0,0],[2,1,0]]]}]}' > roof.json
+refused 4 'crease' pattern roof.json --across v0,v1 --count 3 -o none.json
+refused 4 'crease' pattern roof.json --line v=0.5 -o none.json
+run 0 pattern roof.json --line u=1 --quiet -o none.json
+rm -f none.json
+printf '{"taut": 1, "surfaces": [{"u": {"type": "bezier", "degree": 2}, "v": {"type": "bezier", "degree": 1},
+    "points": [[[1,-1,1],[-1,1,1]],[[0,-1,-1],[0,1,-1]],[[-1,-1,1],[1,1,1]]]}]}' > pinch.json
+refused 4 'singular' pattern pinch.json --line u=0.5 -o none.json
+refused 1 'folds' pattern pinch.json --line v=0.5 -o none.json
+
 # Seams of other rules.
 run 0 pattern surface.json --line u=0.5 --geodesic "v0:0.75 0.8,1" --marks 0.3 --quiet -o rules.json -o rules.dxf
 contains rules.json '"kind": "line"'

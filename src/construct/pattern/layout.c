@@ -22,6 +22,7 @@
 enum { ALONG = 32, ACROSS = 4, CHAIN = 64, ROUNDS = 200 };
 /* The least area element that is one, over the largest. */
 static const double least_area = 1e-9;
+static const double same_line = 1e-9; /* of the window */
 
 /* ---- pieces that are none ---- */
 
@@ -73,6 +74,61 @@ static taut_status fail_crossing(const taut_pattern_piece *piece, const double a
                      piece->bounds[TAUT_FLAT_LEFT].line->name, piece->name, at[0], at[1]);
 }
 
+/* Does the normal jump there? At a pole there is none that could. */
+static int is_crease(const taut_carrier *carrier, const double at[2])
+{
+    double x[TAUT_CARRIER_VECTORS][3];
+    taut_form_pair forms;
+
+    taut_carrier_forms_at(carrier, at, x, &forms);
+    return forms.w > least_area * carrier->widest && taut_carrier_is_crease(carrier, at);
+}
+
+/* *at: where the way from one place to the next crosses a knot line over which the normal jumps. */
+static int jumps_between(const taut_carrier *carrier, const double from[2], const double to[2],
+                         double at[2])
+{
+    for (int d = 0; d < 2; d++) {
+        const taut_basis *basis = carrier->basis[d];
+        const double *breaks = taut_basis_breaks(basis), way = to[d] - from[d];
+        const double low = fmin(from[d], to[d]), high = fmax(from[d], to[d]);
+        const double margin = same_line * (carrier->hi[d] - carrier->lo[d]);
+        for (int k = taut_basis_span(basis, low); k < taut_basis_span_count(basis); k++) {
+            if (breaks[k] > low + margin && breaks[k] < high - margin) {
+                at[d] = breaks[k];
+                at[1 - d] = from[1 - d] + (to[1 - d] - from[1 - d]) * ((breaks[k] - from[d]) / way);
+                if (is_crease(carrier, at)) {
+                    return 1;
+                }
+            } else if (breaks[k] >= high) {
+                break;
+            }
+        }
+    }
+    return 0;
+}
+
+/* No piece runs over a crease: its sides may lie on one. Two steps at a time, since a place may lie on one too. */
+static taut_status check_creases(const taut_pattern_piece *piece, taut_error *error)
+{
+    double grid[ALONG + 1][ACROSS + 1][2], at[2], w[6][2];
+    int jumps = 0;
+
+    for (int i = 0; i <= ALONG; i++) {
+        for (int k = 0; k <= ACROSS; k++) {
+            taut_pattern_piece_window(piece, (double)i / ALONG, (double)k / ACROSS, w);
+            memcpy(grid[i][k], w[0], sizeof w[0]);
+            jumps = jumps || (i > 1 && jumps_between(piece->carrier, grid[i - 2][k], w[0], at)) ||
+                    (k > 1 && jumps_between(piece->carrier, grid[i][k - 2], w[0], at));
+        }
+    }
+    return !jumps ? TAUT_OK
+                  : taut_fail(error, TAUT_NO_SOLUTION, "crease", "/of", taut_none, taut_none,
+                              "the surface has a kink at (%.6g, %.6g), within piece %s: run a "
+                              "seam along it, or cut it there into surfaces of their own",
+                              at[0], at[1], piece->name);
+}
+
 /* The sides of a piece do not cross, and it turns over nowhere. */
 static taut_status check_piece(const taut_pattern_piece *piece, taut_error *error)
 {
@@ -91,6 +147,15 @@ static taut_status check_piece(const taut_pattern_piece *piece, taut_error *erro
     }
     const int first = piece->bounds[TAUT_FLAT_START].is_point;
     const int last = ALONG - piece->bounds[TAUT_FLAT_END].is_point;
+    double longest[2] = {0, 0}; /* squares of the derivatives along and across */
+    for (int i = first; i <= last; i++) {
+        for (int k = 0; k <= ACROSS; k++) {
+            double g[3];
+            taut_pattern_piece_metric(piece, (double)i / ALONG, (double)k / ACROSS, g);
+            longest[0] = fmax(longest[0], g[0]);
+            longest[1] = fmax(longest[1], g[2]);
+        }
+    }
     for (int i = first; i <= last; i++) {
         for (int k = 0; k <= ACROSS; k++) {
             double g[3];
@@ -100,7 +165,9 @@ static taut_status check_piece(const taut_pattern_piece *piece, taut_error *erro
                 return fail_crossing(piece, w[0], error);
             }
             taut_pattern_piece_metric(piece, s, t, g);
-            if (!(g[0] * g[2] - g[1] * g[1] > least_area * least_area * g[0] * g[2])) {
+            if (!(g[0] * g[2] - g[1] * g[1] > least_area * least_area * g[0] * g[2]) ||
+                !(g[0] > least_area * least_area * longest[0]) ||
+                !(g[2] > least_area * least_area * longest[1])) {
                 return taut_fail(error, TAUT_NO_SOLUTION, "singular", "/of", taut_none, taut_none,
                                  "the surface has no normal at (%.6g, %.6g), in piece %s", w[0][0],
                                  w[0][1], piece->name);
@@ -790,6 +857,7 @@ taut_status taut_pattern_lay_out(const taut_pattern_ground *grounds, int ground_
     }
     for (int k = 0; status == TAUT_OK && k < layout->piece_count; k++) {
         status = check_piece(&layout->pieces[k], error);
+        status = status == TAUT_OK ? check_creases(&layout->pieces[k], error) : status;
     }
     return status;
 }
