@@ -54,6 +54,7 @@ contains strained.json '"strain": 0.005'
 refused 2 'material' pattern surface.json --across v0,v1 --count 3 --material silk -o none.json
 "$TAUT" example trace-torus > torus.json
 refused 2 'option' pattern torus.json -o none.json
+refused 2 'option' pattern torus.json --allowance 0.01 -o none.json
 refused 4 'width' pattern surface.json --across v0,v1 --count 2 --width 0.3 -o none.json
 refused 3 'kind' pattern sail.json --across v0,v1 --count 2 -o none.json
 run 0 schema pattern
