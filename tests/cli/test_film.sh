@@ -432,4 +432,24 @@ refused 3 'start /start' make tent-three.json --quiet
 refused 3 'size /refine' make tent-large.json --quiet
 refused 4 'free-edge /patches/1/edges/u1' make tent-free.json --quiet
 refused 4 'point-support /patches/1/points/3/3' make tent-point.json --quiet
+# beside patches and curves what they have no place for is refused, and the judge looks for surfaces that are not there
+python3 - <<'END'
+import json
+a = {"name": "a", "corners": {"u0v0": [0, 0, 0], "u1v0": [1, 0, 0], "u0v1": [0, 1, 0.3], "u1v1": [1, 1, 0]}}
+b = {"name": "b", "corners": {"u0v0": [1, 0, 0], "u1v0": [2, 0, 0], "u0v1": [1, 1, 0], "u1v1": [2, 1, 0.3]}}
+film = {"taut": 1, "construct": "film", "patches": [a, b], "seams": [["a.u1", "b.u0"]]}
+json.dump(dict(film, through=[{"point": [1, 0.5, 0.1]}]), open("two-through.json", "w"))
+json.dump(dict(film, patches=[dict(a, edges={"u1": "fixed"}), b]), open("two-held.json", "w"))
+END
+refused 4 'point-support /through' make two-through.json --quiet
+refused 3 'edge-conflict /patches/0/edges/u1' make two-held.json --quiet
+"$TAUT" example film-gyroid > gyroid.json
+run 0 make gyroid.json --quiet -o gyroid-made.json
+python3 - <<'END'
+import json
+model = json.load(open("gyroid-made.json"))
+model["surfaces"][0]["name"] = "zz"
+json.dump(model, open("gyroid-made.json", "w"))
+END
+run 1 certify gyroid-made.json gyroid.json
 finish

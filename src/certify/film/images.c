@@ -115,13 +115,14 @@ typedef struct worst {
     char where[TAUT_FILM_COPY_NAME];
 } worst;
 
+/* film and copy: NULL where the model has none of that name. */
 static void judge(const taut_surface *film, const taut_surface *copy, const motion *m, worst *w)
 {
-    const int same = copy != NULL && taut_surface_weights(copy) == NULL &&
+    const int same = film != NULL && copy != NULL && taut_surface_weights(copy) == NULL &&
                      taut_basis_equal(taut_surface_u(film), taut_surface_u(copy)) &&
                      taut_basis_equal(taut_surface_v(film), taut_surface_v(copy));
     const int count =
-        taut_basis_count(taut_surface_u(film)) * taut_basis_count(taut_surface_v(film));
+        same ? taut_basis_count(taut_surface_u(film)) * taut_basis_count(taut_surface_v(film)) : 0;
     double away = 0, size = taut_norm(m->t);
 
     for (int k = 0; same && k < count; k++) {

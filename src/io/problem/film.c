@@ -681,15 +681,10 @@ static void free_corners(const taut_reader *document, taut_film_problem *data)
 static void read_nets(taut_reader *document, taut_arena *arena, taut_film_problem *data)
 {
     const taut_json edges = taut_json_member(document->object, "edges");
-    const taut_json through = taut_json_member(document->object, "through");
     unsigned char named[4];
 
     for (int e = 0; e < 4; e++) {
         named[e] = taut_json_member(&edges, edge_members[e]).value != NULL;
-    }
-    if (document->status == TAUT_OK && through.value != NULL) {
-        document->status =
-            taut_film_document_none(&through, "point-support", no_support, document->error);
     }
     if (taut_reader_has(document, "points")) {
         taut_film_document_points(document, arena, named, data);
@@ -802,6 +797,16 @@ static void read_images(taut_reader *document, taut_arena *arena, taut_film_prob
     data->image_count = list.count;
 }
 
+static void refuse_supports(taut_reader *document)
+{
+    const taut_json through = taut_json_member(document->object, "through");
+
+    if (document->status == TAUT_OK && through.value != NULL) {
+        document->status =
+            taut_film_document_none(&through, "point-support", no_support, document->error);
+    }
+}
+
 /* What only curves have. */
 static void refuse_without_curves(taut_reader *document)
 {
@@ -837,6 +842,7 @@ static void film_read(taut_reader *document, taut_problem *problem, void *into)
     } else {
         read_alone(document, problem, data);
     }
+    refuse_supports(document);
     taut_reader_optional_integer(document, "refine", 0, TAUT_FILM_REFINE_MAX, &data->refine);
     if (taut_reader_has(document, "cables")) {
         taut_film_document_along(document, problem, &parts, read_law, data);

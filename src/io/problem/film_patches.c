@@ -174,6 +174,26 @@ static void read_points(const reading *r, const taut_json *at, int p)
     r->document->status = in.status;
 }
 
+/* An edge in a seam says nothing of itself: one that is held where its corners are would move all the same. */
+static taut_status refuse_held(const reading *r, const taut_json *patches, int s)
+{
+    const taut_film_seam *seam = &r->seams[s];
+
+    for (int k = 0; k < seam->count; k++) {
+        const taut_film_side *side = &seam->sides[k];
+        const taut_json patch = taut_json_item(patches, (size_t)side->patch);
+        const taut_json edges = taut_json_member(&patch, "edges");
+        const taut_json edge = taut_json_member(&edges, edge_names[side->edge]);
+        const taut_film_edge *read = &r->patches[side->patch].edges[side->edge];
+        if (edge.value != NULL && read->kind == TAUT_FILM_FIXED && read->curve == NULL) {
+            return taut_json_fail(&edge, r->document->error, "edge-conflict", 1, 0,
+                                  "edge %.80s.%s is in a seam, and held too: leave out one of them",
+                                  r->patches[side->patch].name, edge_names[side->edge]);
+        }
+    }
+    return TAUT_OK;
+}
+
 void taut_film_document_patches(taut_reader *document, taut_problem *problem,
                                 const taut_film_patch_readers *readers, taut_film_problem *data,
                                 taut_film_parts *parts)
@@ -207,6 +227,9 @@ void taut_film_document_patches(taut_reader *document, taut_problem *problem,
                                           read_seam, &r, document->error);
     }
     data->seams = r.seams;
+    for (int s = 0; document->status == TAUT_OK && s < r.data->seam_count; s++) {
+        document->status = refuse_held(&r, &patches, s);
+    }
     for (int p = 0; document->status == TAUT_OK && p < r.count; p++) {
         const taut_json at = taut_json_item(&patches, (size_t)p);
         read_points(&r, &at, p);
