@@ -893,6 +893,12 @@ static taut_status look_at_lines(const request *r, taut_arena *arena, found *f)
     return status;
 }
 
+/* Between two parts of the proof, either of which may take long. */
+static taut_status watch(const request *r)
+{
+    return taut_crew_beat(r->crew, TAUT_PULSE_WORK) ? TAUT_INTERRUPTED : TAUT_OK;
+}
+
 static taut_status prove(request *r, taut_arena *arena, taut_certificate *certificate)
 {
     static const char *const names[] = {"asymptotic", "principal", "geodesic", "isoparametric"};
@@ -902,14 +908,26 @@ static taut_status prove(request *r, taut_arena *arena, taut_certificate *certif
     if (status == TAUT_OK) {
         status = look_everywhere(r);
     }
+    if (status == TAUT_OK) {
+        status = watch(r);
+    }
     if (status != TAUT_OK) {
         return status;
     }
     const taut_net_audit audit = audit_of(r);
     taut_net_crossings_look(&audit, &f.figures);
-    if (taut_net_panels_look(&audit, arena, &f.figures) != TAUT_OK ||
-        taut_net_told_look(&audit, arena, &f.figures) != TAUT_OK) {
-        return TAUT_NO_MEMORY;
+    status = watch(r);
+    if (status == TAUT_OK) {
+        status = taut_net_panels_look(&audit, arena, &f.figures);
+    }
+    if (status == TAUT_OK) {
+        status = watch(r);
+    }
+    if (status == TAUT_OK) {
+        status = taut_net_told_look(&audit, arena, &f.figures);
+    }
+    if (status != TAUT_OK) {
+        return status;
     }
     status = add(certificate, "on-surface", f.is_bounded ? TAUT_BOUND : TAUT_CHECK, &f.distance,
                  r->tolerance);
@@ -933,21 +951,26 @@ static taut_status prove(request *r, taut_arena *arena, taut_certificate *certif
     }
     if (status == TAUT_OK) {
         status = add_nodes(r, arena, certificate);
+        status = status == TAUT_OK ? watch(r) : status;
     }
     if (status == TAUT_OK) {
         status = add_right_angled(r, certificate);
+        status = status == TAUT_OK ? watch(r) : status;
     }
     if (status == TAUT_OK) {
         status = add_spacing(r, &f.distance, arena, certificate);
+        status = status == TAUT_OK ? watch(r) : status;
     }
     if (status == TAUT_OK) {
         status = taut_net_complete_add(&r->lines, r->is_everywhere, arena, certificate);
+        status = status == TAUT_OK ? watch(r) : status;
     }
     if (status == TAUT_OK) {
         status = add_isometric(r, certificate);
     }
     if (status == TAUT_OK) {
         status = taut_net_pieces_add(&r->lines, r->problem, r->tolerance, arena, certificate);
+        status = status == TAUT_OK ? watch(r) : status;
     }
     return status == TAUT_OK ? add_figures(r, certificate) : status;
 }
