@@ -9,7 +9,10 @@
 #include <string.h>
 
 /* How many surfaces may meet at a corner that a curve passes. */
-enum { CORNER = 8 };
+enum {
+    CORNER = 8,
+    SHORT_STEPS = 1000 /* in a row, of the least length or little more: no way on */
+};
 
 static const struct {
     double first, largest, least; /* steps over the size */
@@ -333,6 +336,7 @@ typedef struct follower {
     taut_walk_state last; /* whose station is the last one */
     double h;
     double seed_x[3], seed_tangent[3];
+    int short_steps; /* the last ones */
 } follower;
 
 static void end_at(follower *f, taut_walk_end end, const taut_walk_state *state)
@@ -887,12 +891,15 @@ static taut_status advance(follower *f)
         return status;
     }
     f->state = end;
+    f->short_steps = step < 4 * limits.least * f->carrier->size ? f->short_steps + 1 : 0;
     if (closed) {
         end_at(f, TAUT_END_CLOSED, &end);
     } else if (crosses) {
         cross_border(f, border.d, &f->state);
     } else if (end.s >= f->options->max_length) {
         end_at(f, TAUT_END_LENGTH, &end);
+    } else if (f->short_steps > SHORT_STEPS) {
+        end_at(f, TAUT_END_STALLED, &end);
     }
     return TAUT_OK;
 }

@@ -14,6 +14,9 @@ enum { BORDER_PIECES = 64 /* a span */, LOOK = 101 };
 /* Sine of the angle below which a curve runs along the line that seeds it; seeds nearer than this,
  * over the size, are one; a lath that ends so near to where the next would begin, over the size, is that one. */
 static const double least_sine = 1e-6, same_seed = 1e-9, same_end = 1e-6;
+static const double same_curve =
+    1e-8; /* of the length: ends, middles and lengths of two curves that are one */
+static const double no_way = 1e-6; /* of the window: a curve that comes no farther from its seed */
 
 static const char *const letters[] = {"AB", "AB", "GG", "AB"};
 
@@ -209,7 +212,60 @@ static taut_status follow_all(const taut_net *net, planned *list, int count)
     return taut_crew_run(&crew, workers, count, 0, follow_one, &f) ? TAUT_INTERRUPTED : TAUT_OK;
 }
 
-/* The lath that was followed from a place becomes one of the net. */
+static void point_of(const taut_lath *lath, double s, double x[3])
+{
+    double points[TAUT_QUINTIC][3], step[3], bend[3];
+    int k = 0;
+
+    while (k < lath->count - 1 && s > lath->segments[k].to.s) {
+        k++;
+    }
+    const taut_segment *segment = &lath->segments[k];
+    taut_segment_space(segment, points);
+    taut_quintic_at(3, points[0], (s - segment->from.s) / (segment->to.s - segment->from.s), x,
+                    step, bend);
+}
+
+/* Do two laths run over one curve, either way? Each that comes back to the edge it is seeded on is met twice there. */
+static int are_one(const taut_lath *a, const taut_lath *b)
+{
+    const double room = same_curve * a->length;
+    double x[2][3][3];
+
+    if (!(fabs(a->length - b->length) <= room)) {
+        return 0;
+    }
+    for (int i = 0; i < 3; i++) {
+        point_of(a, a->segments[0].from.s + a->length * i / 2, x[0][i]);
+        point_of(b, b->segments[0].from.s + b->length * i / 2, x[1][i]);
+    }
+    const int same = taut_length_between(x[0][0], x[1][0]) <= room &&
+                     taut_length_between(x[0][2], x[1][2]) <= room;
+    const int turned = taut_length_between(x[0][0], x[1][2]) <= room &&
+                       taut_length_between(x[0][2], x[1][0]) <= room;
+    return (same || turned) && taut_length_between(x[0][1], x[1][1]) <= room;
+}
+
+static int is_there(const taut_net *net, const taut_lath *lath)
+{
+    int there = 0;
+    for (int k = 0; !there && k < net->count; k++) {
+        there = net->laths[k].family == lath->family && are_one(&net->laths[k], lath);
+    }
+    return there;
+}
+
+/* Is that where a curve began, about? */
+static int is_begun(const taut_carrier *carrier, const double at[2], const double end[2])
+{
+    int near = 1;
+    for (int d = 0; d < 2; d++) {
+        near &= fabs(end[d] - at[d]) <= no_way * (carrier->hi[d] - carrier->lo[d]);
+    }
+    return near;
+}
+
+/* The lath that was followed from a place becomes one of the net, if its curve is none of it. */
 static taut_status take_lath(taut_net *net, planned *p, taut_error *error)
 {
     const taut_lath *lath = &p->lath;
@@ -230,11 +286,22 @@ static taut_status take_lath(taut_net *net, planned *p, taut_error *error)
         return TAUT_OK;
     }
     for (int end = 0; end < 2; end++) {
+        if (lath->ended[end] == TAUT_END_STALLED && p->seed < 0 &&
+            is_begun(p->on, p->at, lath->ends[end])) {
+            leave_out(net, p->family, p->at,
+                      net->problem->net == TAUT_TRACE_ASYMPTOTIC ? TAUT_LINEFIELD_ELLIPTIC
+                                                                 : TAUT_LINEFIELD_ROUND,
+                      0);
+            return TAUT_OK;
+        }
         if (lath->ended[end] == TAUT_END_STALLED) {
             return taut_fail(error, TAUT_NOT_CONVERGED, "stalled", NULL, taut_none, taut_none,
                              "a curve from (%.6g, %.6g) could not be followed beyond (%.6g, %.6g)",
                              p->at[0], p->at[1], lath->ends[end][0], lath->ends[end][1]);
         }
+    }
+    if (is_there(net, lath)) {
+        return TAUT_OK;
     }
     if (net->count >= TAUT_TRACE_LATHS_MAX) {
         return too_many(net->count, error);

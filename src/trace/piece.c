@@ -388,7 +388,10 @@ static void hold_on_sheet(taut_flat_piece *piece, int is_given, double size[2])
 
 static taut_status place(builder *to, const band *bands, double gap, taut_error *error)
 {
+    static const double least_gap =
+        1e-12; /* of the largest piece: what is beside another is not over it by rounding */
     taut_pieces *pieces = to->pieces;
+    double largest = 0;
     taut_sheet_box *boxes = taut_arena_take(to->arena, (size_t)pieces->count + 1, sizeof *boxes);
     double(*low)[2] = taut_arena_take(to->arena, (size_t)pieces->count + 1, sizeof *low);
 
@@ -405,12 +408,14 @@ static taut_status place(builder *to, const band *bands, double gap, taut_error 
                 high = fmax(high, piece->outline[k][d]);
             }
             boxes[i].size[d] = high - low[i][d];
+            largest = fmax(largest, boxes[i].size[d]);
             if (to->sheet[0] > 0 && boxes[i].size[d] > to->sheet[d]) {
                 return refuse_sheet(to, &bands[piece->lath], boxes[i].size[d], d, error);
             }
         }
     }
     memcpy(pieces->size, to->sheet, sizeof pieces->size);
+    gap = fmax(gap, least_gap * largest);
     if (taut_sheet_pack(to->arena, pieces->count, boxes, gap, pieces->size, &pieces->sheets) !=
         TAUT_OK) {
         return taut_fail_memory(error);

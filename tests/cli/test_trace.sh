@@ -172,4 +172,38 @@ echo '{ "taut": 1, "trace": "asymptotic", "of": "roof.json", "unit": "ft" }' > f
 refused 3 'conflict /unit' make foot.json -o none.json --quiet
 absent none.json
 
+# curves that two seeds are on, and curves that come back to the edge that seeds them, are there once
+printf '{ "taut": 1, "surfaces": [{ "u": { "type": "bezier", "degree": 1, "range": [-1, 1] }, "v": { "type": "bezier", "degree": 1, "range": [-1, 1] },
+    "points": [[[-1,-1,1.1],[-1,1,-1.1]],[[1,-1,-1.1],[1,1,1.1]]] }] }' > saddle.json
+printf '{ "taut": 1, "surfaces": [{ "u": { "type": "bezier", "degree": 3, "range": [-1, 1] }, "v": { "type": "bezier", "degree": 2, "range": [-1, 1] },
+    "points": [[[-3,-3,54],[-3,0,-108],[-3,3,54]],[[-1,-3,54],[-1,0,0],[-1,3,54]],[[1,-3,-54],[1,0,0],[1,3,-54]],[[3,-3,-54],[3,0,108],[3,3,-54]]] }] }' > monkey.json
+run 0 trace saddle.json --net asymptotic --seed .1,0 --cells 5 --quiet -o none.json
+run 0 trace saddle.json --net asymptotic --seed 0,0 --edge v0:5 --by length --quiet -o none.json
+run 0 trace monkey.json --net principal --edge u0:4 --quiet -o none.json
+rm -f none.json
+# a seed where K = 0 but for rounding: a curve that its steps lead nowhere is left out
+"$TAUT" example trace-torus > torus.json
+python3 - <<'END'
+import json
+torus = json.load(open("torus.json"))
+for name, seed in (("rim", {"edge": "u0", "count": 1}), ("rims", {"edge": "u0", "count": 7})):
+    json.dump(dict(torus, seeds=[seed]), open(name + ".json", "w"))
+END
+refused 4 'elliptic' make rim.json --quiet -o none.json
+run 0 make rims.json --quiet -o rims-made.json
+contains rims-made.json '"reason": "elliptic"'
+# what a document says is not said twice
+refused 2 'option' trace torus.json --strip standing --width 0.05 -o none.json
+refused 2 'option' trace torus.json --seed 0,0 -o none.json
+refused 2 'option' trace torus.json --surface torus -o none.json
+# pieces may touch
+"$TAUT" example trace-bonnet > touching.json
+python3 - <<'END'
+import json
+net = json.load(open("touching.json"))
+json.dump(dict(net, sheet={"gap": 0}), open("touching.json", "w"))
+END
+run 0 make touching.json --quiet -o touching-made.json
+absent none.json
+
 finish
