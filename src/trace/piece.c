@@ -43,7 +43,9 @@ typedef struct builder {
     taut_arena *arena;
     taut_pieces *pieces;
     int room;
-    double sheet[2]; /* zeros: as large as needed */
+    double sheet[2];   /* zeros: as large as needed */
+    const band *worst; /* of the longest part that is longer than a sheet, or NULL */
+    double needed;
 } builder;
 
 /* ---- axes ---- */
@@ -337,18 +339,21 @@ static double split_after(const band *b, double from, double most, double *next)
     return found;
 }
 
+/* needed: of the worst of all. */
 static taut_status refuse_sheet(const builder *to, const band *b, double needed, int across,
                                 taut_error *error)
 {
+    static const double digits = 5e-6; /* of the message */
     const int scale = to->net->carrier->scale;
     return taut_fail(error, TAUT_NO_SOLUTION, "sheet", across ? "/sheet/size/1" : "/sheet/size/0",
                      ldexp(to->sheet[across], scale), ldexp(needed, scale),
                      "a piece of %s is %.6g %s, and cannot be split between crossings: take sheets "
-                     "that are larger than %.6g",
+                     "that are at least %.6g %s",
                      b->lath->name, ldexp(needed, scale), across ? "across" : "long",
-                     ldexp(to->sheet[across], scale));
+                     ldexp(needed * (1 + digits), scale), across ? "across" : "long");
 }
 
+/* A part that no sheet is long enough for is looked at, and not made. */
 static taut_status cut_band(builder *to, const band *b, taut_error *error)
 {
     const double whole = b->axis[b->axis_count - 1].cut;
@@ -360,7 +365,10 @@ static taut_status cut_band(builder *to, const band *b, taut_error *error)
         if (whole - from > most) {
             until = split_after(b, from, most, &next);
             if (until == INFINITY) {
-                return refuse_sheet(to, b, next - from, 0, error);
+                to->worst = next - from > to->needed ? b : to->worst;
+                to->needed = fmax(to->needed, next - from);
+                from = next > from ? next : whole;
+                continue;
             }
         }
         taut_flat_piece *piece = next_piece(to, b, part);
@@ -392,6 +400,7 @@ static taut_status place(builder *to, const band *bands, double gap, taut_error 
         1e-12; /* of the largest piece: what is beside another is not over it by rounding */
     taut_pieces *pieces = to->pieces;
     double largest = 0;
+    int worst[2] = {0, 0}; /* the longest and the widest */
     taut_sheet_box *boxes = taut_arena_take(to->arena, (size_t)pieces->count + 1, sizeof *boxes);
     double(*low)[2] = taut_arena_take(to->arena, (size_t)pieces->count + 1, sizeof *low);
 
@@ -409,9 +418,13 @@ static taut_status place(builder *to, const band *bands, double gap, taut_error 
             }
             boxes[i].size[d] = high - low[i][d];
             largest = fmax(largest, boxes[i].size[d]);
-            if (to->sheet[0] > 0 && boxes[i].size[d] > to->sheet[d]) {
-                return refuse_sheet(to, &bands[piece->lath], boxes[i].size[d], d, error);
-            }
+            worst[d] = boxes[i].size[d] > boxes[worst[d]].size[d] ? i : worst[d];
+        }
+    }
+    for (int d = 0; d < 2 && to->sheet[0] > 0 && pieces->count > 0; d++) {
+        const int i = worst[d];
+        if (boxes[i].size[d] > to->sheet[d]) {
+            return refuse_sheet(to, &bands[pieces->list[i].lath], boxes[i].size[d], d, error);
         }
     }
     memcpy(pieces->size, to->sheet, sizeof pieces->size);
@@ -450,6 +463,9 @@ taut_status taut_pieces_new(const taut_net *net, const taut_strip *strips, doubl
             return taut_fail_memory(error);
         }
         status = cut_band(&to, &bands[k], error);
+    }
+    if (status == TAUT_OK && to.worst != NULL) {
+        return refuse_sheet(&to, to.worst, to.needed, 0, error);
     }
     return status == TAUT_OK ? place(&to, bands, ldexp(gap, -scale), error) : status;
 }

@@ -204,6 +204,16 @@ net = json.load(open("touching.json"))
 json.dump(dict(net, sheet={"gap": 0}), open("touching.json", "w"))
 END
 run 0 make touching.json --quiet -o touching-made.json
+# sheets of the length that the refusal names hold the longest piece
+python3 -c 'import json; net = json.load(open("touching.json")); json.dump(dict(net, sheet={"size": [0.3, 0.3]}), open("short.json", "w"))'
+"$TAUT" make short.json --quiet -o none.json 2> short.txt && complain "sheets that are too short are taken"
+python3 - <<'END'
+import json, re
+net = json.load(open("short.json"))
+longest = float(re.search(r"at least ([0-9.]+) long", open("short.txt").read())[1])
+json.dump(dict(net, sheet={"size": [longest, 0.3]}), open("short.json", "w"))
+END
+run 0 make short.json --quiet -o touching-made.json
 absent none.json
 
 finish
