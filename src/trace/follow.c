@@ -799,6 +799,17 @@ static int closes(follower *f, double step, taut_walk_state *end)
     return 1;
 }
 
+/* Is a place on the border the seed again? Behind a seam the curve would only begin anew there. */
+static int is_back(const follower *f, const taut_walk_state *end)
+{
+    double x[TAUT_CARRIER_VECTORS][3];
+
+    taut_carrier_at(f->carrier, end->span, end->y, 0, x);
+    return end->s > 2 * limits.first * f->carrier->size * 1e-3 &&
+           taut_dot(end->tangent, f->seed_tangent) > 0 &&
+           taut_length_between(x[0], f->seed_x) <= limits.closing * f->carrier->size;
+}
+
 /* Where a straight line leaves the cell: how far along it, and across which break. */
 static double leave_cell(const follower *f, const double *way, double sign, int *d, double *border)
 {
@@ -883,7 +894,7 @@ static taut_status advance(follower *f)
         end = border.at;
         step = border.h;
     }
-    const int closed = closes(f, step, &end);
+    const int closed = closes(f, step, &end) || (crosses && is_back(f, &end));
     if (end.s - f->state.s > limits.least * f->carrier->size) {
         status = add_piece(f, &end, 0);
     }

@@ -192,6 +192,11 @@ END
 refused 4 'elliptic' make rim.json --quiet -o none.json
 run 0 make rims.json --quiet -o rims-made.json
 contains rims-made.json '"reason": "elliptic"'
+# lines that close at the seam they are seeded on end on the side that they come to
+for seed in '"edge": "u0", "count": 3' '"cells": 8'; do
+    python3 -c 'import json, sys; net = json.load(open("torus.json")); json.dump(dict(net, trace="principal", seeds=[json.loads("{" + sys.argv[1] + "}")]), open("rings.json", "w"))' "$seed"
+    run 0 make rings.json --quiet -o rims-made.json
+done
 # what a document says is not said twice
 refused 2 'option' trace torus.json --strip standing --width 0.05 -o none.json
 refused 2 'option' trace torus.json --seed 0,0 -o none.json
