@@ -344,6 +344,14 @@ int cli_misuse_path(const char *reason, const char *path, const char *format, ..
 /* "taut: OPTION WORD: expected EXPECTED", and 2: the value of an option is wrong. */
 int cli_misuse_value(const char *option, const char *word, const char *expected, ...)
     TAUT_PRINTF(3, 4);
+/* An option, and whether it is given. */
+typedef struct cli_given {
+    int is_given;
+    const char *name;
+} cli_given;
+/* 2 where one of them is given, which need `without` and a surface: a document beside them would have the last word. Else 0. */
+int cli_refuse_given(const char *command, const char *without, size_t count,
+                     const cli_given *words);
 /* The error as a record { "error": { ... } }, the caller's; `where` is the pointer, or what else says the place. */
 taut_record *cli_error_record(const taut_error *error, const char *where);
 /* JSON text in one line, in place: its ends of lines and what follows them become a blank each, the last one goes. */

@@ -247,6 +247,19 @@ int cli_misuse_value(const char *option, const char *word, const char *expected,
     return cli_fail(&error);
 }
 
+int cli_refuse_given(const char *command, const char *without, size_t count, const cli_given *words)
+{
+    for (size_t k = 0; k < count; k++) {
+        if (words[k].is_given) {
+            return cli_misuse("option",
+                              "`taut %s`: found %s without %s: give both with a surface; a "
+                              "document says all of it",
+                              command, words[k].name, without);
+        }
+    }
+    return 0;
+}
+
 int cli_fail_in_words(const char *command, const char *file, const taut_error *error)
 {
     taut_error told = *error;

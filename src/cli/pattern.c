@@ -216,30 +216,23 @@ static int run(const cli_options *options)
         options->seam_line_count > 0) {
         return cli_run_words(options, "pattern", write_document);
     }
-    const struct {
-        int given;
-        const char *name;
-    } words[] = {{options->count > 0, "--count"},
-                 {options->by != NULL, "--by"},
-                 {options->lath_width != NULL, "--width"},
-                 {options->material != NULL, "--material"},
-                 {options->warp != NULL, "--warp"},
-                 {options->weft != NULL, "--weft"},
-                 {options->allowance != NULL, "--allowance"},
-                 {options->border != NULL, "--border"},
-                 {options->marks != NULL, "--marks"},
-                 {options->strain != NULL, "--strain"},
-                 {options->hold_count > 0, "--hold"},
-                 {options->seam_length != NULL, "--seam-length"},
-                 {options->surface != NULL, "--surface"}};
-    for (size_t k = 0; k < sizeof words / sizeof *words; k++) {
-        if (words[k].given) { /* what the document says would be the last word */
-            return cli_misuse("option",
-                              "`taut pattern`: found %s without --across, --radial, --geodesic or "
-                              "--line: give it with one of them and a surface; the document of a "
-                              "pattern says all of it",
-                              words[k].name);
-        }
+    const cli_given words[] = {{options->count > 0, "--count"},
+                               {options->by != NULL, "--by"},
+                               {options->lath_width != NULL, "--width"},
+                               {options->material != NULL, "--material"},
+                               {options->warp != NULL, "--warp"},
+                               {options->weft != NULL, "--weft"},
+                               {options->allowance != NULL, "--allowance"},
+                               {options->border != NULL, "--border"},
+                               {options->marks != NULL, "--marks"},
+                               {options->strain != NULL, "--strain"},
+                               {options->hold_count > 0, "--hold"},
+                               {options->seam_length != NULL, "--seam-length"},
+                               {options->surface != NULL, "--surface"}};
+    code = cli_refuse_given("pattern", "--across, --radial, --geodesic or --line",
+                            sizeof words / sizeof *words, words);
+    if (code != 0) {
+        return code;
     }
     return cli_run_document(options, "pattern",
                             "`taut pattern` needs --across, --radial, --geodesic or --line with "

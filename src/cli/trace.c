@@ -222,38 +222,27 @@ static int take_width(cli_options *options)
 /* Words that say of a net what its document would, which has the last word on it. */
 static int refuse_words(const cli_options *o)
 {
-    const struct {
-        int given;
-        const char *name;
-    } words[] = {{o->family_count > 0, "--family"},
-                 {o->at_count > 0, "--seed"},
-                 {o->direction != NULL, "--direction"},
-                 {o->to != NULL, "--to"},
-                 {o->both, "--both"},
-                 {o->seed_edge_count > 0, "--edge"},
-                 {o->seed_line_count > 0, "--line"},
-                 {o->cell != NULL, "--cell"},
-                 {o->cells > 0, "--cells"},
-                 {o->by != NULL, "--by"},
-                 {o->max_length != NULL, "--max-length"},
-                 {o->strip != NULL, "--strip"},
-                 {o->thickness != NULL, "--thickness"},
-                 {o->material != NULL, "--material"},
-                 {o->cut != NULL, "--cut"},
-                 {o->play != NULL, "--play"},
-                 {o->judge_panels, "--panels"},
-                 {o->carry, "--carry"},
-                 {o->cut_sheet != NULL, "--sheet"},
-                 {o->surface != NULL, "--surface"}};
-    for (size_t k = 0; k < sizeof words / sizeof *words; k++) {
-        if (words[k].given) {
-            return cli_misuse("option",
-                              "`taut trace`: found %s without --net: give both with a surface; the "
-                              "document of a net says all of it",
-                              words[k].name);
-        }
-    }
-    return 0;
+    const cli_given words[] = {{o->family_count > 0, "--family"},
+                               {o->at_count > 0, "--seed"},
+                               {o->direction != NULL, "--direction"},
+                               {o->to != NULL, "--to"},
+                               {o->both, "--both"},
+                               {o->seed_edge_count > 0, "--edge"},
+                               {o->seed_line_count > 0, "--line"},
+                               {o->cell != NULL, "--cell"},
+                               {o->cells > 0, "--cells"},
+                               {o->by != NULL, "--by"},
+                               {o->max_length != NULL, "--max-length"},
+                               {o->strip != NULL, "--strip"},
+                               {o->thickness != NULL, "--thickness"},
+                               {o->material != NULL, "--material"},
+                               {o->cut != NULL, "--cut"},
+                               {o->play != NULL, "--play"},
+                               {o->judge_panels, "--panels"},
+                               {o->carry, "--carry"},
+                               {o->cut_sheet != NULL, "--sheet"},
+                               {o->surface != NULL, "--surface"}};
+    return cli_refuse_given("trace", "--net", sizeof words / sizeof *words, words);
 }
 
 static int run(const cli_options *said)
