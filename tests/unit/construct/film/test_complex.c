@@ -104,6 +104,11 @@ static void test_closed_forms(void)
     check_energy(FERMAT(B(2, 3), "[\"a.u0\",\"b.u0\",\"c.u0\"]"), fermat, 1e-14 * fermat, "Fermat");
     check_energy(FERMAT(B(4, 6), "[\"a.u0\",\"b.u0\",\"c.u0\"]"), fermat, 1e-13 * fermat,
                  "Fermat, degree 4");
+    /* of more points than planes need, nets fold where no Gauss node is, until they are even */
+    check_energy(FERMAT(B(3, 6), "[\"a.u0\",\"b.u0\",\"c.u0\"]"), fermat, 1e-13 * fermat,
+                 "Fermat, degree 3");
+    check_energy(FERMAT(B(5, 8), "[\"a.u0\",\"b.u0\",\"c.u0\"]"), fermat, 1e-13 * fermat,
+                 "Fermat, degree 5");
     /* the first point is the centre, so that the size is a third of an edge: what a bound rounds counts with the edge */
     check_energy(TETRAHEDRON(B(2, 3)), 6 * sqrt(2.0), 1e-12, "tetrahedron, one span");
     check_energy(TETRAHEDRON(B(2, 4)), 6 * sqrt(2.0), 1e-12,
