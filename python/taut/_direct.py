@@ -11,7 +11,7 @@ from typing import Any, Callable, Mapping, NamedTuple, Sequence
 import numpy as np
 
 from . import _library as c
-from ._handle import Array, address_of, encoded, library, numbers
+from ._handle import Array, address_of, encoded, is_masked, is_one_of, library, numbers
 from ._watch import Progress
 from .bases import Basis
 from .errors import InputError
@@ -35,7 +35,7 @@ def made_of(construct: str, members: Mapping[str, Any], known: Any, tolerance: f
     if known is not None:
         said["points"] = _masked(said.get("points"), known)
     fill = _DIRECT.get(construct)
-    if fill is not None and exact is False and said.get("unit", "mm") == "mm":
+    if fill is not None and exact is False and is_one_of(said.get("unit", "mm"), ("mm",)):
         try:
             call = fill(said)
             return make_direct(byref(call.problem), call.make, call.certify, call.is_brief, tolerance, threads, progress, strict)
@@ -46,14 +46,25 @@ def made_of(construct: str, members: Mapping[str, Any], known: Any, tolerance: f
 
 
 def _masked(points: Any, known: Any) -> Any:
-    net = np.array(numbers(points, None, "points"))
-    mask = np.asarray(known, dtype=bool)
+    net = np.array(numbers(points, "points"))
+    mask = _truths(known)
     if net.ndim != 3 or mask.shape != net.shape[:2]:
         raise InputError(f"known has the shape {mask.shape}; expected {net.shape[:2]}, as points", "/known", "size")
     if not np.isfinite(net[mask]).all():
         raise InputError("a known point is not finite", "/points", "value")
     net[~mask] = np.nan
     return net
+
+
+def _truths(known: Any) -> Any:
+    """An array of truth values, or of 1 and 0."""
+    try:
+        mask = np.asarray(known)
+    except ValueError:  # rows that are not equally long
+        mask = np.empty(0, dtype=object)
+    if mask.dtype.kind not in "biuf" or is_masked(known) or not np.isin(mask, (0, 1)).all():
+        raise InputError(f"known: found {type(known).__name__}, expected an array of truth values", "/known", "type")
+    return mask.astype(bool)
 
 
 # --- Structs of C ----------------------------------------------------------------------------------------------------
@@ -321,7 +332,7 @@ def _pipe_axis(said: Mapping[str, Any], axis: c.PipeAxis) -> None:
         raise _ByDocument
     if "polygon" in said:
         rows = said["polygon"]
-        if len(rows) != 4:
+        if not (isinstance(rows, (list, tuple)) or (type(rows) is np.ndarray and rows.ndim == 2)) or len(rows) != 4:
             raise _ByDocument
         for i, row in enumerate(rows):
             axis.polygon[i] = _row(row, 3)
@@ -351,7 +362,7 @@ def _pipe_shape(said: Mapping[str, Any], shape: c.PipeShape, is_g2: bool) -> Non
         shape.kind += _word(given, "auto", ("bending", "curvature"))
     elif type(given) is dict and given.keys() == _SHAPE and not is_g2:
         shape.kind, shape.alpha, shape.beta, shape.gamma = 0, *(_number(given[key]) for key in ("alpha", "beta", "gamma"))
-    elif given != "auto":
+    elif not is_one_of(given, ("auto",)):
         raise _ByDocument
     shape.extended = _word(said, "domain", ("strict", "extended"))
 

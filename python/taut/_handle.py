@@ -7,7 +7,7 @@ import os
 import sys
 from ctypes import byref, c_char_p, c_double, c_size_t, c_uint32, c_void_p
 from functools import lru_cache
-from typing import Any, Callable
+from typing import Any, Callable, Container, Iterator
 
 import numpy as np
 import numpy.typing as npt
@@ -79,19 +79,15 @@ def is_masked(values: Any) -> bool:
     return isinstance(values, np.ma.MaskedArray) and bool(np.any(values.mask))
 
 
-def numbers(values: Any, shape: tuple[int, ...] | None = None, what: str = "the argument") -> Array:
+def numbers(values: Any, what: str) -> Array:
     """values as doubles side by side; what names them where they are none."""
     try:
         array = np.asarray(values)
         if array.dtype != np.float64 or array is not values:
             _refuse_others(values, array)
-        array = np.ascontiguousarray(array, dtype=np.float64).reshape(array.shape)
-        if shape is not None and array.shape != shape:
-            array = np.ascontiguousarray(np.broadcast_to(array, shape))
-    except (TypeError, ValueError) as error:
-        expected = "numbers" if shape is None else f"numbers of shape {shape}"
-        raise InputError(f"{what}: found {type(values).__name__}, expected {expected} ({error})", "", "type") from None
-    return array
+        return np.ascontiguousarray(array, dtype=np.float64).reshape(array.shape)
+    except (TypeError, ValueError, OverflowError) as error:
+        raise InputError(f"{what}: found {type(values).__name__}, expected numbers ({error})", "", "type") from None
 
 
 def real(value: Any, what: str) -> float:
@@ -99,6 +95,8 @@ def real(value: Any, what: str) -> float:
     try:
         if isinstance(value, (str, bytes, bytearray)):
             raise TypeError
+        if isinstance(value, (np.ndarray, np.generic)):
+            _refuse_others(value, np.asarray(value))
         return float(value)
     except (TypeError, ValueError, OverflowError):
         raise InputError(f"{what} is {value!r}; expected a number", "", "type") from None
@@ -113,6 +111,26 @@ def whole(value: Any, what: str) -> int:
     if not -2**31 <= number < 2**31:
         raise InputError(f"{what} is {value!r}; expected less than 2^31", "", "type")
     return number
+
+
+def truth(value: Any, what: str) -> bool:
+    """value as True or False, which 1 and 0 are too."""
+    if value.__class__ is bool or (isinstance(value, (int, np.bool_)) and value in (0, 1)):
+        return bool(value)
+    raise InputError(f"{what} is {value!r}; expected True or False", "", "type")
+
+
+def is_one_of(value: Any, words: Container[str]) -> bool:
+    """Whether value is one of these words; an array, which compares by its items, is none."""
+    return isinstance(value, str) and value in words
+
+
+def items_of(values: Any, what: str) -> Iterator[Any]:
+    """The items of values, one after the other; what says what they should be."""
+    try:
+        return iter(values)
+    except TypeError:
+        raise InputError(f"found {type(values).__name__}, expected a list of {what}", "", "type") from None
 
 
 def thread_count(threads: Any) -> int:
@@ -138,11 +156,13 @@ def bytes_of(text: Any) -> bytes:
 
 
 def path_of(path: Any) -> str:
-    """A path as a text."""
+    """A path as a text, of which there may be a file."""
     try:
-        return os.fsdecode(path)
+        text = os.fsdecode(path)
     except TypeError:
         raise InputError(f"found {type(path).__name__}, expected a path", "", "type") from None
+    encoded(text)
+    return text
 
 
 def text_of(function: Any, *arguments: Any) -> bytes:

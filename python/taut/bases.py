@@ -30,9 +30,9 @@ class Basis(Referable):
         """document: as in docs/format.md; functions: how many there must be, which tells short knots from full ones."""
         if not isinstance(document, Mapping):
             raise InputError(f"found {type(document).__name__}, expected a basis or the dict of one", "", "type")
-        unknown = set(document) - _KNOWN
+        unknown = sorted(set(document) - _KNOWN, key=str)
         if unknown:
-            raise InputError(f"a basis has no member {sorted(unknown)[0]!r}", "/" + sorted(unknown)[0], "unknown-member")
+            raise InputError(f"a basis has no member {unknown[0]!r}", f"/{unknown[0]}", "unknown-member")
         spec = c.BasisSpec()
         try:
             spec.type = encoded(document.get("type", ""))
@@ -42,8 +42,11 @@ class Basis(Referable):
             for name in ("alpha", "beta", "gamma"):
                 setattr(spec, name, real(document.get(name, 0), name))
             if document.get("range") is not None:
-                spec.has_range, (spec.range[0], spec.range[1]) = 1, (real(x, "range") for x in document["range"])
-            knots = numbers(document.get("knots", ()), None, "knots")
+                ends = numbers(document["range"], "range")
+                if ends.shape != (2,):
+                    raise InputError(f"range is {document['range']!r}; expected two numbers", "/range", "size")
+                spec.has_range, (spec.range[0], spec.range[1]) = 1, ends.tolist()
+            knots = numbers(document.get("knots", ()), "knots")
             if knots.ndim != 1:
                 raise InputError(f"knots have the shape {knots.shape}; expected a list of numbers", "/knots", "size")
         except InputError:
@@ -51,7 +54,7 @@ class Basis(Referable):
         except (TypeError, ValueError) as error:
             raise InputError(f"a basis: {error}", "", "type") from None
         spec.knot_count, spec.knots = knots.size, knots.ctypes.data if knots.size else None
-        self._owner: Any = made(library.taut_basis_new, library.taut_basis_free, byref(spec), functions)
+        self._owner: Any = made(library.taut_basis_new, library.taut_basis_free, byref(spec), whole(functions, "functions"))
         self._pointer: int = self._owner.pointer
         self._document: dict[str, Any] | None = None
 
@@ -116,7 +119,7 @@ class Basis(Referable):
         """The functions at t: shape t.shape + (count,), with derivatives (0 to 3) first: (derivatives + 1,) + that.
 
         Errors: InputError, `argument`: a t outside the range, or another number of derivatives."""
-        parameters, derivatives = numbers(t, None, "t"), whole(derivatives, "derivatives")
+        parameters, derivatives = numbers(t, "t"), whole(derivatives, "derivatives")
         count, local = self.count, int(library.taut_basis_local(self._pointer))
         if not 0 <= derivatives <= 3:
             raise InputError(f"derivatives is {derivatives}; expected 0 to 3", "", "argument", derivatives)
@@ -162,14 +165,14 @@ def basis_of(value: BasisLike, functions: int = 0) -> Basis:
 
 
 def _whole(value: Any, name: str) -> int:
-    number = int(real(value, name))
-    if number != value or not -2**31 <= number < 2**31:
+    number = real(value, name)
+    if not -2**31 <= number < 2**31 or number != int(number):
         raise ValueError(f"{name} is {value!r}; expected a whole number")
-    return number
+    return int(number)
 
 
 def _spec(kind: str, range: Sequence[float] | None, **members: Any) -> Basis:
-    return Basis({"type": kind, **members, **({} if range is None else {"range": list(range)})})
+    return Basis({"type": kind, **members, **({} if range is None else {"range": range})})
 
 
 def bezier(degree: int, range: Sequence[float] | None = None) -> Basis:

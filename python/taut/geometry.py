@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _library as c
-from ._handle import Array, Handle, Referable, encoded, library, made, numbers, real, thread_count, view, whole
+from ._handle import Array, Handle, Referable, encoded, is_one_of, library, made, numbers, real, thread_count, view, whole
 from ._watch import Progress
 from .bases import Basis, BasisLike, basis_of
 from .errors import InputError
@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
 _three = c_double * 3
 _SCALARS = frozenset((float, np.float64))  # what ctypes takes for a double as it is
+_NONE = 0  # derivatives; another 0 than this one takes the longer way to the same point
 _surface_eval = library.taut_surface_eval
 _curve_eval = library.taut_curve_eval
 _frombuffer: Callable[..., Array] = np.frombuffer
@@ -25,11 +26,11 @@ _frombuffer: Callable[..., Array] = np.frombuffer
 
 def _net(points: npt.ArrayLike, weights: npt.ArrayLike | None, dimensions: int) -> tuple[Array, Array | None]:
     """Points and weights as C wants them; shapes are checked here, numbers there."""
-    net = numbers(points, None, "points")
+    net = numbers(points, "points")
     if net.ndim != dimensions + 1 or net.shape[-1] != 3:
         raise InputError(f"points have the shape {net.shape}; expected {'(nu, nv, 3)' if dimensions == 2 else '(n, 3)'}", "/points",
                          "size")
-    factors = None if weights is None else numbers(weights, None, "weights")
+    factors = None if weights is None else numbers(weights, "weights")
     if factors is not None and factors.shape != net.shape[:-1]:
         raise InputError(f"weights have the shape {factors.shape}; expected {net.shape[:-1]}", "/weights", "size")
     return net, factors
@@ -70,13 +71,13 @@ def _check_out(out: Any, shapes: tuple[tuple[int, ...], ...]) -> None:
 
 
 def _direction(direction: Any) -> int:
-    if direction not in ("u", "v"):
+    if not is_one_of(direction, ("u", "v")):
         raise InputError(f"the direction is {direction!r}; expected 'u' or 'v'", "", "name")
     return int(direction == "v")
 
 
 def _matrix(matrix: npt.ArrayLike) -> Array:
-    rows = numbers(matrix, None, "matrix")
+    rows = numbers(matrix, "matrix")
     if rows.shape != (3, 4):
         raise InputError(f"the matrix has the shape {rows.shape}; expected (3, 4)", "", "size")
     return rows
@@ -162,11 +163,11 @@ class Curve(_Geometry):
         """Points at t: t.shape + (3,). With derivatives 1 to 3: (derivatives + 1,) + that, positions first.
 
         Errors: InputError, `parameter`: a t outside the range of the basis."""
-        if derivatives == 0 and t.__class__ in _SCALARS:
+        if derivatives is _NONE and t.__class__ in _SCALARS:
             buffer = _three()
             if _curve_eval(self._pointer, t, 0, buffer) == 0:
                 return _frombuffer(buffer)
-        parameters, derivatives = numbers(t, None, "t"), _order(derivatives, 3)
+        parameters, derivatives = numbers(t, "t"), _order(derivatives, 3)
         values = np.empty((parameters.size, derivatives + 1, 3))
         if parameters.size > 0 and library.taut_curve_eval_points(self._pointer, parameters.size, parameters.ctypes.data, derivatives, 1,
                                                                   values.ctypes.data) != c.OK:
@@ -292,13 +293,13 @@ class Surface(_Geometry):
 
         Errors: InputError: a parameter outside the ranges of the bases (`parameter`), or shapes that do not go together (`size`).
         """
-        if derivatives == 0 and u.__class__ in _SCALARS and v.__class__ in _SCALARS:
+        if derivatives is _NONE and u.__class__ in _SCALARS and v.__class__ in _SCALARS:
             buffer = _three()
             if _surface_eval(self._pointer, u, v, 0, buffer) == 0:
                 return _frombuffer(buffer)
         derivatives = _order(derivatives, 2)
         try:
-            along_u, along_v = np.broadcast_arrays(numbers(u, None, "u"), numbers(v, None, "v"))
+            along_u, along_v = np.broadcast_arrays(numbers(u, "u"), numbers(v, "v"))
         except InputError:
             raise
         except ValueError:
@@ -323,7 +324,7 @@ class Surface(_Geometry):
         Errors: InputError: a parameter outside the ranges of the bases (`parameter`), or an `out` of another kind (`type`, `size`; read-only or
         not in C order: `argument`).
         """
-        along_u, along_v, derivatives = numbers(u, None, "u"), numbers(v, None, "v"), _order(derivatives, 2)
+        along_u, along_v, derivatives = numbers(u, "u"), numbers(v, "v"), _order(derivatives, 2)
         if along_u.ndim != 1 or along_v.ndim != 1:
             raise InputError("grid: u and v are not lists of numbers", "", "argument")
         vectors = (derivatives + 1) * (derivatives + 2) // 2

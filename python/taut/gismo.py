@@ -17,6 +17,7 @@ from xml.etree import ElementTree as xml
 import numpy as np
 import numpy.typing as npt
 
+from ._handle import items_of, path_of
 from .bases import Basis, bspline
 from .errors import FileError, InputError
 from .geometry import Curve, Surface
@@ -105,12 +106,13 @@ def read(path: Path) -> list[Shape]:
 
     Errors: FileError where it cannot be read; InputError where it is not XML, has other geometries, or numbers that are too few,
     too many or no numbers; `.where` is then "Geometry/0/coefs" and the like."""
+    place = path_of(path)
     try:
-        root = xml.parse(path).getroot()
+        root = xml.parse(place).getroot()
     except OSError as error:
-        raise FileError(f"{os.fspath(path)}: {error.strerror}", os.fspath(path), "read") from None
+        raise FileError(f"{place}: {error.strerror}", place, "read") from None
     except (xml.ParseError, LookupError, ValueError) as error:
-        raise InputError(f"{os.fspath(path)}: {error}, expected XML", os.fspath(path), "syntax", expected="XML") from None
+        raise InputError(f"{place}: {error}, expected XML", place, "syntax", expected="XML") from None
     return [_shape(geometry, f"Geometry/{i}") for i, geometry in enumerate(root.iter("Geometry"))]
 
 
@@ -146,16 +148,14 @@ def write(shapes: Iterable[Shape], path: Path, tolerance: float = 1e-9) -> None:
     """Writes curves and surfaces; within `tolerance` where a basis is not polynomial, else exactly.
 
     Errors: FileError where the file cannot be written."""
-    if isinstance(shapes, (Curve, Surface)) or not isinstance(shapes, Iterable):
-        raise InputError(f"found {type(shapes).__name__}, expected a list of curves and surfaces", "", "type")
-    root = xml.Element("xml")
-    root.extend([_element(shape, i, tolerance) for i, shape in enumerate(shapes)])
+    place, root = path_of(path), xml.Element("xml")
+    root.extend([_element(shape, i, tolerance) for i, shape in enumerate(items_of(shapes, "curves and surfaces"))])
     text = xml.tostring(root, encoding="unicode", xml_declaration=True)
     try:
-        with open(path, "w", encoding="utf-8") as file:
+        with open(place, "w", encoding="utf-8") as file:
             file.write(text.replace("encoding='us-ascii'", "encoding='UTF-8'") + "\n")
     except OSError as error:
-        raise FileError(f"{os.fspath(path)}: {error.strerror}", os.fspath(path), "write") from None
+        raise FileError(f"{place}: {error.strerror}", place, "write") from None
 
 
 __all__ = ["read", "write"]

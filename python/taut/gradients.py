@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _library as c
-from ._handle import Array, library, numbers, thread_count
+from ._handle import Array, is_one_of, library, numbers, thread_count
 from ._watch import Progress, Watch
 from .errors import InputError, raise_for
 from .making import Document, _problems
@@ -24,7 +24,7 @@ def _request(of: Any, shape: tuple[int, ...]) -> tuple[c.GradientRequest, Array 
         if of not in _FIGURES:
             raise InputError(f"of is {of!r}; expected 'area', 'dirichlet_energy' or an array of the points' shape", "", "name")
         return c.GradientRequest(of=_FIGURES[of]), None
-    factors = numbers(of, None, "of")
+    factors = numbers(of, "of")
     if factors.shape != shape:
         raise InputError(f"of has the shape {factors.shape}; expected {shape}, as the points of the surface", "", "size")
     return c.GradientRequest(of=_POINTS, factors=factors.ctypes.data), factors
@@ -79,7 +79,7 @@ class FilmGradient(NamedTuple):
 
 
 def _index(name: str, names: tuple[str, ...], what: str) -> int:
-    if name not in names:
+    if not is_one_of(name, names):
         raise InputError(f"{what} is {name!r}; expected one of {', '.join(names)}", "", "name")
     return names.index(name)
 

@@ -17,7 +17,7 @@ from typing import Any, NamedTuple, Sequence, Union
 import numpy as np
 import numpy.typing as npt
 
-from ._handle import expect
+from ._handle import expect, is_one_of, items_of, numbers, whole
 from ._watch import Progress
 from .bases import bspline, bezier
 from .errors import Error, InputError
@@ -37,8 +37,11 @@ def between(construct: str, edges: Sequence[Curve], unit: str = "mm", progress: 
     Two straight edges that face each other leave nothing to find: both directions get degree 3 then, unless degree is given.
 
     Errors: InputError: not four edges, ends that do not meet, or what else `taut.make` finds in the problem."""
-    if construct not in CONSTRUCTS:
+    if not is_one_of(construct, CONSTRUCTS):
         raise InputError(f"the surface is {construct!r}; expected one of {', '.join(CONSTRUCTS)}", "/construct", "value")
+    edges = list(items_of(edges, "curves"))
+    for edge in edges:
+        expect(edge, Curve)
     if len(edges) != 4:
         raise InputError(f"found {len(edges)} edges; expected four that close a ring", "/boundary", "size", len(edges), 4)
     with tempfile.TemporaryDirectory() as folder:
@@ -61,7 +64,7 @@ def _bezier(edge: Curve) -> Curve:
 
 
 def _line(ends: npt.ArrayLike, where: str) -> npt.NDArray[np.float64]:
-    line = np.asarray(ends, dtype=np.float64)
+    line = numbers(ends, where)
     if line.shape != (2, 3) or not np.isfinite(line).all() or not np.any(line[0] != line[1]):
         raise InputError(f"{where}: expected two ends that differ, of shape (2, 3)", where, "value")
     return line
@@ -79,7 +82,9 @@ def blend(one: npt.ArrayLike, other: npt.ArrayLike, radius: Union[float, Sequenc
     first, second = _line(one, "/from"), _line(other, "/to")
     distances = np.linalg.norm(first[:, None] - second[None], axis=-1)
     i, j = divmod(int(np.argmin(distances)), 2)
-    size = np.atleast_1d(np.asarray(radius, dtype=np.float64))
+    size = numbers(radius, "radius").ravel()
+    if size.size not in (1, 2):
+        raise InputError(f"radius is {radius!r}; expected a number or two", "/radius", "size")
     round_pipe: dict[str, Any] = {"radius": float(size[0])} if size.size == 1 or size[0] == size[1] else {"radii": size.tolist()}
     made: Model = make({"construct": "pipe", "unit": unit, **round_pipe, **members,
                         "from": {"point": first[i], "direction": _unit(first[i] - first[1 - i])},
@@ -136,15 +141,17 @@ def curve(degree: int, knots: Sequence[float], points: npt.ArrayLike, weights: n
     """A curve from all its knots, clamped; without the outermost two as well, as Rhino has them.
 
     Errors: InputError, `knots`: not clamped, or not as many as the points want."""
-    flat = np.asarray(knots, dtype=np.float64)
-    net = np.asarray(points, dtype=np.float64)
+    flat, net, degree = numbers(knots, "knots").ravel(), numbers(points, "points"), whole(degree, "degree")
+    if net.ndim != 2 or len(flat) < degree + 1 or degree < 1:
+        raise InputError(f"found {len(flat)} knots and points of the shape {net.shape} for degree {degree}; expected the knots of (n, 3) points",
+                         "/knots", "size")
     if len(flat) == len(net) + degree - 1:
         flat = np.concatenate([flat[:1], flat, flat[-1:]])
     ends = np.concatenate([flat[:degree + 1] - flat[0], flat[len(flat) - degree - 1:] - flat[-1]])
     if len(flat) != len(net) + degree + 1 or np.any(ends != 0):
         raise InputError("the curve has no ends to meet at: its knots are not clamped, or it is closed; cut it open", "/knots", "knots")
-    factors = None if weights is None else np.asarray(weights, dtype=np.float64)
-    if factors is not None and np.all(factors == factors[0]):
+    factors = None if weights is None else numbers(weights, "weights")
+    if factors is not None and factors.shape == net.shape[:1] and np.all(factors == factors[0]):
         factors = None
     return Curve(bspline(degree, knots=flat), net, factors, name)
 

@@ -11,7 +11,7 @@ from typing import Any, Mapping, Sequence, Union, overload
 import numpy as np
 
 from . import _library as c
-from ._handle import Handle, bytes_of, encoded, expect, is_masked, library, made, path_of, real, thread_count
+from ._handle import Handle, bytes_of, encoded, expect, is_masked, library, made, path_of, real, thread_count, truth
 from ._watch import Progress, Watch
 from .bases import Basis
 from .errors import InputError, raise_for
@@ -122,17 +122,17 @@ def _made(problem: Any, options: c.MakeOptions | None, proof: c.CertifyOptions |
 
 def _strict(model: Model, strict: bool, certificate: Certificate | None = None) -> Model:
     """The model, unless a claim of its certificate, or of the one given, does not hold; which is not looked at before it is asked for."""
-    certificate = (certificate or model.certificate) if strict else None
+    certificate = (certificate or model.certificate) if truth(strict, "strict") else None
     if certificate is not None and certificate.holds is False:
         raise failed(model, certificate)
     return model
 
 
 def _options(tolerance: float | None, threads: int | None, exact: bool) -> tuple[c.MakeOptions, c.CertifyOptions]:
-    limit, count = 0.0 if tolerance is None else real(tolerance, "tolerance"), thread_count(threads)
+    limit, count, is_exact = 0.0 if tolerance is None else real(tolerance, "tolerance"), thread_count(threads), int(truth(exact, "exact"))
     if tolerance is not None and not 0 < limit < math.inf:
         raise InputError(f"tolerance is {tolerance!r}; expected a number above 0", "", "argument", limit)
-    return (c.MakeOptions(tolerance=limit, threads=count, exact=int(exact)), c.CertifyOptions(tolerance=limit, threads=count, exact=int(exact)))
+    return c.MakeOptions(tolerance=limit, threads=count, exact=is_exact), c.CertifyOptions(tolerance=limit, threads=count, exact=is_exact)
 
 
 def _is_text(document: str) -> bool:
@@ -182,6 +182,7 @@ def make(document: Document, tolerance: float | None = None, threads: int | None
     """
     problems = _problems(document)
     options, proof = _options(tolerance, threads, exact)
+    truth(strict, "strict")
     models = []
     with Watch(progress) as watch:
         options.monitor = proof.monitor = watch.monitor
@@ -212,6 +213,7 @@ def certify(model: Model, problem: Document | None = None, tolerance: float | No
     Errors: InputError where the model or the problem is wrong, or where there are several problems; else as of make.
     """
     options = _options(tolerance, threads, exact)[1]
+    truth(strict, "strict")
     expect(model, Model)
     problems = None if problem is None else _problems(problem)
     if problems is not None and library.taut_problem_list_count(problems.pointer) != 1:

@@ -6,7 +6,7 @@ from ctypes import byref, c_double, c_void_p, create_string_buffer
 from typing import Any, Sequence, Union
 
 from . import _library as c
-from ._handle import Handle, encoded, expect, library, made, real, text_of, thread_count, whole
+from ._handle import Handle, encoded, expect, is_one_of, library, made, real, text_of, thread_count, whole
 from ._watch import Progress, Watch
 from .errors import InputError, raise_for
 from .geometry import Curve, Surface
@@ -72,7 +72,7 @@ def join(a: Surface, edge_a: str, b: Surface, edge_b: str, threads: int | None =
     expect(a, Surface)
     expect(b, Surface)
     for edge in (edge_a, edge_b):
-        if edge not in _EDGES:
+        if not is_one_of(edge, _EDGES):
             raise InputError(f"the edge is {edge!r}; expected one of {', '.join(_EDGES)}", "", "name")
     strictly(strict, a, b)
     room, error = create_string_buffer(c.sizes["taut_join"]), c.ErrorStruct()
@@ -126,7 +126,7 @@ def refine(model: Model, along: str = "uv", name: str | None = None, threads: in
     """Every span halved along "u", "v" or "uv": the same points on a finer net. threads, progress, strict as of split.
 
     Errors: InputError: another direction, no surface of that name, or a net that would be too large."""
-    if along not in ("u", "v", "uv"):
+    if not is_one_of(along, ("u", "v", "uv")):
         raise InputError(f"along is {along!r}; expected 'u', 'v' or 'uv'", "", "value")
     return _changed(library.taut_model_refine, model, (encoded(name), int("u" in along), int("v" in along)),
                     _Told("refine", threads, progress), strict)

@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _library as c
-from ._handle import Array, Handle, Referable, bytes_of, encoded, expect, library, made, numbers, path_of, real, text_of, thread_count, view, whole
+from ._handle import Array, Handle, Referable, bytes_of, encoded, expect, is_one_of, items_of, library, made, numbers, path_of, real, text_of, thread_count, truth, view, whole
 from ._watch import Progress, Watch
 from .errors import CheckFailed, InputError, raise_for
 from .geometry import Curve, Surface
@@ -69,7 +69,7 @@ class Certificate(Referable):
     def __getitem__(self, claim: str) -> Claim:
         """The claim of that name."""
         for one in self.claims:
-            if one.claim == claim:
+            if is_one_of(claim, (one.claim,)):
                 return one
         raise KeyError(claim)
 
@@ -78,7 +78,7 @@ class Certificate(Referable):
 
     def __contains__(self, claim: object) -> bool:
         """Whether there is such a claim, or one of that name."""
-        return any(claim in (one, one.claim) for one in self.claims)
+        return claim in self.claims if isinstance(claim, Claim) else is_one_of(claim, [one.claim for one in self.claims])
 
     def _key(self) -> tuple[Any, ...]:
         return (self.construct, repr(self.claims), json.dumps(self._figures, sort_keys=True), self.holds)
@@ -163,9 +163,7 @@ class Model:
         for objects, kind, copy, add, free in (
                 (surfaces, Surface, library.taut_surface_copy, library.taut_model_add_surface, library.taut_surface_free),
                 (curves, Curve, library.taut_curve_copy, library.taut_model_add_curve, library.taut_curve_free)):
-            if isinstance(objects, (Surface, Curve)) or not hasattr(objects, "__iter__"):
-                raise InputError(f"found {type(objects).__name__}, expected a list of {kind.__name__.lower()}s", "", "type")
-            for one in objects:
+            for one in items_of(objects, f"{kind.__name__.lower()}s"):
                 expect(one, kind)
                 status = copy(one._pointer, byref(pointer))
                 if status == c.OK:
@@ -215,7 +213,7 @@ class Model:
 
     def __getitem__(self, name: str) -> Union[Surface, Curve]:
         every: list[Union[Surface, Curve]] = [*self.surfaces, *self.curves]
-        found = [one for one in every if one.name == name]
+        found = [one for one in every if is_one_of(name, (one.name,))]
         if len(found) == 1:
             return found[0]
         raise KeyError(f"{name!r} is the name of {len(found)} surfaces and curves" if found else
@@ -223,7 +221,7 @@ class Model:
 
     def __contains__(self, name: object) -> bool:
         """Whether a surface or curve has that name."""
-        return any(one.name == name for one in self.surfaces) or any(one.name == name for one in self.curves)
+        return is_one_of(name, [*(one.name for one in self.surfaces), *(one.name for one in self.curves)])
 
     __iter__ = None  # of its surfaces or its curves
 
@@ -312,7 +310,7 @@ class Model:
         for name, value in chosen.items():
             if not 0 <= value < float("inf"):
                 raise InputError(f"{name} is {value!r}; expected 0 or more", "", "argument", value)
-        if surface is not None and all(one.name != surface for one in self.surfaces):
+        if surface is not None and not is_one_of(surface, [one.name for one in self.surfaces]):
             there = ", ".join(repr(one.name) for one in self.surfaces) or "none"
             raise InputError(f"no surface is called {surface!r}; there are {there}", "", "surface")
         strictly(strict, self)
@@ -361,7 +359,7 @@ class Model:
 
 def strictly(strict: bool, *parts: Union[Model, Surface, Curve]) -> None:
     """Raises CheckFailed where that was asked for and a claim does not hold of a model that is given, or that a surface or curve is of."""
-    for one in parts if strict else ():
+    for one in parts if truth(strict, "strict") else ():
         if not isinstance(one, Model) and one._owner._free is not library.taut_model_free:
             continue  # of no model
         model = one if isinstance(one, Model) else Model._of(one._owner)
@@ -452,11 +450,14 @@ def write_options(tolerance: float, threads: int | None, options: Mapping[str, A
     chosen = c.WriteOptions(tolerance=real(tolerance, "tolerance"), threads=thread_count(threads), formats=c.DRAW_FORMATS)
     for name, value in options.items():
         if name == "colour":
-            if value not in _COLOURS:
+            if not is_one_of(value, _COLOURS):
                 raise InputError(f"colour is {value!r}; expected one of {', '.join(_COLOURS)}", "", "name")
             chosen.colour = _COLOURS.index(value)
         elif name == "view":
-            chosen.has_view, (chosen.view[0], chosen.view[1]) = 1, numbers(value, (2,), "view").tolist()
+            angles = numbers(value, "view")
+            if angles.shape != (2,):
+                raise InputError(f"view is {value!r}; expected two numbers, azimuth and elevation", "", "size")
+            chosen.has_view, (chosen.view[0], chosen.view[1]) = 1, angles.tolist()
         elif name in ("surface", "title"):
             setattr(chosen, name, encoded(value))
         elif name in ("divide", "isolines", "reflections", "width"):
@@ -464,13 +465,13 @@ def write_options(tolerance: float, threads: int | None, options: Mapping[str, A
         elif name in ("thickness", "reduction"):
             setattr(chosen, name, real(value, name))
         elif name == "tiles":
-            if value not in _PAPERS:
+            if not is_one_of(value, _PAPERS):
                 raise InputError(f"tiles is {value!r}; expected one of {', '.join(_PAPERS[1:])}", "", "name")
             chosen.tiles = _PAPERS.index(value)
         elif name == "no_net":
-            chosen.no_net = 1 if value else -1
+            chosen.no_net = 1 if truth(value, name) else -1
         elif name in ("combs", "reactions", "side_by_side", "column", "short_knots", "coefficients", "lagrange"):
-            setattr(chosen, name, int(bool(value)))
+            setattr(chosen, name, int(truth(value, name)))
         else:
             raise TypeError(f"there is no option {name!r}")
     return chosen

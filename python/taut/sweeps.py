@@ -13,7 +13,7 @@ import time
 from collections import deque
 from typing import Any, BinaryIO, Iterable, Iterator, Mapping, Sequence, Sized
 
-from ._handle import path_of, whole
+from ._handle import items_of, path_of, truth, whole
 from ._watch import Progress, Watch
 from .errors import CheckFailed, Error, FileError, InputError, NoSolution, NotConverged
 from .making import Document, make, text_of_document
@@ -259,7 +259,7 @@ def _sum(text: str) -> bytes:
         try:
             with open(text, "rb") as file:
                 data = file.read()
-        except OSError:
+        except (OSError, ValueError):  # a name that no file has
             pass
     return hashlib.sha256(data).hexdigest().encode()
 
@@ -287,11 +287,12 @@ def map(problems: Iterable[Document], client: Any = None, threads: int | None = 
         raise InputError(f"client is {client!r}; expected a Dask client or an executor of concurrent.futures", "", "type")
     if isinstance(problems, (str, bytes, bytearray, os.PathLike)):
         raise InputError(f"found {type(problems).__name__}, expected a list of documents; of a file of lines, open(path)", "", "type")
-    if isinstance(problems, Mapping) or not hasattr(problems, "__iter__"):
+    if isinstance(problems, Mapping):
         raise InputError(f"found {type(problems).__name__}, expected a list of documents", "", "type")
+    items_of(problems, "documents")  # refuses what has none
     Watch(progress)  # refuses what is no function
     results = _map(problems, client, threads, None if out is None else path_of(out))
-    if strict:
+    if truth(strict, "strict"):
         results = _strictly(results)
     return results if progress is None else _told(results, len(problems) if isinstance(problems, Sized) else 0, progress)
 

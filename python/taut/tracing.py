@@ -8,7 +8,7 @@ from typing import Any, Callable, Optional, Sequence
 import numpy as np
 
 from . import _library as c
-from ._handle import expect, library, numbers, real, thread_count
+from ._handle import expect, is_one_of, library, numbers, real, thread_count
 from ._watch import Progress, Watch
 from .errors import InputError, raise_for
 from .geometry import Surface
@@ -19,7 +19,7 @@ _NAMES = ("s", "at", "points", "tangents", "normals", "k_n", "k_g", "tau_g")
 
 
 def _pair(value: Sequence[float], name: str) -> list[float]:
-    pair = numbers(value, None, name)
+    pair = numbers(value, name)
     if pair.shape != (2,):
         raise InputError(f"{name} is {value!r}; expected two numbers", "", "value")
     return [float(pair[0]), float(pair[1])]
@@ -50,10 +50,10 @@ def follow(surface: Surface, net: str, at: Sequence[float], way: Sequence[float]
     Errors: InputError: another net, family or place; NoSolution where the net has no direction at the place. Source: docs/trace.md.
     """
     expect(surface, Surface)
-    if not isinstance(net, str) or net not in _FAMILIES:
+    if not is_one_of(net, _FAMILIES):
         raise InputError(f"net is {net!r}; expected one of {', '.join(_FAMILIES)}", "", "net")
     families = _FAMILIES[net]
-    if family is not None and family not in families:
+    if family is not None and not is_one_of(family, families):
         raise InputError(f"family is {family!r}; expected one of {', '.join(families)}", "", "family")
     if sink is not None and not callable(sink):
         raise InputError(f"sink is {sink!r}; expected a function", "", "type")
