@@ -11,7 +11,7 @@ from typing import Any, Callable, Mapping, NamedTuple, Sequence
 import numpy as np
 
 from . import _library as c
-from ._handle import Array, address_of, encoded, is_masked, is_one_of, library, numbers
+from ._handle import Array, address_of, encoded, is_masked, is_one_of, library, numbers, side_by_side
 from ._watch import Progress
 from .bases import Basis
 from .errors import InputError
@@ -159,7 +159,7 @@ def _net(said: Mapping[str, Any], u: Basis, v: Basis) -> tuple[Array, Any]:
     net = said.get("points")
     if type(net) is not np.ndarray or net.dtype != np.float64 or net.shape != (u.count, v.count, 3):
         raise _ByDocument
-    net = np.ascontiguousarray(net)
+    net = side_by_side(net)
     if np.logical_or.reduce(np.isinf(net), axis=None):
         raise _ByDocument
     return net, np.logical_and.reduce(net == net, axis=-1).view(np.uint8)
@@ -169,7 +169,7 @@ def _points(values: Any, count: int) -> Array:
     """A row of points, none of them to be found."""
     if type(values) is not np.ndarray or values.dtype != np.float64 or values.shape != (count, 3) or not np.isfinite(values).all():
         raise _ByDocument
-    return np.ascontiguousarray(values)
+    return side_by_side(values)
 
 
 def _surface(said: Mapping[str, Any], key: str = "surface") -> Surface:

@@ -85,9 +85,15 @@ def numbers(values: Any, what: str) -> Array:
         array = np.asarray(values)
         if array.dtype != np.float64 or array is not values:
             _refuse_others(values, array)
-        return np.ascontiguousarray(array, dtype=np.float64).reshape(array.shape)
+        return side_by_side(array).reshape(array.shape)
     except (TypeError, ValueError, OverflowError) as error:
         raise InputError(f"{what}: found {type(values).__name__}, expected numbers ({error})", "", "type") from None
+
+
+def side_by_side(array: npt.NDArray[Any]) -> Array:
+    """The numbers of an array in the order, and at addresses, as C has them; a copy where they are not."""
+    array = np.ascontiguousarray(array, dtype=np.float64)
+    return array if array.flags.aligned else array.copy()
 
 
 def real(value: Any, what: str) -> float:

@@ -331,7 +331,7 @@ class Surface(_Geometry):
         shape = (vectors, len(along_u), len(along_v), 3)
         if out is not None:
             _check_out(out, (shape, shape[1:]) if derivatives == 0 else (shape,))
-        is_direct = out is not None and derivatives == 0
+        is_direct = out is not None and derivatives == 0 and out.flags.aligned
         values = out if is_direct else np.empty((len(along_u), len(along_v), vectors, 3))
         assert values is not None
         if 0 not in shape:
@@ -345,7 +345,7 @@ class Surface(_Geometry):
             return values
         result = values.transpose(2, 0, 1, 3)
         if out is not None:
-            np.copyto(out, result)
+            np.copyto(out, result[0] if out.ndim == 3 else result)
         return result if out is None else out
 
     def normals(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Array:

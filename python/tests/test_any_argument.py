@@ -154,3 +154,15 @@ def test_names_are_texts():
                 names[name]
             assert name not in names
     assert "dirichlet" in MODEL and "stationary" in MODEL.certificate and MODEL.certificate["stationary"] in MODEL.certificate
+
+
+def test_addresses_of_numbers():
+    """Numbers between the addresses that C has them at are copied, those that come back too."""
+    points = np.zeros(OPEN.nbytes + 1, dtype=np.uint8)[1:].view(np.float64).reshape(OPEN.shape)
+    points[...] = OPEN
+    out = np.zeros(2 * 3 * 3 * 8 + 1, dtype=np.uint8)[1:].view(np.float64).reshape(2, 3, 3)
+    assert not points.flags.aligned and not out.flags.aligned
+    assert taut.dirichlet(points, u=U, v=V) == MODEL
+    assert taut._handle.numbers(points, "points").flags.aligned and taut._handle.side_by_side(points).flags.aligned
+    u, v = [0.1, 0.7], [0.0, 0.5, 1.0]
+    assert SURFACE.grid(u, v, 0, out=out) is out and np.array_equal(out, SURFACE.grid(u, v, 0)[0])
