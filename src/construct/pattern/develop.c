@@ -9,10 +9,12 @@ enum {
     NODES = 8,
     LOOK = 24,
     LEAST = 4 /* spans along, at first; across half as many, at last as many */,
-    LEVELS = 5
+    LEVELS = 5,
+    HALVES = 2,
+    CLAIMED = 32 /* places of a span */
 };
-/* K times the area of a piece, up to rounding none; and the strain that is no strain. */
-static const double flat_curvature = 1e-11, no_strain = 2e-12;
+/* K times the area of a piece, up to rounding none; the strain that is no strain; and that of which it is claimed. */
+static const double flat_curvature = 1e-11, no_strain = 2e-12, claimed_strain = 8e-12;
 
 void taut_pattern_look_at_curvature(taut_pattern_piece *piece)
 {
@@ -133,16 +135,17 @@ static void fill(const walker *w, const int spans[2], double *places)
     }
 }
 
-/* The largest strain, corners and middles of cells looked at. */
-static double strain_of(const taut_pattern_piece *piece, const taut_flat *flat)
+/* The largest strain, so many places of each span looked at. */
+static double strain_of(const taut_pattern_piece *piece, const taut_flat *flat, int places)
 {
     const double shrink[2] = {1 - flat->warp, 1 - flat->weft};
     double most = 0;
     const int first = piece->bounds[TAUT_FLAT_START].is_point; /* at a point there is no strain */
-    const int last = 2 * flat->spans[0] - piece->bounds[TAUT_FLAT_END].is_point;
+    const int last = places * flat->spans[0] - piece->bounds[TAUT_FLAT_END].is_point;
     for (int i = first; i <= last; i++) {
-        for (int k = 0; k <= 2 * flat->spans[1]; k++) {
-            const double s = i / (2.0 * flat->spans[0]), t = k / (2.0 * flat->spans[1]);
+        for (int k = 0; k <= places * flat->spans[1]; k++) {
+            const double s = (double)i / (places * flat->spans[0]);
+            const double t = (double)k / (places * flat->spans[1]);
             double g[3], y[3][2], strain[2];
             taut_pattern_piece_metric(piece, s, t, g);
             taut_flat_at(flat, s, t, y);
@@ -181,7 +184,7 @@ taut_status taut_pattern_develop(taut_pattern_piece *piece, const taut_flat_opti
             fill(&w, own.spans, places);
             status = taut_flat_of_places(scratch, &strip, &own, places, &flat);
         }
-        const double strain = status == TAUT_OK ? strain_of(piece, &flat) : 0;
+        const double strain = status == TAUT_OK ? strain_of(piece, &flat, HALVES) : 0;
         if (status == TAUT_OK && strain < before / 2) { /* rounding ends it */
             status = taut_flat_copy(arena, &flat, &piece->alone);
         }
@@ -193,6 +196,9 @@ taut_status taut_pattern_develop(taut_pattern_piece *piece, const taut_flat_opti
             break;
         }
         before = strain;
+    }
+    if (before > no_strain && strain_of(piece, &piece->alone, CLAIMED) > claimed_strain) {
+        piece->is_developable = 0; /* its metric has kinks between the knots of splines */
     }
     return TAUT_OK;
 }

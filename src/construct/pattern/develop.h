@@ -11,7 +11,8 @@
 
 /* Fills piece->curvature and piece->is_developable. */
 void taut_pattern_look_at_curvature(taut_pattern_piece *piece);
-/* Into piece->alone, in the arena, on as many spans as it needs. TAUT_NO_MEMORY. */
+/* Into piece->alone, in the arena, on as many spans as it needs; piece->is_developable falls where splines do not come near enough.
+ * TAUT_NO_MEMORY. */
 taut_status taut_pattern_develop(taut_pattern_piece *piece, const taut_flat_options *options,
                                  taut_arena *arena);
 

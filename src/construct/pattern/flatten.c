@@ -362,11 +362,13 @@ static void alone(void *context, int worker, int64_t task)
     taut_pattern_look_at_curvature(piece);
     piece->is_developable &= piece->fade_count == 0; /* cut smaller by parts it is strained */
     if (piece->is_developable) {
-        taut_status status = taut_pattern_develop(piece, &own, p->arenas[task]);
-        p->status[task] = status == TAUT_OK
-                              ? all_edges(&piece->alone, p->arenas[task], piece->alone_edges)
-                              : status;
-        return;
+        p->status[task] = taut_pattern_develop(piece, &own, p->arenas[task]);
+        if (p->status[task] == TAUT_OK && piece->is_developable) {
+            p->status[task] = all_edges(&piece->alone, p->arenas[task], piece->alone_edges);
+        }
+        if (p->status[task] != TAUT_OK || piece->is_developable) {
+            return;
+        }
     }
     taut_arena *scratch = taut_arena_new();
     taut_flat flat = {.steps = 0};

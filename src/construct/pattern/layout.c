@@ -13,6 +13,7 @@
 #include "construct/pattern/trail.h"
 #include "core/elementary/elementary.h"
 #include "core/fail.h"
+#include "core/vec3.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -23,6 +24,8 @@ enum { ALONG = 32, ACROSS = 4, CHAIN = 64, ROUNDS = 200 };
 /* The least area element that is one, over the largest. */
 static const double least_area = 1e-9;
 static const double same_line = 1e-9; /* of the window */
+/* Of speeds, and of how they change over the window; rounding is below. */
+static const double same_rate = 1e-6;
 
 /* ---- pieces that are none ---- */
 
@@ -226,10 +229,10 @@ static int add_side(laying *l, const taut_pattern_side *side)
     return layout->side_count++;
 }
 
-static taut_status add_border(laying *l, int edge, int backwards, int *index)
+static taut_status add_border(laying *l, int edge, int backwards, int is_fine, int *index)
 {
-    taut_pattern_side side = {.border = edge, .twin = -1};
     const taut_pattern_ground *g = l->ground;
+    taut_pattern_side side = {.border = edge, .twin = -1, .is_fine = is_fine};
     const int held = edge / 2, begins = 2 * (1 - held);
     const double value = edge % 2 == 0 ? g->carrier->lo[held] : g->carrier->hi[held];
     if (g->is_pole[edge]) {
@@ -265,6 +268,69 @@ static taut_pattern_bound whole(const taut_pattern_layout *layout, int side)
     return bound;
 }
 
+/* The derivatives along a border at a place, in one of the spans beside it. */
+static void along_border(const taut_carrier *carrier, int border, double at, int span,
+                         double x[TAUT_CARRIER_VECTORS][3])
+{
+    const int held = border / 2, along = 1 - held;
+    double place[2];
+    int spans[2];
+    place[held] = border % 2 == 0 ? carrier->lo[held] : carrier->hi[held];
+    place[along] = at;
+    taut_carrier_cell(carrier, place, NULL, spans);
+    spans[along] = span;
+    taut_carrier_at(carrier, spans, place, 2, x);
+}
+
+/* Does the speed along a border, or how it changes, jump at a knot, as that of arcs of circles does where they meet? Not where its
+ * direction does: no line runs on there. */
+static int has_uneven_speed(const taut_carrier *carrier, int border)
+{
+    const int along = 1 - border / 2;
+    const double *breaks = taut_basis_breaks(carrier->basis[along]);
+    const double range = carrier->hi[along] - carrier->lo[along];
+    int is_uneven = 0;
+    for (int k = 1; k < taut_basis_span_count(carrier->basis[along]); k++) {
+        double x[2][TAUT_CARRIER_VECTORS][3], speeds[2], rates[2];
+        for (int side = 0; side < 2; side++) {
+            along_border(carrier, border, breaks[k], k - 1 + side, x[side]);
+            const double *first = x[side][1 + along];
+            speeds[side] = taut_norm(first);
+            rates[side] = taut_dot(first, x[side][along == 0 ? 3 : 5]) / taut_dot(first, first);
+        }
+        if (taut_dot(x[0][1 + along], x[1][1 + along]) < (1 - same_line) * speeds[0] * speeds[1]) {
+            return 0;
+        }
+        is_uneven |= fabs(speeds[1] - speeds[0]) > same_rate * speeds[0] ||
+                     range * fabs(rates[1] - rates[0]) > same_rate;
+    }
+    return is_uneven;
+}
+
+/* Do lines between two opposite borders share out one as the other, at any speed? So it is of cylinders, cones, and all that is turned
+ * or drawn out along a line. */
+static int has_one_pace(const taut_carrier *carrier, int border)
+{
+    const int along = 1 - border / 2, first = border - border % 2;
+    const double *breaks = taut_basis_breaks(carrier->basis[along]);
+    double ratio = 0;
+    for (int k = 0; k < taut_basis_span_count(carrier->basis[along]); k++) {
+        for (int i = 0; i <= ACROSS; i++) {
+            const double at = breaks[k] + (breaks[k + 1] - breaks[k]) * i / ACROSS;
+            double x[2][TAUT_CARRIER_VECTORS][3];
+            for (int end = 0; end < 2; end++) {
+                along_border(carrier, first + end, at, k, x[end]);
+            }
+            const double own = taut_norm(x[1][1 + along]) / taut_norm(x[0][1 + along]);
+            ratio = ratio > 0 ? ratio : own;
+            if (!(fabs(own - ratio) <= same_rate * ratio)) {
+                return 0;
+            }
+        }
+    }
+    return 1;
+}
+
 /* The window as one piece. */
 static taut_status begin(laying *l)
 {
@@ -279,7 +345,7 @@ static taut_status begin(laying *l)
     for (int side = 0; side < 2; side++) {
         const int edge = side == 0 ? TAUT_FLAT_RIGHT : TAUT_FLAT_LEFT;
         int index = 0;
-        const taut_status status = add_border(l, borders[side], first % 2, &index);
+        const taut_status status = add_border(l, borders[side], first % 2, 0, &index);
         if (status != TAUT_OK) {
             return status;
         }
@@ -293,11 +359,13 @@ static taut_status begin(laying *l)
         memcpy(bound->ends[0], piece->bounds[TAUT_FLAT_RIGHT].ends[end], sizeof bound->ends[0]);
         memcpy(bound->ends[1], piece->bounds[TAUT_FLAT_LEFT].ends[end], sizeof bound->ends[1]);
         const int is_sewn = l->ground->is_ring[held] || l->ground->mates[border].is_there;
-        if (is_sewn && !l->ground->is_pole[border]) { /* as t runs */
+        if (!l->ground->is_pole[border] && /* as t runs */
+            (is_sewn || (has_uneven_speed(l->ground->carrier, border) &&
+                         has_one_pace(l->ground->carrier, border)))) {
             const int along = 1 - held;
             int index = 0;
-            const taut_status status =
-                add_border(l, border, bound->ends[0][along] > bound->ends[1][along], &index);
+            const taut_status status = add_border(
+                l, border, bound->ends[0][along] > bound->ends[1][along], !is_sewn, &index);
             if (status != TAUT_OK) {
                 return status;
             }

@@ -3,7 +3,8 @@
  *     (u, v)(s, t) = (1 - t) right(s) + t left(s) + (1 - s) (start(t) - its chord) + s (end(t) - its chord)
  *
  * the patch of Coons in the window: right and left in proportion to their own arc length, and so start and end where they are sewn to
- * something; where they are not, straight lines of the window run across.
+ * something, or where their speed jumps at a knot and is that of all lines between them; where not, straight lines of the window run
+ * across.
  */
 #ifndef TAUT_CONSTRUCT_PATTERN_PIECE_H
 #define TAUT_CONSTRUCT_PATTERN_PIECE_H

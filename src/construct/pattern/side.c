@@ -10,6 +10,8 @@
 
 /* Of steps, of the quintics' distance from the surface, and of k_g times the size. */
 static const double step_tolerance = 1e-12, distance = 4e-13, turning = 2e-7;
+/* Of borders whose speed is uneven: what they are off, over the length of a quintic, is strain. */
+static const double fine_step = 1e-13, fine_distance = 2e-14;
 /* Lengths are at most so many sizes. */
 static const double lengths = 50;
 
@@ -59,8 +61,10 @@ static taut_status follow(const taut_carrier *carrier, taut_linefield_kind kind,
                           taut_error *error)
 {
     const taut_lath_options options = {
-        .follow = {.tolerance = step_tolerance, .max_length = length, .monitor = monitor},
-        .tolerance = distance,
+        .follow = {.tolerance = side->is_fine ? fine_step : step_tolerance,
+                   .max_length = length,
+                   .monitor = monitor},
+        .tolerance = side->is_fine ? fine_distance : distance,
         .residual = turning};
     taut_linefield_fault fault = TAUT_LINEFIELD_FINE;
     const taut_status status =

@@ -31,6 +31,7 @@ typedef struct taut_pattern_side {
     char seam[TAUT_SIDE_NAME];   /* "S1": where a ring closes, of both its borders */
     int twin;                    /* the side of the other one, or of another surface's; -1: none */
     int is_turned;               /* which runs the other way */
+    int is_fine;                 /* a border that is followed more closely than others */
     int ground;                  /* the surface that it is on */
     taut_pattern_side_kind kind; /* of a seam */
     int border;                  /* where it is on one: 0 to 3, u0, u1, v0, v1; -1 */

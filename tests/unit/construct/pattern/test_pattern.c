@@ -704,21 +704,24 @@ static void test_equal_butts(void)
     }
 }
 
+/* Height 3, all around an ellipse of half axes `a`, which is negative with `b`, and 2: four rational arcs, whose speeds change by jumps. */
+#define RING(a, b)                                                                                 \
+    "{ \"taut\": 1, \"surfaces\": [{ \"name\": \"ring\", \"u\": { \"type\": \"bspline\", "         \
+    "\"degree\": 2, \"knots\": [0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4] }, \"v\": { \"type\": "        \
+    "\"bezier\", \"degree\": 1 }, \"points\": [[[" a ", 0, 0], [" a ", 0, 3]], [[" a               \
+    ", 2, 0], [" a ", 2, 3]], [[0, 2, 0], [0, 2, 3]], [[" b ", 2, 0], [" b ", 2, 3]], [[" b        \
+    ", 0, 0], [" b ", 0, 3]], [[" b ", -2, 0], [" b ", -2, 3]], [[0, -2, 0], [0, -2, 3]], [[" a    \
+    ", -2, 0], [" a ", -2, 3]], [[" a ", 0, 0], [" a                                               \
+    ", 0, 3]]], \"weights\": [[1, 1], [0.70710678118654752, "                                      \
+    "0.70710678118654752], [1, 1], [0.70710678118654752, 0.70710678118654752], [1, 1], "           \
+    "[0.70710678118654752, 0.70710678118654752], [1, 1], [0.70710678118654752, "                   \
+    "0.70710678118654752], [1, 1]] }] }"
+
 /* R = 2, height 3, all around: four rectangles, the last one sewn to the first one. */
 static void test_ring(void)
 {
-    static const char cylinder[] =
-        "{ \"taut\": 1, \"surfaces\": [{ \"name\": \"ring\", \"u\": { \"type\": \"bspline\", "
-        "\"degree\": 2, \"knots\": [0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4] }, \"v\": { \"type\": "
-        "\"bezier\", \"degree\": 1 }, \"points\": [[[2, 0, 0], [2, 0, 3]], [[2, 2, 0], [2, 2, 3]], "
-        "[[0, 2, 0], [0, 2, 3]], [[-2, 2, 0], [-2, 2, 3]], [[-2, 0, 0], [-2, 0, 3]], [[-2, -2, 0], "
-        "[-2, -2, 3]], [[0, -2, 0], [0, -2, 3]], [[2, -2, 0], [2, -2, 3]], [[2, 0, 0], [2, 0, "
-        "3]]], "
-        "\"weights\": [[1, 1], [0.70710678118654752, 0.70710678118654752], [1, 1], "
-        "[0.70710678118654752, 0.70710678118654752], [1, 1], [0.70710678118654752, "
-        "0.70710678118654752], [1, 1], [0.70710678118654752, 0.70710678118654752], [1, 1]] }] }";
     made_cloth made =
-        cloth_make(cylinder, "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 4 }]");
+        cloth_make(RING("2", "-2"), "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 4 }]");
     CHECK(made.status == TAUT_OK, "%s", made.error.message);
     if (made.status == TAUT_OK) {
         check_holds(&made, "ring");
@@ -738,6 +741,34 @@ static void test_ring(void)
               "the ring is closed");
     }
     cloth_free(&made);
+}
+
+/* Strips that arcs end inside of are rectangles as well. */
+static void test_arcs(void)
+{
+    static const int counts[] = {1, 2, 3, 5};
+    for (size_t k = 0; k < sizeof counts / sizeof *counts; k++) {
+        char members[128];
+        snprintf(members, sizeof members,
+                 "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": %d }]", counts[k]);
+        made_cloth made = cloth_make(RING("2", "-2"), members);
+        CHECK(made.status == TAUT_OK, "%s", made.error.message);
+        check_holds(&made, "arcs");
+        CHECK(has_claim(made.proof, "isometric"), "%d strips are unrolled", counts[k]);
+        const double width = 12.56637061435917295 / counts[k];
+        CHECK_NEAR(cloth_number(&made, "pieces", "P1", "extent/1"), width, 1e-10 * width, "%d",
+                   counts[k]);
+        CHECK_NEAR(cloth_number(&made, "pieces", "P1", "edges/end/flat_length"), width,
+                   1e-10 * width, "%d", counts[k]);
+        cloth_free(&made);
+        made = cloth_make(RING("6", "-6"), members);
+        CHECK(made.status == TAUT_OK, "%s", made.error.message);
+        check_holds(&made, "ellipse");
+        /* 24 E(8/9) */
+        CHECK_NEAR(cloth_number(&made, "pieces", "P1", "extent/1"), 26.7297864411105 / counts[k],
+                   1e-9 * 27, "%d of an ellipse", counts[k]);
+        cloth_free(&made);
+    }
 }
 
 /* A quarter of a dome of radius 1 from its pole, an octant; and of a cone of slant 3 and sine 0.6 from its apex. */
@@ -1078,6 +1109,7 @@ int main(void)
     test_decompensate();
     test_faded_lengths();
     test_ring();
+    test_arcs();
     test_poles();
     test_refusals();
     test_sizes();
