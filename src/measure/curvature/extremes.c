@@ -17,7 +17,8 @@ typedef struct search {
     double *scratch;     /* [workers][room] */
 } search;
 
-enum { POINT_WORK = 300 }; /* operations at a point, as pulses count them */
+/* Operations, as pulses count them: at a point, and of three derivatives of a function alive there. */
+enum { POINT_WORK = 300, SUM_WORK = 9 };
 
 static const taut_extremes nothing = {
     .max_e_minus_g = 0, .max_f = 0, .max_laplacian = 0, .singular = 0};
@@ -97,6 +98,17 @@ static void join_rows(const search *s, taut_extremes *all)
     }
 }
 
+/* Operations, as pulses count them, of a grid parameter in u. */
+static double work_of_row(const taut_surface *surface, const taut_parameters *u,
+                          const taut_parameters *v)
+{
+    const double lines = (double)u->count / u->grid;
+    const double along = taut_basis_count(taut_surface_v(surface));
+    return lines *
+           (SUM_WORK * taut_basis_local(taut_surface_u(surface)) * along +
+            v->count * (POINT_WORK + 2.0 * SUM_WORK * taut_basis_local(taut_surface_v(surface))));
+}
+
 static taut_status search_grid(taut_arena *arena, const taut_surface *surface, int grid,
                                const taut_crew *crew, taut_extremes *extremes)
 {
@@ -114,8 +126,7 @@ static taut_status search_grid(taut_arena *arena, const taut_surface *surface, i
     if (s.scratch == NULL) {
         return TAUT_NO_MEMORY;
     }
-    if (taut_crew_run(crew, workers, grid, POINT_WORK * (double)(u->count / grid) * v->count,
-                      search_row, &s)) {
+    if (taut_crew_run(crew, workers, grid, work_of_row(surface, u, v), search_row, &s)) {
         return TAUT_INTERRUPTED;
     }
     join_rows(&s, extremes);

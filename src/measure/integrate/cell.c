@@ -303,6 +303,13 @@ static void keep_batch(int first_field, int kept, int from, int count, const tau
     }
 }
 
+/* Operations, as pulses count them, of a row of nodes. */
+static double work_of_row(const taut_scaled_surface *scaled, const taut_nodes *v, int order)
+{
+    const double line = (double)scaled->local[1] * scaled->dim;
+    return line * (scaled->local[0] * (order + 1) + v->count * TAUT_SURFACE_VECTORS(order));
+}
+
 void taut_cell_sum(const taut_scaled_surface *scaled, const taut_nodes *u, const taut_nodes *v,
                    int order, taut_fields *fields, int field_count, int kept, taut_cell_work *work,
                    double *sums)
@@ -316,6 +323,9 @@ void taut_cell_sum(const taut_scaled_surface *scaled, const taut_nodes *u, const
         add_batch(u, i, rows, v, field_count, work, sums);
         if (u->count * v->count <= TAUT_NODES_KEPT) {
             keep_batch(field_count, kept, i * v->count, rows * v->count, work);
+        }
+        if (taut_pulse_beat(work->pulse, rows * work_of_row(scaled, v, order))) {
+            return;
         }
     }
 }

@@ -70,7 +70,7 @@ int taut_cell_try(const taut_job *job, taut_worker *worker, int ladder, const ta
     taut_cell_sum(&job->scaled, first[0], first[1], in->order, in->fields, 2 * in->count, kept,
                   &worker->cell, low);
     memset(error, 0, sizeof low);
-    if (second[0] == NULL) {
+    if (second[0] == NULL || taut_pulse_is_stopped(worker->cell.pulse)) {
         memcpy(value, low, sizeof low);
         return 1;
     }
@@ -88,6 +88,9 @@ int taut_cell_try(const taut_job *job, taut_worker *worker, int ladder, const ta
         }
         taut_cell_sum(&job->scaled, nodes[0], nodes[1], in->order, in->fields, 2 * in->count, kept,
                       &worker->cell, value);
+        if (taut_pulse_is_stopped(worker->cell.pulse)) {
+            return 1;
+        }
         for (int f = 0; f < 2 * in->count; f++) {
             before[f] = error[f];
             error[f] = fabs(value[f] - low[f]);

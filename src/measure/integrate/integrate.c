@@ -22,6 +22,7 @@ enum {
     NODE_WORK = 200, /* operations at a node, as pulses count them; and so many times as
                             many for second derivatives: */
     SECOND_WORK = 5,
+    LONG_CELL = 256,     /* points of a cell that is long work by itself: one of degree 16 */
     ROUNDS_MAX = 40,     /* a corner's share is then below 2^-80 of its cell */
     ACTIVE_MAX = 1 << 18 /* cells in one round, over four times those of the first: then errors are
                             taken as they are */
@@ -224,6 +225,7 @@ static taut_status begin_job(const taut_surface *surface, const taut_crew *crew,
         }
         job->blocks[d] = (job->cells[d]->count + job->side - 1) / job->side;
     }
+    const int is_long = job->scaled.local[0] * job->scaled.local[1] > LONG_CELL;
     job->share_count = (int64_t)job->blocks[0] * job->blocks[1];
     job->worker_count = taut_crew_workers(crew, INT64_C(1) << 30);
     job->workers = taut_arena_take(job->arena, (size_t)job->worker_count, sizeof *job->workers);
@@ -239,6 +241,7 @@ static taut_status begin_job(const taut_surface *surface, const taut_crew *crew,
             taut_arena_take(job->arena, place_worker(job, worker, NULL), sizeof(double));
         place_worker(job, worker, numbers);
         taut_cell_work_init(&job->scaled, job->rules.most[1], job->arena, &worker->cell);
+        worker->cell.pulse = w == 0 && is_long && crew != NULL ? crew->pulse : NULL;
     }
     return job->shares != NULL ? taut_arena_status(job->arena) : TAUT_NO_MEMORY;
 }

@@ -3,6 +3,7 @@
 #define TAUT_MEASURE_INTEGRATE_JOB_H
 
 #include "core/arena.h"
+#include "core/pulse.h"
 #include "geometry/nurbs/cells.h"
 #include "measure/integrate/absolute.h"
 #include "measure/integrate/integrate.h"
@@ -51,9 +52,11 @@ typedef struct taut_cell_work {
     int stride;                  /* nodes handled at a time */
     double size;                 /* of the cell's net, largest distance of a coordinate */
     double cross;                /* see taut_bounds */
+    taut_pulse
+        *pulse; /* told of rows of nodes: where one cell is long, of the caller's thread; or NULL */
 } taut_cell_work;
 
-/* In the arena, whose status tells whether all is there. `row` is the largest number of nodes in v. */
+/* In the arena, whose status tells whether all is there, and told to nobody. `row` is the largest number of nodes in v. */
 void taut_cell_work_init(const taut_scaled_surface *scaled, int row, taut_arena *arena,
                          taut_cell_work *work);
 
@@ -66,7 +69,7 @@ void taut_cell_load(const taut_scaled_surface *scaled, int su, int sv, taut_cell
 
 /* sums[f] = sum over the nodes of weight times out[f], f < field_count. The `kept` fields that
  * follow them go to work->kept[k], row by row, if there are no more than TAUT_NODES_KEPT nodes.
- * order is 1 or 2. */
+ * order is 1 or 2. Once the work's pulse is stopped the sums have no meaning. */
 void taut_cell_sum(const taut_scaled_surface *scaled, const taut_nodes *u, const taut_nodes *v,
                    int order, taut_fields *fields, int field_count, int kept, taut_cell_work *work,
                    double *sums);

@@ -174,7 +174,7 @@ static void test_measure(int count)
 /* x, y, z x y on bezier bases of degree n, one point inside raised by `lift`. */
 static taut_surface *bilinear(int n, double z, double lift)
 {
-    enum { MOST = 41 };
+    enum { MOST = 97 };
     static double points[3 * MOST * MOST];
     const taut_basis_spec spec = {.type = "bezier", .degree = n};
     taut_basis *basis = NULL;
@@ -217,6 +217,30 @@ static void test_planar(int n)
     CHECK(reports >= 4 + 1 + operations / TAUT_PULSE_WORK, "%d reports", reports);
     taut_surface_free(flat);
     taut_surface_free(lifted);
+}
+
+/* One patch of degree n is one cell: the sums of its integrals are told row by row. Those with second derivatives take two rules
+ * of n + 1 nodes each way at least; a row of nodes sums n + 1 points each way for three coordinates: once each for u, three
+ * orders, once each node for v, five derivatives. */
+static void test_cell(int n)
+{
+    const double count = n + 1.0, row = count * count * 3 * (3 + 5);
+    const double operations = 2 * count * row;
+    taut_surface *surface = bilinear(n, 1, 0);
+    taut_surface_measure figures;
+    watch all = {.stop_at = 0};
+
+    CHECK(measure(surface, &all, &figures) == TAUT_OK, "measured");
+    CHECK(all.reports > 1 + 4 + operations / TAUT_PULSE_WORK, "%d reports of %.3g operations",
+          all.reports, operations);
+    for (int k = 1; k <= all.reports; k++) {
+        watch stop = {.stop_at = k};
+        taut_surface_measure none = {.area = -1};
+        CHECK(measure(surface, &stop, &none) == TAUT_INTERRUPTED && none.area == -1 &&
+                  stop.reports == k,
+              "stopped at %d of %d: went on to %d", k, all.reports, stop.reports);
+    }
+    taut_surface_free(surface);
 }
 
 /* Least bending is looked at along 2 (n - 1) directions at least, at (n + 1)^2 places each, with a power series of half as many
@@ -306,6 +330,7 @@ int main(void)
     test_net(160);
     test_measure(160);
     test_planar(40);
+    test_cell(96);
     test_bending(21);
     return check_failures != 0;
 }
