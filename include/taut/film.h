@@ -256,6 +256,8 @@ typedef struct taut_film_problem {
       "lower the pressure to what the message names, or give a volume")                            \
     X("unstable", "the start lies at a film that is no minimum",                                   \
       "begin elsewhere, or accept what is stationary")                                             \
+    X("unbalanced", "forces that meet in a free line or vertex cannot balance",                    \
+      "hold it, or change tensions or forces")                                                     \
     X("folds", "the film folds on its way to the least energy",                                    \
       "raise the forces, or move the corners")                                                     \
     X("not-converged", "the most iterations were made, or no step lowers the energy any more",     \

@@ -185,6 +185,7 @@ REMEDIES = {
     'twist': 'make their torsions opposite there',
     'type': 'write what the message expects',
     'umbilic': 'seed elsewhere, or trace another net',
+    'unbalanced': 'hold it, or change tensions or forces',
     'unclamped': 'take a bezier, c-bezier, h-bezier or bspline basis',
     'undetermined': 'lower the degree, or bring the weights nearer to each other',
     'unknown-member': 'spell it as docs/format.md does, or leave it out',

@@ -274,7 +274,8 @@ def film(points: npt.ArrayLike | None = None, *, u: BasisLike | None = None, v: 
     InputError             not-yet, basis, corner-missing, start, cell-sides, image-twice, curve-ends, edge-conflict,
                            corner-conflict, seam-mismatch
     NoSolution             free-edge, open-cell, pressure-too-high, unstable, no-area, point-support, no-corner,
-                           floating, collapses, slides-away, crossed, cable-too-weak, cable-too-short, overflow
+                           floating, collapses, slides-away, crossed, cable-too-weak, cable-too-short, unbalanced,
+                           overflow
     NotConverged           curve-fit, folds, not-converged, ill-conditioned
 
     Source: docs/film.md

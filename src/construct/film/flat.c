@@ -1,6 +1,6 @@
 #include "construct/film/flat.h"
 
-#include "core/constants.h"
+#include "construct/film/polygon.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 
@@ -8,216 +8,13 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { BISECTIONS = 60 };
 static const double flat_share = 1e-12; /* of the size: a corner in the plane of the others */
-static const double touch_share = 1e-9; /* of the size: nearer to their corner sides may touch */
-static const double turn_least = 1e-12; /* radians: below it a side runs back into the last */
-static const double factor_most = 1e5;  /* of all forces */
 
-/* One side, run with the sail on its left. */
-typedef struct side {
-    double a[2], b[2]; /* its ends */
-    double chord;
-    double radius; /* of the arc, over size 1; 0: straight */
-    int edge;
-} side;
-
-typedef struct polygon {
-    side sides[4];
-    double factor; /* of all radii */
-} polygon;
-
-/* ---- in the plane ---- */
-
-static double cross2(const double a[2], const double b[2])
-{
-    return a[0] * b[1] - a[1] * b[0];
-}
-
-static void minus2(const double a[2], const double b[2], double d[2])
-{
-    d[0] = a[0] - b[0];
-    d[1] = a[1] - b[1];
-}
-
-/* The middle of the arc's circle: beyond the middle of the chord, on the right, since the arc bows
- * to the left. */
-static void find_centre(const polygon *p, const side *s, double centre[2])
-{
-    const double half = 0.5 * s->chord, r = p->factor * s->radius;
-    const double away = -sqrt(fmax(0, (r - half) * (r + half)));
-    const double left[2] = {-(s->b[1] - s->a[1]) / s->chord, (s->b[0] - s->a[0]) / s->chord};
-    for (int c = 0; c < 2; c++) {
-        centre[c] = 0.5 * (s->a[c] + s->b[c]) + away * left[c];
-    }
-}
-
-/* The angle between chord and arc at its ends. */
-static double arc_angle(const polygon *p, const side *s)
-{
-    return s->radius > 0 ? taut_asin(fmin(1, s->chord / (2 * p->factor * s->radius))) : 0;
-}
-
-/* The angle inside at the corner from side s to the next, in (0, 2 pi). */
-static double corner_angle(const side *s, const side *next)
-{
-    double in[2], out[2];
-    minus2(s->a, s->b, in); /* backwards along s */
-    minus2(next->b, next->a, out);
-    const double angle = taut_atan2(cross2(out, in), out[0] * in[0] + out[1] * in[1]);
-    return fabs(angle) <= turn_least ? 0 : angle > 0 ? angle : angle + 2 * TAUT_PI;
-}
-
-/* Is x, a point of the side's line or circle, on the side itself, its ends left out by `slack`? */
-static int is_on(const side *s, const double x[2], double slack)
-{
-    double from[2], along[2];
-    minus2(x, s->a, from);
-    minus2(s->b, s->a, along);
-    const double t = (from[0] * along[0] + from[1] * along[1]) / (s->chord * s->chord);
-    const double height = cross2(along, from) / s->chord;
-
-    /* an arc of at most half its circle lies on the left of its chord */
-    return (s->radius == 0 || height >= -slack) && t * s->chord >= slack &&
-           (1 - t) * s->chord >= slack;
-}
-
-/* The points where the lines or circles of two sides meet: at most 2. */
-static int line_line(const side *s, const side *o, double x[2][2])
-{
-    double d[2], e[2], w[2];
-    minus2(s->b, s->a, d);
-    minus2(o->b, o->a, e);
-    minus2(o->a, s->a, w);
-    const double det = cross2(d, e);
-    if (det == 0) {
-        return 0;
-    }
-    const double t = cross2(w, e) / det;
-    x[0][0] = s->a[0] + t * d[0];
-    x[0][1] = s->a[1] + t * d[1];
-    return 1;
-}
-
-static int line_circle(const polygon *p, const side *line, const side *arc, double x[2][2])
-{
-    double centre[2], d[2], w[2];
-    find_centre(p, arc, centre);
-    minus2(line->b, line->a, d);
-    minus2(centre, line->a, w);
-    const double r = p->factor * arc->radius;
-    const double t = (w[0] * d[0] + w[1] * d[1]) / (line->chord * line->chord);
-    const double h = cross2(d, w) / line->chord, under = (r - h) * (r + h);
-    if (under < 0) {
-        return 0;
-    }
-    const double step = sqrt(under) / line->chord;
-    for (int k = 0; k < 2; k++) {
-        const double at = t + (k == 0 ? -step : step);
-        x[k][0] = line->a[0] + at * d[0];
-        x[k][1] = line->a[1] + at * d[1];
-    }
-    return 2;
-}
-
-static int circle_circle(const polygon *p, const side *s, const side *o, double x[2][2])
-{
-    double c[2], e[2], d[2];
-    find_centre(p, s, c);
-    find_centre(p, o, e);
-    minus2(e, c, d);
-    const double r = p->factor * s->radius, q = p->factor * o->radius;
-    const double far = sqrt(d[0] * d[0] + d[1] * d[1]);
-    if (far == 0) {
-        return 0;
-    }
-    const double along = 0.5 * (far + (r - q) * (r + q) / far);
-    const double under = (r - along) * (r + along);
-    if (under < 0) {
-        return 0;
-    }
-    const double up = sqrt(under);
-    for (int k = 0; k < 2; k++) {
-        const double side_of = k == 0 ? up : -up;
-        x[k][0] = c[0] + (along * d[0] - side_of * d[1]) / far;
-        x[k][1] = c[1] + (along * d[1] + side_of * d[0]) / far;
-    }
-    return 2;
-}
-
-/* Opposite sides: anywhere. */
-static int opposite_meet(const polygon *p, const side *s, const side *o)
-{
-    double x[2][2];
-    const int count = s->radius > 0 && o->radius > 0 ? circle_circle(p, s, o, x)
-                      : s->radius > 0                ? line_circle(p, o, s, x)
-                      : o->radius > 0                ? line_circle(p, s, o, x)
-                                                     : line_line(s, o, x);
-    for (int n = 0; n < count; n++) {
-        if (is_on(s, x[n], 0) && is_on(o, x[n], 0)) {
-            return 1;
-        }
-    }
-    return 0;
-}
-
-/* A side and the next: in the second point where their circles meet, the mirror image of their
- * corner in the line of the centres; of a circle and a line, in the line's perpendicular through
- * the centre. */
-static int neighbours_meet(const polygon *p, const side *s, const side *next)
-{
-    double c[2], along[2], w[2], x[2];
-    if (s->radius == 0 && next->radius == 0) {
-        return 0;
-    }
-    if (s->radius > 0 && next->radius > 0) {
-        double e[2];
-        find_centre(p, s, c);
-        find_centre(p, next, e);
-        minus2(e, c, along);
-    } else {
-        const side *line = s->radius > 0 ? next : s;
-        double d[2];
-        find_centre(p, s->radius > 0 ? s : next, c);
-        minus2(line->b, line->a, d);
-        along[0] = -d[1];
-        along[1] = d[0];
-    }
-    minus2(s->b, c, w);
-    const double square = along[0] * along[0] + along[1] * along[1];
-    const double t = (w[0] * along[0] + w[1] * along[1]) / square;
-    for (int k = 0; k < 2; k++) {
-        x[k] = c[k] + 2 * t * along[k] - w[k];
-    }
-    return is_on(s, x, touch_share) && is_on(next, x, touch_share);
-}
-
-/* Is there a sail with all forces `factor` times what they are? */
-static int exists(polygon *p, double factor)
-{
-    p->factor = factor;
-    for (int k = 0; k < 4; k++) {
-        const side *s = &p->sides[k];
-        if (s->radius > 0 && s->chord > 2 * factor * s->radius) {
-            return 0;
-        }
-    }
-    for (int k = 0; k < 4; k++) {
-        const side *s = &p->sides[k], *next = &p->sides[(k + 1) % 4];
-        if (!(corner_angle(s, next) > arc_angle(p, s) + arc_angle(p, next))) {
-            return 0;
-        }
-    }
-    for (int k = 0; k < 4; k++) {
-        if (neighbours_meet(p, &p->sides[k], &p->sides[(k + 1) % 4])) {
-            return 0;
-        }
-    }
-    return !opposite_meet(p, &p->sides[0], &p->sides[2]) &&
-           !opposite_meet(p, &p->sides[1], &p->sides[3]);
-}
-
-/* ---- from the net ---- */
+typedef struct quad {
+    taut_film_arc sides[4];
+    int edges[4]; /* of the film */
+    taut_film_polygon polygon;
+} quad;
 
 /* The largest of the four triangles' normals. */
 static void find_normal(const double *const corner[4], double n[3])
@@ -286,57 +83,28 @@ static int has_arcs(const taut_film_space *space)
     return 1;
 }
 
-static void make_polygon(const taut_film_space *space, double flat[4][2], polygon *p)
+static void make_polygon(const taut_film_space *space, double flat[4][2], quad *q)
 {
     static const int edge_of[2][4] = {{2, 1, 3, 0}, {0, 3, 1, 2}}; /* as they run round */
     double area = 0;
 
     for (int k = 0; k < 4; k++) {
-        area += 0.5 * cross2(flat[k], flat[(k + 1) % 4]);
+        const double *one = flat[k], *next = flat[(k + 1) % 4];
+        area += 0.5 * (one[0] * next[1] - one[1] * next[0]);
     }
     for (int k = 0; k < 4; k++) {
         /* the other way round where the sail lies on the right */
         const int turned = area < 0, from = turned ? (4 - k) % 4 : k;
         const int to = turned ? (from + 3) % 4 : (from + 1) % 4;
-        side *s = &p->sides[k];
-        double d[2];
-        memcpy(s->a, flat[from], sizeof s->a);
-        memcpy(s->b, flat[to], sizeof s->b);
-        minus2(s->b, s->a, d);
-        s->chord = sqrt(d[0] * d[0] + d[1] * d[1]);
-        s->edge = edge_of[turned][k];
-        s->radius = space->ratios[s->edge];
+        q->edges[k] = edge_of[turned][k];
+        taut_film_arc_set(&q->sides[k], flat[from], flat[to], space->ratios[q->edges[k]]);
     }
+    q->polygon = (taut_film_polygon){.count = 4, .sides = q->sides};
 }
 
-/* Do the chords bound no polygon? */
-static int is_crossed(const polygon *p)
+static taut_status refuse_weak(const taut_film_space *space, quad *q, taut_error *error)
 {
-    polygon chords = *p;
-    for (int k = 0; k < 4; k++) {
-        chords.sides[k].radius = 0;
-    }
-    return !exists(&chords, 1);
-}
-
-/* The least factor of all forces with which there is a sail. */
-static double least_factor(polygon *p)
-{
-    double no = 1, yes = factor_most;
-    for (int k = 0; k < BISECTIONS && yes - no > 1e-15 * no; k++) {
-        const double middle = sqrt(no) * sqrt(yes);
-        if (exists(p, middle)) {
-            yes = middle;
-        } else {
-            no = middle;
-        }
-    }
-    return yes;
-}
-
-static taut_status refuse_weak(const taut_film_space *space, polygon *p, taut_error *error)
-{
-    const double factor = least_factor(p);
+    const double factor = taut_film_polygon_factor(&q->polygon);
     char where[32];
     int e = -1;
 
@@ -356,17 +124,17 @@ static taut_status refuse_weak(const taut_film_space *space, polygon *p, taut_er
 taut_status taut_film_flat_check(const taut_film_space *space, taut_error *error)
 {
     double flat[4][2];
-    polygon p;
+    quad q;
 
     if (space->leader != NULL || taut_film_has_density(space->problem) ||
         has_curves(space->problem) || !has_arcs(space) || !lay_flat(space, flat)) {
         return TAUT_OK;
     }
-    make_polygon(space, flat, &p);
-    if (is_crossed(&p)) {
+    make_polygon(space, flat, &q);
+    if (taut_film_polygon_is_crossed(&q.polygon)) {
         return taut_fail(error, TAUT_NO_SOLUTION, "crossed", "/corners", taut_none, taut_none,
                          "the corners u0v0, u1v0, u1v1, u0v1, in this order, bound no polygon: "
                          "its sides cross or run back into themselves; exchange two of them");
     }
-    return exists(&p, 1) ? TAUT_OK : refuse_weak(space, &p, error);
+    return taut_film_polygon_exists(&q.polygon, 1) ? TAUT_OK : refuse_weak(space, &q, error);
 }

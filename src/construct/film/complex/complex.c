@@ -1,7 +1,7 @@
 /* complex.c -- films of many patches.
  *
  *     1. check the data
- *     2. nodes, holds, the start (construct/film/complex/layout.h)
+ *     2. nodes, holds, the start (construct/film/complex/layout.h); what can be told of them (balance.h, flat.h)
  *     3. Newton's steps to the least energy (construct/film/complex/solve.h), and again where it becomes its own reference
  *     4. a witness of how near it is to the least area of all (construct/film/complex/witness.h)
  *     5. a surface of each patch, and each cable as a curve, "NAME.u0", the row of points at its edge, bit for bit
@@ -9,6 +9,8 @@
 #include "construct/film/complex/complex.h"
 
 #include "construct/common/build.h"
+#include "construct/film/complex/balance.h"
+#include "construct/film/complex/flat.h"
 #include "construct/film/complex/refine.h"
 #include "construct/film/complex/updates.h"
 #include "construct/film/complex/witness.h"
@@ -425,6 +427,12 @@ static taut_status build(void *context, taut_arena *arena, taut_model *model, ta
     double changes[TAUT_FILM_UPDATES_MAX];
     taut_status status = taut_film_layout_new(r->problem, arena, &layout, error);
 
+    if (status == TAUT_OK) {
+        status = taut_film_balance_check(&layout, error);
+    }
+    if (status == TAUT_OK) {
+        status = taut_film_complex_flat_check(&layout, arena, error);
+    }
     if (status == TAUT_OK) {
         status = taut_film_rest_find(&layout, r->monitor, arena, &rest, error);
     }

@@ -17,7 +17,8 @@
  * does not see, are held back by theta alone. Pivots that lead down where it is at rest are a saddle.
  *
  * A pressure that leads to no film is followed from 0, by halved steps, to name the last one that a film was found for. So are two
- * rims (parting.h) led apart from where there is a film between them.
+ * rims (parting.h) led apart from where there is a film between them, and cables weakened from where they are strong enough
+ * (strength.h): by rungs of a ladder until the start leads to a film, and from there to the forces that are asked for.
  */
 #include "construct/film/complex/solve.h"
 
@@ -26,6 +27,7 @@
 #include "construct/film/complex/even.h"
 #include "construct/film/complex/parting.h"
 #include "construct/film/complex/pressure.h"
+#include "construct/film/complex/strength.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 
@@ -59,11 +61,14 @@ static const double led_near = 1e-6;       /* the residual of a film on the way 
 static const double apart_least = 0x1p-15; /* of rims, in their distance */
 static const double neck_most =
     0.9; /* of the shorter side at the start: else it is the net that folds */
-enum { NEARER = 8, LEADS = 128, TRIES = 3, SOFTS = 4 };
+static const double weaker_least = 0x1p-10; /* of the logarithm of all forces */
+static const double above_told = 1.1;       /* times what is told: a film is there too */
+enum { NEARER = 8, LEADS = 128, TRIES = 3, SOFTS = 4, RUNGS = 17 /* to 16 times */, SETTLES = 20 };
 static const double softs[SOFTS] = {1, 2, 4, 0.5};
 
 typedef struct work {
     const taut_film_layout *layout;
+    taut_film_layout own; /* what layout points to: with cables as they are led */
     taut_pulse pulse;
     taut_error *error;
     taut_film_energy *energy;
@@ -73,17 +78,19 @@ typedef struct work {
     double *
         multipliers; /* of the border's rows: pressures, and forces with a minus sign; of springs 0 */
     double *kept;    /* [as many] */
-    double soft;     /* how cables begin (laws.h) */
-    int is_fresh;    /* nonzero: from the start, with soft cables first */
-    double led;      /* share of the given pressures */
-    double reach;    /* times the size: beyond it the film is blown up */
-    double *led_from; /* [nodes][3] */
-    double *from;     /* [nodes][3] */
-    double *scales;   /* [nodes]: what derivatives are held against */
+    const taut_film_drawn *given; /* [rope_count]: cables as they are asked for */
+    double soft;                  /* how cables begin (laws.h) */
+    int is_fresh;                 /* nonzero: from the start, with soft cables first */
+    double led;                   /* share of the given pressures */
+    double reach;                 /* times the size: beyond it the film is blown up */
+    double *led_from;             /* [nodes][3] */
+    double *from;                 /* [nodes][3] */
+    double *scales;               /* [nodes]: what derivatives are held against */
     double value, residual, theta, least_start, aim, mu;
     int iterations, most;
     int is_narrowed; /* nonzero: it was once */
     int narrow;      /* the moves that are seen alone */
+    int has_ended;   /* nonzero: the last way ended in a fold, or where no rule settles */
     taut_film_method method;
     double gain; /* of the method `normal` */
 } work;
@@ -253,8 +260,9 @@ static int is_blown(const work *w)
     return 0;
 }
 
-static taut_status refuse_fold(const work *w)
+static taut_status refuse_fold(work *w)
 {
+    w->has_ended = 1;
     return taut_fail(w->error, TAUT_NOT_CONVERGED, "folds", "/patches", w->energy->least, fold,
                      "after %d steps the least area element is %.3g of the mean: a patch folds or "
                      "shrinks to a line on its way to the least energy; give another layout",
@@ -301,7 +309,7 @@ static taut_status make_step(work *w, double *promised, int *taken)
     return TAUT_OK;
 }
 
-static taut_status check_step(const work *w)
+static taut_status check_step(work *w)
 {
     if (w->energy->least < fold * fmin(1, w->least_start)) {
         return refuse_fold(w);
@@ -430,6 +438,7 @@ static taut_status settle(work *w)
         w->theta = rule == 0 ? 1 : fmin(w->theta, 1e-6);
         status = descend_both(w);
         if (status == TAUT_OK && rule == RULES - 1 && before > unsettled * w->aim) {
+            w->has_ended = 1;
             return taut_fail(w->error, TAUT_NOT_CONVERGED, "not-converged", "/tolerance", before,
                              w->aim,
                              "no Gauss rule settles the derivatives: the last one still finds %.3g "
@@ -477,6 +486,7 @@ static taut_status find_here(work *w, int *found)
     const int most = w->most, before = w->iterations;
     int down = 1;
 
+    w->has_ended = 0;
     w->most = before + LED;
     taut_status status = descend_both(w);
     if (status == TAUT_OK || (status == TAUT_NOT_CONVERGED && w->residual <= led_near)) {
@@ -630,6 +640,96 @@ static taut_status lead_apart(work *w, taut_film_parting *parting, taut_arena *a
     return status;
 }
 
+/* ---- cables that are led ---- */
+
+/* From x on, with all cables so many times as strong. */
+static taut_status find_strong(work *w, double factor, double theta, int *found)
+{
+    taut_film_strengthen(w->energy, &w->own, w->given, factor);
+    w->is_narrowed = 0;
+    w->theta = theta;
+    return find_here(w, found);
+}
+
+/* A film with cables *factor times as strong, from the start. */
+static taut_status find_rung(work *w, double *factor, int *found)
+{
+    taut_status status = TAUT_OK;
+
+    *found = 0;
+    for (int k = 1; status == TAUT_OK && !*found && k < RUNGS; k++) {
+        *factor = taut_film_rung(&w->own, w->given, k);
+        if (!taut_film_can_strengthen(&w->own, w->given, *factor)) {
+            return TAUT_OK;
+        }
+        status = begin_again(w);
+        if (status == TAUT_OK) {
+            w->soft = 1;
+            w->narrow = 0;
+            status = look(w);
+        }
+        if (status == TAUT_OK) {
+            w->least_start = w->energy->least;
+            status = find_strong(w, *factor, 1, found);
+        }
+    }
+    return status;
+}
+
+/* From the last film on, at led_from, the first a little above that all rules settle: no more than above_told times as strong. */
+static taut_status settle_last(work *w, double *factor)
+{
+    taut_status status = TAUT_NOT_CONVERGED;
+    const double first = *factor;
+
+    for (int k = 0; status == TAUT_NOT_CONVERGED && k <= SETTLES; k++) {
+        *factor = first * (1 + k * (above_told - 1) / SETTLES);
+        memcpy(w->x, w->led_from, 3 * w->nodes * sizeof(double));
+        taut_film_strengthen(w->energy, &w->own, w->given, *factor);
+        w->is_narrowed = 0;
+        w->most = w->iterations + LED;
+        status = settle(w);
+    }
+    return status;
+}
+
+/* TAUT_OK: x is near a film with the cables that are asked for. TAUT_NOT_CONVERGED: nothing is said of them. */
+static taut_status lead_cables(work *w)
+{
+    const size_t bytes = 3 * w->nodes * sizeof(double);
+    double factor = 1, step = 0.5;
+    int found = 0;
+    taut_status status = find_rung(w, &factor, &found);
+
+    if (status != TAUT_OK || !found) {
+        return status == TAUT_OK ? TAUT_NOT_CONVERGED : status;
+    }
+    for (int k = 0; status == TAUT_OK && factor > 1 && k < LEADS && step > weaker_least; k++) {
+        const double next = fmax(1, factor * (1 - step));
+        memcpy(w->led_from, w->x, bytes);
+        status = find_strong(w, next, 1e-3, &found);
+        if (found) {
+            factor = next;
+        } else {
+            memcpy(w->x, w->led_from, bytes);
+            step /= 2;
+        }
+    }
+    if (status != TAUT_OK || factor == 1) {
+        return status;
+    }
+    const int is_end = w->has_ended;
+    memcpy(w->led_from, w->x, bytes);
+    status = find_strong(w, above_told * factor, 1e-3, &found);
+    if (status != TAUT_OK || !is_end || !found) {
+        return status != TAUT_OK ? status : TAUT_NOT_CONVERGED;
+    }
+    status = settle_last(w, &factor);
+    return status == TAUT_OK
+               ? taut_film_refuse_weak(&w->layout->complex, w->given, factor, w->error)
+               : status;
+}
+
 static taut_status check_saddle(work *w, taut_film_rest *rest)
 {
     const taut_status status = count_down(w, &rest->negative);
@@ -680,27 +780,37 @@ static taut_status find_from(work *w, int normal, taut_film_rest *rest)
     return status;
 }
 
-/* The film, led to its pressure, or with its rims apart, where the way from the start misses it. */
+/* The film, led to its pressure, to its cables, or with its rims apart, where the way from the start misses it. */
 static taut_status find_film(work *w, taut_film_parting *parting, taut_arena *arena,
                              taut_film_rest *rest)
 {
-    const taut_status status =
-        find_from(w, w->layout->complex.problem->method == TAUT_FILM_NORMAL, rest);
-    const int has_rims = parting->count == 2;
+    const int normal = w->layout->complex.problem->method == TAUT_FILM_NORMAL;
+    const taut_status status = find_from(w, normal, rest);
+    const int has_rims = parting->count == 2, has_cables = w->layout->complex.rope_count > 0;
     taut_error first = {.status = TAUT_OK};
 
     if (!(status == TAUT_NO_SOLUTION || status == TAUT_NOT_CONVERGED) ||
-        !(has_pressure(w->layout) || has_rims)) {
+        !(has_pressure(w->layout) || has_rims || has_cables)) {
         return status;
     }
     if (w->error != NULL) {
         first = *w->error;
     }
-    const taut_status led = has_rims ? lead_apart(w, parting, arena) : lead(w);
+    taut_status led = TAUT_NOT_CONVERGED;
+    int from = 1; /* by the method `normal`, but where cables are led */
+    if (has_rims) {
+        led = lead_apart(w, parting, arena);
+    } else if (has_pressure(w->layout)) {
+        led = lead(w);
+    } else if (w->has_ended) {
+        led = lead_cables(w);
+        taut_film_strengthen(w->energy, &w->own, w->given, 1);
+        from = normal;
+    }
     if (led == TAUT_NOT_CONVERGED && w->error != NULL) {
         *w->error = first;
     }
-    return led == TAUT_OK ? find_from(w, 1, rest) : led == TAUT_NOT_CONVERGED ? status : led;
+    return led == TAUT_OK ? find_from(w, from, rest) : led == TAUT_NOT_CONVERGED ? status : led;
 }
 
 /* A cable holds nothing where it is slack. */
@@ -770,7 +880,8 @@ taut_status taut_film_rest_find(const taut_film_layout *layout, const taut_monit
     const taut_film_problem *problem = layout->complex.problem;
     const size_t nodes = (size_t)layout->complex.nodes, bytes = 3 * sizeof(double);
     const double tolerance = problem->tolerance > 0 ? problem->tolerance : 1e-10;
-    work w = {.layout = layout,
+    work w = {.own = *layout,
+              .given = layout->drawn,
               .pulse = {.monitor = monitor, .what = "film", .done = taut_none},
               .error = error,
               .nodes = nodes,
@@ -792,8 +903,14 @@ taut_status taut_film_rest_find(const taut_film_layout *layout, const taut_monit
 
     taut_film_parting parting;
 
+    w.layout = &w.own;
+    w.own.drawn = taut_arena_copy(arena, layout->drawn, (size_t)layout->complex.rope_count,
+                                  sizeof *layout->drawn);
     rest->points = taut_arena_take(arena, nodes, bytes);
-    taut_status status = taut_film_border_new(layout, arena, &w.border);
+    taut_status status = taut_arena_status(arena);
+    if (status == TAUT_OK) {
+        status = taut_film_border_new(layout, arena, &w.border);
+    }
     w.multipliers = taut_arena_take(arena, (size_t)w.border.count, sizeof(double));
     w.kept = taut_arena_take(arena, (size_t)w.border.count, sizeof(double));
     if (status == TAUT_OK) {

@@ -1,0 +1,180 @@
+/* test_weak.c -- films of many patches whose cables are too weak, or whose forces cannot balance: what is said, against closed forms
+ * and films of one patch. */
+#include "check.h"
+#include "refused.h"
+
+#include "taut/taut.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { TEXT = 4000 };
+
+#define BASIS(p, n) "{\"type\":\"bspline\",\"degree\":" #p ",\"count\":" #n "}"
+#define PATCH(name, n, corners, edges)                                                             \
+    "{\"name\":\"" name "\",\"u\":" n ",\"v\":" n ",\"corners\":{" corners "},\"edges\":{" edges   \
+    "}}"
+
+/* A sail over (0, 0) to (%1, %2) in two patches, the corners %3 high and low in turn, with cables of the force %4. */
+#define CABLE "{\"cable\":{\"force\":%.17g}}"
+static void write_two(char *text, const double size[2], double height, double force)
+{
+    snprintf(
+        text, TEXT,
+        "{\"taut\":1,\"construct\":\"film\",\"patches\":[" PATCH(
+            "a", BASIS(3, 8), "\"u0v0\":[0,0,%.17g],\"u0v1\":[0,%.17g,%.17g]",
+            "\"u0\":" CABLE) "," PATCH("b", BASIS(3, 8),
+                                       "\"u1v0\":[%.17g,0,%.17g],\"u1v1\":[%.17g,%.17g,%.17g]",
+                                       "\"u1\":" CABLE) "],\"seams\":[[\"a.u1\",\"b.u0\"]],"
+                                                        "\"cables\":[{\"name\":\"s\",\"along\":["
+                                                        "\"a.v0\",\"b.v0\"],\"force\":%.17g},"
+                                                        "{\"name\":\"n\",\"along\":[\"a.v1\",\"b."
+                                                        "v1\"],\"force\":%.17g}]}",
+        height, size[1], -height, force, size[0], -height, size[0], size[1], height, force, force,
+        force);
+}
+
+/* The same of one patch. */
+static void write_one(char *text, const double size[2], double height, double force)
+{
+    snprintf(
+        text, TEXT,
+        "{\"taut\":1,\"construct\":\"film\",\"least\":false,\"u\":" BASIS(3, 11) ",\"v\":" BASIS(
+            3, 8) ",\"corners\":{\"u0v0\":[0,0,%.17g],\"u1v0\":[%.17g,0,%.17g],"
+                  "\"u0v1\":[0,%.17g,%.17g],\"u1v1\":[%.17g,%.17g,%.17g]},"
+                  "\"edges\":{\"u0\":" CABLE ",\"u1\":" CABLE ",\"v0\":" CABLE ",\"v1\":" CABLE
+                  "}}",
+        height, size[0], -height, size[1], -height, size[0], size[1], height, force, force, force,
+        force);
+}
+
+static int holds(const char *text, const char *what)
+{
+    taut_problem *problem = NULL;
+    taut_model *model = NULL;
+    taut_certificate *certificate = NULL;
+    taut_error said = {.status = TAUT_OK};
+    int does = 0;
+
+    CHECK(taut_problem_read_text(text, strlen(text), "text", &problem, &said) == TAUT_OK, "%s: %s",
+          what, said.message);
+    CHECK(taut_make(problem, NULL, &model, &said) == TAUT_OK, "%s: %s", what, said.message);
+    if (model != NULL && taut_certify(model, problem, NULL, &certificate, &said) == TAUT_OK) {
+        does = taut_certificate_holds(certificate) == TAUT_TRUE;
+    }
+    taut_certificate_free(certificate);
+    taut_model_free(model);
+    taut_problem_free(problem);
+    return does;
+}
+
+/* T > c / sqrt 2 of a square, where neighbours touch in the corners; of 10 by 1 the long arcs meet, R = (25 + 1/4) / 1. */
+static void test_flat(void)
+{
+    const struct {
+        double size[2], force, least;
+        const char *what;
+    } rows[] = {{{2, 2}, 1.3, sqrt(2.0), "square"},
+                {{2, 2}, 1.4141, sqrt(2.0), "square, nearly"},
+                {{2, 2}, 0.2, sqrt(2.0), "square, below its chords"},
+                {{10, 1}, 12, 25.25, "rectangle"}};
+    char text[TEXT];
+
+    for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+        write_two(text, rows[k].size, 0, rows[k].force);
+        const taut_error said = check_document_refused(text, TAUT_NO_SOLUTION, "cable-too-weak",
+                                                       "/patches/0/edges/u0/cable/force");
+        CHECK_NEAR(said.limit, rows[k].least, 1e-11 * rows[k].least, "%s", rows[k].what);
+        CHECK(said.found == rows[k].force, "%s", rows[k].what);
+    }
+    write_two(text, rows[0].size, 0, 1.5);
+    CHECK(holds(text, "square"), "a square sail of two patches above its least force");
+}
+
+/* In space: what is told is near to that of one patch, whatever was asked for, and a film has it. */
+static void test_space(void)
+{
+    const double size[2] = {2, 2};
+    char text[TEXT];
+
+    write_one(text, size, 0.5, 1);
+    const double one =
+        check_document_refused(text, TAUT_NO_SOLUTION, "cable-too-weak", "/edges/u0/cable").limit;
+    write_two(text, size, 0.5, 1);
+    const double two = check_document_refused(text, TAUT_NO_SOLUTION, "cable-too-weak",
+                                              "/patches/0/edges/u0/cable/force")
+                           .limit;
+    write_two(text, size, 0.5, 0.6);
+    const double weak = check_document_refused(text, TAUT_NO_SOLUTION, "cable-too-weak",
+                                               "/patches/0/edges/u0/cable/force")
+                            .limit;
+    CHECK_NEAR(two, one, 0.03 * one, "the least force of a saddle in two patches");
+    CHECK_NEAR(weak, two, 0.005 * two, "the least force, asked for less");
+    write_two(text, size, 0.5, two);
+    CHECK(holds(text, "saddle"), "a saddle of the force that is told");
+}
+
+#define WALL(name, tension, low)                                                                   \
+    "{\"name\":\"" name "\",\"u\":" BASIS(2, 4) ",\"v\":" BASIS(                                   \
+        2, 3) ",\"tension\":" tension ",\"corners\":{\"u1v0\":[" low ",0],\"u1v1\":[" low          \
+              ",1]},\"edges\":{\"v0\":{"                                                           \
+              "\"slide\":{\"point\":[0,0,0],\"normal\":[0,0,1]}},\"v1\":{\"slide\":{\"point\":["   \
+              "0,0,1],\"normal\":[0,0,2]}}}}"
+#define WALLS(tension, a, b, c)                                                                    \
+    "{\"taut\":1,\"construct\":\"film\",\"patches\":[" WALL("a", tension, a) "," WALL(             \
+        "b", "1", b) "," WALL("c", "1", c) "],\"seams\":[[\"a.u0\",\"b.u0\",\"c.u0\"]]}"
+
+/* Fermat's point is in a corner of 120 degrees or more; with tensions, where the others draw less than that one holds: of two at
+ * 90 degrees sqrt 2. */
+static void test_walls(void)
+{
+    (void)check_document_refused(WALLS("1", "0,0", "1,0", "-0.51,0.866"), TAUT_NO_SOLUTION,
+                                 "unbalanced", "/seams/0");
+    CHECK(holds(WALLS("1", "0,0", "1,0", "-0.40,0.866"), "115 degrees"), "115 degrees");
+    (void)check_document_refused(WALLS("1.42", "0,0", "1,0", "0,1"), TAUT_NO_SOLUTION, "unbalanced",
+                                 "/seams/0");
+    CHECK(holds(WALLS("1.3", "0,0", "1,0", "0,1"), "tensions"), "three tensions");
+    const taut_error said = check_document_refused(WALLS("3", "0,0", "1,0", "0,1"),
+                                                   TAUT_NO_SOLUTION, "unbalanced", "/seams/0");
+    CHECK(said.found == 3 && said.limit == 2, "%s", said.message);
+}
+
+/* Two sheets of tensions 1 and 2 in one seam; two cables of forces 2 and 3 that meet where nothing holds them. */
+static void test_balance(void)
+{
+    (void)check_document_refused(
+        "{\"taut\":1,\"construct\":\"film\",\"patches\":[" PATCH(
+            "a", BASIS(3, 5), "\"u0v0\":[0,0,0],\"u0v1\":[0,1,0],\"u1v0\":[1,0,0],\"u1v1\":[1,1,0]",
+            "") ",{\"name\":\"b\",\"tension\":2,\"u\":" BASIS(3,
+                                                              5) ",\"v\":" BASIS(3,
+                                                                                 5) ","
+                                                                                    "\"corners\":{"
+                                                                                    "\"u1v0\":[2,0,"
+                                                                                    "0],\"u1v1\":["
+                                                                                    "2,1,0]}}],"
+                                                                                    "\"seams\":[["
+                                                                                    "\"a.u1\",\"b."
+                                                                                    "u0\"]]}",
+        TAUT_NO_SOLUTION, "unbalanced", "/seams/0");
+    const taut_error said = check_document_refused(
+        "{\"taut\":1,\"construct\":\"film\",\"patches\":[" PATCH(
+            "a", BASIS(3, 6), "\"u0v0\":[0,0,0],\"u0v1\":[0,1,0],\"u1v1\":[1,1,0]",
+            "\"v0\":{\"cable\":{\"force\":2}}") "," PATCH("b", BASIS(3, 6),
+                                                          "\"u1v0\":[2,0,0],\"u1v1\":[2,1,"
+                                                          "0]",
+                                                          "\"v0\":{\"cable\":{\"force\":3}"
+                                                          "}") "],\"seams\":[[\"a.u1\",\"b."
+                                                               "u0\"]]}",
+        TAUT_NO_SOLUTION, "unbalanced", "/patches/1/edges/v0/cable/force");
+    CHECK(said.found == 3 && said.limit == 2, "%s", said.message);
+}
+
+int main(void)
+{
+    test_flat();
+    test_space();
+    test_walls();
+    test_balance();
+    return check_failures != 0;
+}
