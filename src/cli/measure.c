@@ -39,6 +39,31 @@ static taut_status measure_model(const taut_model *model, const cli_options *opt
     return status;
 }
 
+/* Of several surfaces, or curves: how many there are, and their areas and lengths in all; null where one has none. */
+static void add_together(taut_record *record)
+{
+    static const struct {
+        const char *list, *member, *all;
+    } rows[] = {{"surfaces", "area", "surface_area"}, {"curves", "length", "curve_length"}};
+    taut_record *together = NULL;
+
+    for (size_t r = 0; r < 2; r++) {
+        const taut_record *list = taut_record_get(record, rows[r].list);
+        const size_t count = taut_record_count(list);
+        double sum = 0;
+        for (size_t k = 0; k < count; k++) {
+            const taut_record *value = taut_record_get(taut_record_at(list, k), rows[r].member);
+            sum +=
+                taut_record_kind_of(value) == TAUT_RECORD_NUMBER ? taut_record_number(value) : NAN;
+        }
+        if (count > 1) {
+            together = together == NULL ? taut_record_add_object(record, "together") : together;
+            taut_record_add_number(together, rows[r].list, (double)count);
+            taut_record_add_number(together, rows[r].all, sum);
+        }
+    }
+}
+
 static int is_numbers(const taut_record *value)
 {
     return taut_record_kind_of(value) == TAUT_RECORD_LIST &&
@@ -139,6 +164,7 @@ static int run(const cli_options *options)
         cli_monitor_done();
     }
     if (status == TAUT_OK) {
+        add_together(record);
         taut_record_add_text(record, "unit", taut_model_unit(model));
         add_notes(model, record);
         status = taut_record_status(record);
@@ -154,6 +180,11 @@ static int run(const cli_options *options)
             for (size_t k = 0; k < taut_record_count(list); k++) {
                 print_lines(taut_record_at(list, k), taut_model_unit(model), "", 0);
             }
+        }
+        const taut_record *together = taut_record_get(record, "together");
+        if (taut_record_count(together) > 0) {
+            puts("together");
+            print_lines(together, taut_model_unit(model), "", 2);
         }
         code = cli_print_text("", 0);
     }

@@ -36,6 +36,8 @@ const char *cli_unit_of(const char *key, const char *unit, char room[CLI_UNIT_RO
                 {"area_error", 2},
                 {"dirichlet_area", 2},
                 {"flat_area", 2},
+                {"surface_area", 2},
+                {"curve_length", 1},
                 {"lower_bound", 2},
                 {"length", 1},
                 {"lengths", 1},

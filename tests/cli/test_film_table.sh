@@ -106,3 +106,13 @@ for reason, code, where, found, expected, words, members in rows:
 sys.exit(wrong > 0)
 END
 finish
+
+# Six copies of the quad of Schwarz's D, measured in all: 6 K(sqrt 3 / 2) / K(1 / 2).
+"$TAUT" example film-schwarz-d > cell.json
+run 0 make cell.json -o cell-film.json --quiet
+run 0 measure cell-film.json
+contains out.txt '^together$'
+contains out.txt '^  surfaces +6$'
+contains out.txt '^  surface_area +7[.]67556942[67]'
+run 0 measure cell-film.json --json --surface film
+tr -d '\n' < out.txt | grep -q together && complain "one surface is not several"
