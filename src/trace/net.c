@@ -654,7 +654,42 @@ static double wrapped(double t)
     return t >= 4 ? t - 4 : t;
 }
 
-/* Once around the border: a seed wherever it is a part away from the last lath. */
+/* The end of a piece of the border that begins at t, no piece around a corner. */
+static double piece_end(double t, double piece)
+{
+    return fmin(t + piece, floor(t) + 1);
+}
+
+/* The first end of a lath of the family in (from, to], as last_end has them; -1 where there is none. */
+static double next_end(const taut_net *net, int family, double from, double to)
+{
+    double first = last_end(net, family, from, to), before = first;
+    while (before >= 0) {
+        first = before;
+        before = last_end(net, family, from, nextafter(first, from));
+    }
+    return first;
+}
+
+/* Where a lath of the family ends behind t, nearer than `most` on the way: one at t would be the same once more but for
+ * that. -1: none does. */
+static double end_ahead(border_walk w, double t, double piece, double most)
+{
+    double sum = 0;
+    for (const double last = t + 4; t < last;) {
+        const double next = piece_end(t, piece), end = next_end(w.net, w.family, t, next);
+        const double to = end >= 0 ? end : next;
+        const double turn = t - wrapped(t);
+        sum += border_measure(&w, t - turn, to - turn);
+        if (!(fabs(sum) < most) || end >= 0) {
+            return fabs(sum) < most ? end : -1;
+        }
+        t = next;
+    }
+    return -1;
+}
+
+/* Once around the border: a seed wherever it is a part away from the last lath, and half a part before the next one. */
 static taut_status seed_border(taut_net *net, int family, taut_trace_by by, double part,
                                taut_error *error)
 {
@@ -679,27 +714,27 @@ static taut_status seed_border(taut_net *net, int family, taut_trace_by by, doub
         k -= next == side && next < start + 4 * (k + 1.0) / pieces;
         while (t < next) {
             const border_walk before = w;
-            const double end = last_end(net, family, t, next);
+            const double turn = t - wrapped(t), end = next_end(net, family, t, next);
             const double to = end >= 0 ? end : next;
-            const double more = border_measure(&w, wrapped(t), to - (t - wrapped(t)));
+            const double more = border_measure(&w, t - turn, to - turn);
             if (fabs(sum + more) < part * (1 - 1e-9)) {
                 sum = end >= 0 ? 0 : sum + more;
                 t = to;
                 continue;
             }
             w = before;
-            const double rest = part - fabs(sum);
-            const double at = reach(&w, wrapped(t), to - (t - wrapped(t)), rest) + (t - wrapped(t));
-            double place[2], way[2];
-            border_at(net->carrier, wrapped(at), place, way);
-            if (!ends_near(net, family, at)) {
+            const double at = reach(&w, t - turn, to - turn, part - fabs(sum)) + turn;
+            border_measure(&w, t - turn, at - turn);
+            const double ahead = end_ahead(w, at, 4.0 / pieces, part / 2);
+            if (ahead < 0 && !ends_near(net, family, at)) {
+                double place[2], way[2];
+                border_at(net->carrier, wrapped(at), place, way);
                 *one = place_of(net->carrier, family, place);
                 const taut_status status = add_laths(net, one, 1, error);
                 if (status != TAUT_OK) {
                     return status;
                 }
             }
-            border_measure(&w, wrapped(t), at - (t - wrapped(t)));
             sum = 0;
             t = at > t ? at : next;
         }

@@ -2,8 +2,8 @@
  *
  * Asymptotic families stay when u and v change places or run backwards; degrees may be raised and cells halved;
  * the turning of a cell of the net is the curvature within it (Gauss-Bonnet); geodesics of surfaces of revolution
- * keep Clairaut's constant; seeds may come in another order. Laths are cut alike, and strips bent back from their
- * flat pieces meet at the nodes.
+ * keep Clairaut's constant; seeds may come in another order; no two curves of a lattice are one but for a little. Laths
+ * are cut alike, and strips bent back from their flat pieces meet at the nodes.
  */
 #include "certificates.h"
 #include "check.h"
@@ -761,6 +761,75 @@ static void test_random_nets(void)
     }
 }
 
+static double from_segment(const double x[3], const double a[3], const double b[3])
+{
+    double way[3], off[3];
+    for (int c = 0; c < 3; c++) {
+        way[c] = b[c] - a[c];
+        off[c] = x[c] - a[c];
+    }
+    const double t = fmin(fmax(taut_dot(off, way) / taut_dot(way, way), 0), 1);
+    for (int c = 0; c < 3; c++) {
+        off[c] -= t * way[c];
+    }
+    return taut_norm(off);
+}
+
+/* How far a place of one curve is from the other, the farthest, at 33 places and from as many. */
+static double farthest(const taut_curve *from, const taut_curve *to)
+{
+    enum { PLACES = 33 };
+    double x[2][PLACES][3], most = 0;
+    for (int i = 0; i < 2; i++) {
+        const taut_basis *t = taut_curve_t(i == 0 ? from : to);
+        for (int k = 0; k < PLACES; k++) {
+            const double share = k / (PLACES - 1.0);
+            taut_curve_eval(i == 0 ? from : to,
+                            (1 - share) * taut_basis_lo(t) + share * taut_basis_hi(t), 0, x[i][k]);
+        }
+    }
+    for (int k = 0; k < PLACES; k++) {
+        double nearest = INFINITY;
+        for (int j = 0; j + 1 < PLACES; j++) {
+            nearest = fmin(nearest, from_segment(x[0][k], x[1][j], x[1][j + 1]));
+        }
+        most = fmax(most, nearest);
+    }
+    return most;
+}
+
+/* The walk round the border makes no curve that a curve of the lattice is but for a little: one of two neighbours has a
+ * place that is farther than a third of a part from the other. */
+static void test_twins(void)
+{
+    enum { NETS = 24 };
+    for (int trial = 0; trial < random_trials(NETS); trial++) {
+        double points[SIDE][SIDE][3];
+        char surface[4096], seeds[100];
+        random_points(points);
+        write_surface((const double(*)[SIDE][3])points, 0, surface, sizeof surface);
+        const double part = random_in(0.15, 0.5);
+        snprintf(seeds, sizeof seeds, "\"seeds\": [{ \"cell\": %.17g, \"by\": \"%s\" }]", part,
+                 random_int(0, 1) ? "length" : "conformal");
+        made_net made = net_make("asymptotic", surface, seeds);
+        CHECK(made.status == TAUT_OK, "trial %d: %s", trial, made.error.message);
+        const int count = made.status == TAUT_OK ? taut_model_curve_count(made.model) : 0;
+        double worst = INFINITY;
+        for (int i = 0; i < count; i++) {
+            const taut_curve *one = taut_model_curve(made.model, i);
+            for (int j = i + 1; j < count; j++) {
+                const taut_curve *other = taut_model_curve(made.model, j);
+                if (taut_curve_name(one)[0] == taut_curve_name(other)[0]) {
+                    worst = fmin(worst, fmax(farthest(one, other), farthest(other, one)));
+                }
+            }
+        }
+        CHECK(worst >= part / 3, "trial %d: curves %g of a part apart", trial, worst / part);
+        CHECK(count == 0 || taut_certificate_holds(made.proof) == TAUT_TRUE, "trial %d", trial);
+        net_free(&made);
+    }
+}
+
 int main(void)
 {
     random_seed(1);
@@ -774,5 +843,6 @@ int main(void)
     test_bound();
     test_folded();
     test_random_nets();
+    test_twins();
     return check_failures != 0;
 }

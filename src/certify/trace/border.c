@@ -3,8 +3,10 @@
  *     the border as t from 0 to 4: v0, u1, v1, u0; the ends of all stretches of the family that lie on it
  *     the integral of measure |T x dx| with its sign, T the family's direction carried on, between them and the knots, by Gauss's
  *     rule on pieces of these parts, twice around
- *     in the second turn, of each piece's end: the nearest value of the last ends before it; more than one, as curves of other seeds
- *     may end between; anew where the net does not exist between
+ *     in the second turn, and to the first end of the third, of each piece's end: the nearest value of the last ends before it;
+ *     more than one, as curves of other seeds may end between; anew where the net does not exist between
+ *     from one end to the next a part and a half is as good as one, if the next one is that far: a curve a part behind the
+ *     one would be nearer than half a part to the other
  */
 #include "certify/trace/border.h"
 
@@ -17,6 +19,8 @@
 enum { SIDES = 4, PIECES = 4 /* of a part */, NODES = 8, LAST = 3 };
 /* Over a side: an end lies on the border. */
 static const double on_border = 1e-9;
+/* Of a part: quadrature of both sides. */
+static const double same_part = 1e-3;
 
 typedef struct border {
     taut_net_cells *cells;
@@ -147,9 +151,9 @@ static taut_status find_stops(const taut_net_lines *lines, const taut_surface *s
 
 /* ---- once around ---- */
 
-/* The sum so far, those at the ends before, and the farthest from the last of these. */
+/* The sum so far, those at the ends before, the farthest from the last of these since the last one, and of all. */
 typedef struct tally {
-    double sum, gap;
+    double sum, farthest, gap, part;
     double *ends;
     int count;
 } tally;
@@ -160,15 +164,26 @@ static void judge(tally *all)
     for (int k = all->count > LAST ? all->count - LAST : 0; k < all->count; k++) {
         nearest = fmin(nearest, fabs(all->sum - all->ends[k]));
     }
-    all->gap = fmax(all->gap, nearest);
+    all->farthest = fmax(all->farthest, nearest);
+}
+
+/* What is behind the last end is done: at the next one, or where the net ends. */
+static void settle(tally *all, int is_end)
+{
+    const int k = all->count - 1;
+    const int is_one = is_end && k >= 0 && all->farthest <= (1.5 + same_part) * all->part &&
+                       fabs(all->sum - all->ends[k]) >= (0.5 - same_part) * all->part;
+    all->gap = fmax(all->gap, is_one ? fmin(all->farthest, all->part) : all->farthest);
+    all->farthest = 0;
 }
 
 taut_status taut_net_border_gap(const taut_net_lines *lines, taut_net_cells *cells, int on,
-                                int family, taut_trace_by by, taut_arena *arena, double *gap)
+                                int family, taut_trace_by by, double part, taut_arena *arena,
+                                double *gap)
 {
     const taut_surface *surface = cells->surfaces[on];
     border b = {.cells = cells, .on = on, .family = family, .net = lines->net, .by = by};
-    tally all = {0};
+    tally all = {.part = part};
 
     for (int d = 0; d < 2; d++) {
         const taut_basis *basis = d == 0 ? taut_surface_u(surface) : taut_surface_v(surface);
@@ -180,21 +195,26 @@ taut_status taut_net_border_gap(const taut_net_lines *lines, taut_net_cells *cel
     if (find_stops(lines, surface, arena, &b) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
-    all.ends = taut_arena_take(arena, 2 * (size_t)b.count, sizeof *all.ends);
+    all.ends = taut_arena_take(arena, 3 * (size_t)b.count, sizeof *all.ends);
     if (all.ends == NULL) {
         return TAUT_NO_MEMORY;
     }
-    for (int i = 0; i < 2 * b.count; i++) {
+    for (int i = 0; i < 2 * b.count || (i < 3 * b.count && all.farthest > 0); i++) {
         const int k = i % b.count;
         const double from = b.stops[k], to = k + 1 < b.count ? b.stops[k + 1] : SIDES;
         if (b.is_end[k]) {
+            settle(&all, 1);
+            if (i >= 2 * b.count) {
+                break;
+            }
             all.ends[all.count++] = all.sum;
         }
         for (int piece = 0; to > from && piece < PIECES; piece++) {
             all.sum += measure_between(&b, from + (to - from) * piece / PIECES,
                                        from + (to - from) * (piece + 1) / PIECES);
             if (isnan(all.sum)) { /* what is behind begins anew at the next end */
-                all = (tally){.gap = all.gap, .ends = all.ends};
+                settle(&all, 0);
+                all = (tally){.gap = all.gap, .part = part, .ends = all.ends};
             } else if (i >= b.count && all.count > 0) {
                 judge(&all);
             }

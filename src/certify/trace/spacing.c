@@ -573,7 +573,8 @@ static taut_status judge_border(const taut_net_lines *lines, const line *l, int 
 {
     for (int family = 0; family < 2; family++) {
         double gap = 0;
-        if (taut_net_border_gap(lines, l->cells, l->on, family, l->by, arena, &gap) != TAUT_OK) {
+        if (taut_net_border_gap(lines, l->cells, l->on, family, l->by, ldexp(part, -unit), arena,
+                                &gap) != TAUT_OK) {
             return TAUT_NO_MEMORY;
         }
         const double more = ldexp(gap, unit) / part - 1;
