@@ -651,8 +651,8 @@ taut_status taut_certify_flux(taut_flux_task *task, taut_flux_bound *bound)
     for (int k = 0; status == TAUT_OK && k < nu * nv && w.bound.verdict == TAUT_FLUX_ADMITTED;
          k++) {
         status = add_span(&w, k / nv, k % nv);
-        if (taut_crew_beat(task->crew, cost_of_span(task, w.side))) {
-            return TAUT_INTERRUPTED;
+        if (status == TAUT_OK && taut_crew_beat(task->crew, cost_of_span(task, w.side))) {
+            status = TAUT_INTERRUPTED;
         }
     }
     w.bound.gap *= up;

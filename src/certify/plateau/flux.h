@@ -66,7 +66,7 @@ typedef struct taut_flux_bound {
     double shadow;              /* the area of its projection is no less */
 } taut_flux_bound;
 
-/* Sets task->sign. TAUT_NO_MEMORY, TAUT_INTERRUPTED. */
+/* Sets task->sign, and the bound whatever it returns. TAUT_NO_MEMORY, TAUT_INTERRUPTED. */
 taut_status taut_certify_flux(taut_flux_task *task, taut_flux_bound *bound);
 
 #endif /* TAUT_CERTIFY_PLATEAU_FLUX_H */

@@ -5,6 +5,7 @@
 #include "problems.h"
 #include "shapes.h"
 
+#include "certify/plateau/flux.h"
 #include "certify/plateau/least.h"
 #include "construct/plateau/witness.h"
 #include "core/memory.h"
@@ -600,6 +601,31 @@ static void test_told_area(void)
     taut_surface_free(surface);
 }
 
+/* A proof that is stopped says so, and leaves a bound that may be read. */
+static void test_stopped(void)
+{
+    taut_surface *surface = adjoint_enneper(0.5, NULL);
+    const double psi[4 * 4] = {0};
+    taut_pulse pulse = {.is_stopped = 1};
+    const taut_crew crew = {.threads = 1, .pulse = &pulse};
+    taut_flux_task task = {
+        .surface = surface,
+        .u = taut_surface_u(surface),
+        .v = taut_surface_v(surface),
+        .coefficients = psi,
+        .frame = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+        .wanted = 1,
+        .crew = &crew,
+    };
+    taut_flux_bound bound;
+
+    memset(&bound, 0x55, sizeof bound);
+    CHECK(taut_certify_flux(&task, &bound) == TAUT_INTERRUPTED, "it went on");
+    CHECK(bound.verdict == TAUT_FLUX_ADMITTED && taut_least_reason(bound.verdict) == NULL,
+          "verdict %d", (int)bound.verdict);
+    taut_surface_free(surface);
+}
+
 int main(void)
 {
     random_seed(20260119);
@@ -616,5 +642,6 @@ int main(void)
     test_told_area();
     test_quasi();
     test_helicoid();
+    test_stopped();
     return check_failures != 0;
 }
