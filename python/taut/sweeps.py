@@ -92,12 +92,30 @@ def _result(line: bytes) -> Model | Error:
     return kind(error["message"], error["where"], error["reason"], error["found"], error["expected"])
 
 
-def _locked(path: str) -> BinaryIO:
-    """A file of results, this sweep's alone until it is closed."""
+@contextlib.contextmanager
+def _writing(path: str) -> Iterator[None]:
+    """Around what writes a file and those beside it: what fails there is an error of this package."""
     try:
-        file = open(path, "a+b")
+        yield
+    except FileError:
+        raise
     except OSError as error:
         raise FileError(f"cannot write {path}: {error.strerror}", path, "file") from None
+
+
+def _opened(path: str) -> BinaryIO:
+    """A file, read from its begin and written at its end. A device or a pipe has no end to go on at."""
+    if os.path.exists(path) and not os.path.isfile(path):
+        raise FileError(f"cannot write {path}: it is no file that a sweep can go on with", path, "file")
+    with _writing(path):
+        file = open(path, "a+b")
+        file.seek(0)
+    return file
+
+
+def _locked(path: str) -> BinaryIO:
+    """A file of results, this sweep's alone until it is closed."""
+    file = _opened(path)
     try:
         import fcntl
         fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
@@ -111,7 +129,6 @@ def _locked(path: str) -> BinaryIO:
 
 def _done(file: BinaryIO, path: str) -> int:
     """How many whole lines a file of results has; a last one that is broken is cut off. Any other file is left as it is."""
-    file.seek(0)
     count = size = 0
     for line in file:
         if not (_is_result(line) if line.endswith(b"\n") else line.startswith(b"{")):
@@ -135,7 +152,7 @@ class _Sums:
     """Which problem each line of results is of: a checksum a line, in a file beside it that ends in .sums."""
 
     def __init__(self, path: str, lines: int) -> None:
-        self._file = _beside(path + ".sums")
+        self._file = _opened(path + ".sums")
         self._count = size = 0
         for line in self._file:
             if self._count == lines or not line.endswith(b"\n"):
@@ -178,7 +195,7 @@ class _Early:
         self._at: dict[int, tuple[int, int]] = {}  # where each result is, and how long
         self._sums: dict[int, bytes] = {}  # of those from before whose problem has not come yet
         if os.path.exists(self._path):
-            self._file = _beside(self._path)
+            self._file = _opened(self._path)
             size = self._read(finished)
             self._file.truncate(size if self._at else 0)
 
@@ -212,7 +229,7 @@ class _Early:
     def add(self, index: int, total: bytes, line: bytes) -> None:
         """A result before its turn."""
         if self._file is None:
-            self._file = _beside(self._path)
+            self._file = _opened(self._path)
         head = b"%d %s " % (index, total)
         self._at[index] = (self._file.seek(0, os.SEEK_END) + len(head), len(line))
         self._file.write(head + line + b"\n")
@@ -241,16 +258,6 @@ class _Early:
             self._file.close()
             if not self._at:
                 os.remove(self._path)
-
-
-def _beside(path: str) -> BinaryIO:
-    """A file beside that of results, from its begin."""
-    try:
-        file = open(path, "a+b")
-    except OSError as error:
-        raise FileError(f"cannot write {path}: {error.strerror}", path, "file") from None
-    file.seek(0)
-    return file
 
 
 def _sum(text: str) -> bytes:
@@ -377,6 +384,7 @@ class _Lines:
     """The file of results, if any, in the order of the problems, and beside it which they are of, and those that came too early."""
 
     def __init__(self, path: str | None) -> None:
+        self._path = path or ""
         is_new = path is not None and not os.path.exists(path)
         self._file = None if path is None else _locked(path)
         self._sums: _Sums | None = None
@@ -403,12 +411,13 @@ class _Lines:
         if self._sums is None or self._early is None:
             return None
         total = _sum(text)
-        self._sums.add(index, total)
-        line = self._early.there(index, total)
-        if line is None:
-            self._totals[index] = total
-        else:
-            self._write()
+        with _writing(self._path):
+            self._sums.add(index, total)
+            line = self._early.there(index, total)
+            if line is None:
+                self._totals[index] = total
+            else:
+                self._write()
         return line
 
     def add(self, index: int, line: bytes) -> None:
@@ -416,12 +425,13 @@ class _Lines:
         if self._file is None or self._early is None:
             return
         total = self._totals.pop(index)
-        if index > self._written:
-            self._early.add(index, total, line)
-            return
-        self._file.write(line + b"\n")
-        self._written += 1
-        self._write()
+        with _writing(self._path):
+            if index > self._written:
+                self._early.add(index, total, line)
+                return
+            self._file.write(line + b"\n")
+            self._written += 1
+            self._write()
 
     def _write(self) -> None:
         """Those whose turn has come."""
@@ -434,9 +444,10 @@ class _Lines:
 
     def close(self) -> None:
         """Ends the files."""
-        for file in (self._sums, self._early, self._file):
-            if file is not None:
-                file.close()
+        with _writing(self._path), contextlib.ExitStack() as stack:  # all of them, whatever fails
+            for file in (self._file, self._early, self._sums):
+                if file is not None:
+                    stack.callback(file.close)
 
 
 _END = object()

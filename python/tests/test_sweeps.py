@@ -357,6 +357,41 @@ def test_wrong_places(tmp_path):
         taut.map(problems(1), threads=0)
 
 
+@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="needs /dev/full")
+def test_no_files(tmp_path):
+    """A device, a pipe and a folder hold no results to go on with; none of them is read to its end, which a device may not have."""
+    pipe = tmp_path / "pipe"
+    os.mkfifo(pipe)
+    for place in ("/dev/full", "/dev/null", pipe, tmp_path):
+        with pytest.raises(taut.FileError) as caught:
+            list(taut.map(problems(2), out=place))
+        assert caught.value.reason == "file" and caught.value.where == str(place)
+
+
+FULL = """
+import resource, sys
+import taut
+import test_sweeps
+resource.setrlimit(resource.RLIMIT_FSIZE, (6000, 6000))
+try:
+    list(taut.map(test_sweeps.problems(12), threads=1, out=sys.argv[1]))
+except taut.FileError as error:
+    print(error.reason, error.where)
+"""
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="needs limits of files")
+def test_no_room(tmp_path):
+    """Where the results find no room the sweep ends with an error of this package, and goes on from there."""
+    out = tmp_path / "out.jsonl"
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join([str(pathlib.Path(__file__).parent), str(pathlib.Path(taut.__file__).parents[1])])}
+    done = subprocess.run([sys.executable, "-c", FULL, str(out)], env=environment, check=False, capture_output=True, text=True)
+    assert done.stdout == f"file {out}\n", done.stderr
+    assert 0 < out.read_bytes().count(b"\n") < 12
+    check(dict(taut.map(problems(12), out=out)), 12)
+    assert out.read_bytes().count(b"\n") == 12
+
+
 def test_interrupt(tmp_path):
     """Ctrl-C ends a sweep of problems that take long, at once."""
     script = tmp_path / "sweep.py"
