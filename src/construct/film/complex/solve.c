@@ -19,6 +19,10 @@
  * A pressure that leads to no film is followed from 0, by halved steps, to name the last one that a film was found for. So are two
  * rims (parting.h) led apart from where there is a film between them, and cables weakened from where they are strong enough
  * (strength.h): by rungs of a ladder until the start leads to a film, and from there to the forces that are asked for.
+ *
+ * What is stationary and no minimum is found from a start, or from films of given volumes, by steps of the Hessian alone, cut by halves
+ * until derivatives get less. Films under pressures that no minimum has are often minima of given volumes: V is changed to
+ * V (p / p_given)^3, as of balls, and then by the secant of the logarithms, until it leads to that pressure.
  */
 #include "construct/film/complex/solve.h"
 
@@ -28,6 +32,8 @@
 #include "construct/film/complex/parting.h"
 #include "construct/film/complex/pressure.h"
 #include "construct/film/complex/strength.h"
+#include "core/constants.h"
+#include "core/elementary/elementary.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 
@@ -63,7 +69,16 @@ static const double neck_most =
     0.9; /* of the shorter side at the start: else it is the net that folds */
 static const double weaker_least = 0x1p-10; /* of the logarithm of all forces */
 static const double above_told = 1.1;       /* times what is told: a film is there too */
-enum { NEARER = 8, LEADS = 128, TRIES = 3, SOFTS = 4, RUNGS = 17 /* to 16 times */, SETTLES = 20 };
+static const double pressure_near = 1e-4, volume_most = 1; /* of logarithms */
+enum {
+    NEARER = 8,
+    SMALLER = 12,
+    LEADS = 128,
+    TRIES = 3,
+    SOFTS = 4,
+    RUNGS = 17 /* to 16 times */,
+    SETTLES = 20
+};
 static const double softs[SOFTS] = {1, 2, 4, 0.5};
 
 typedef struct work {
@@ -90,6 +105,7 @@ typedef struct work {
     int iterations, most;
     int is_narrowed; /* nonzero: it was once */
     int narrow;      /* the moves that are seen alone */
+    int any;         /* nonzero: steps to what is stationary, up or down */
     int has_ended;   /* nonzero: the last way ended in a fold, or where no rule settles */
     taut_film_method method;
     double gain; /* of the method `normal` */
@@ -182,15 +198,19 @@ static taut_status find_step(work *w, double *promised)
 {
     int down = 1;
 
+    w->theta = w->any ? (w->narrow ? theta_least : theta_rounding) : w->theta;
     while (down != 0) {
         int negative = 0;
         const taut_status status = taut_film_energy_factor(w->energy, w->theta, &negative);
         if (status != TAUT_OK) {
             return status;
         }
-        down = negative > w->border.count
+        down = negative > w->border.count && !w->any
                    ? negative
                    : taut_film_border_factor(&w->border, w->energy, negative, w->right);
+        if (w->any) {
+            break;
+        }
         if (down != 0 && w->theta >= 1) {
             return TAUT_NOT_CONVERGED;
         }
@@ -228,7 +248,7 @@ static int try_step(work *w, double share, double promised)
         w->next[k] = w->x[k] + share * w->d[k];
     }
     const double before = merit(w, w->value), residual = w->residual;
-    const int by_energy = promised > rounding * fabs(w->value);
+    const int by_energy = !w->any && promised > rounding * fabs(w->value);
     const double energy = taut_film_energy_value(w->energy, w->next, w->after, NULL);
     const double after = residual_of(w, w->after, w->border.p); /* of V - V_0 too */
     const int better = by_energy ? merit(w, energy) <= before - share * share_promised * promised
@@ -288,19 +308,20 @@ static taut_status make_step(work *w, double *promised, int *taken)
             return status;
         }
         const int lost = *promised <= rounding * fabs(w->value);
-        if (status == TAUT_OK && !w->narrow && lost && w->theta < theta_rounding) {
+        if (status == TAUT_OK && !w->narrow && !w->any && lost && w->theta < theta_rounding) {
             w->theta = theta_rounding;
             continue;
         }
         *taken = status == TAUT_OK && try_step(w, 1, *promised);
-        for (int k = 1; !*taken && status == TAUT_OK && w->theta >= 1 && k <= HALVINGS; k++) {
+        for (int k = 1; !*taken && status == TAUT_OK && (w->any || w->theta >= 1) && k <= HALVINGS;
+             k++) {
             look_back(w);
             *taken = try_step(w, ldexp(1, -k), *promised);
         }
         if (!*taken) {
             look_back(w);
         }
-        if (!*taken && w->theta >= 1) {
+        if (!*taken && (w->any || w->theta >= 1)) {
             return TAUT_OK;
         }
         const double least = is_normal(w) && !w->narrow ? theta_normal : theta_least;
@@ -353,10 +374,12 @@ static taut_status descend(work *w)
                  : promised > rounding * fabs(w->value) ? 0
                  : w->residual > 0.5 * before           ? stalls + 1
                                                         : 0;
-        is_done = !w->narrow && (w->energy->soft > 0 ? promised <= gain_soft * fabs(w->value)
-                                 : is_normal(w)      ? promised <= w->gain * fabs(w->value)
-                                                     : w->residual <= residual_all &&
-                                                      promised <= gain_least * fabs(w->value));
+        is_done =
+            w->any ? !w->narrow && w->residual <= residual_all
+                   : !w->narrow && (w->energy->soft > 0 ? promised <= gain_soft * fabs(w->value)
+                                    : is_normal(w)      ? promised <= w->gain * fabs(w->value)
+                                                        : w->residual <= residual_all &&
+                                                         promised <= gain_least * fabs(w->value));
     }
     return status;
 }
@@ -780,11 +803,192 @@ static taut_status find_from(work *w, int normal, taut_film_rest *rest)
     return status;
 }
 
+/* ---- what is no minimum ---- */
+
+/* From x on, to what is stationary. */
+static taut_status find_any(work *w, taut_film_rest *rest)
+{
+    const int most = w->most;
+
+    w->any = 1;
+    w->is_fresh = w->is_narrowed = 0;
+    w->method = TAUT_FILM_FULL;
+    w->most = w->iterations + LED;
+    taut_status status = settle(w);
+    if (status == TAUT_OK) {
+        status = count_down(w, &rest->negative);
+    }
+    w->any = 0;
+    w->most = most;
+    return status;
+}
+
+/* The cells of given pressures become ones of given volumes, those of balls of that pressure. */
+static taut_status take_volumes(work *w, taut_film_problem *problem, taut_arena *arena)
+{
+    const taut_film_problem *asked = w->layout->complex.problem;
+    const size_t cells = (size_t)asked->cell_count;
+    taut_film_cell *own = taut_arena_copy(arena, asked->cells, cells, sizeof *own);
+
+    w->own.volumes = taut_arena_copy(arena, w->own.volumes, cells, sizeof(double));
+    w->own.pressures = taut_arena_copy(arena, w->own.pressures, cells, sizeof(double));
+    if (taut_arena_status(arena) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    for (size_t k = 0; k < cells; k++) {
+        if (w->own.pressures[k] != 0) {
+            const double radius = 2 / w->own.pressures[k];
+            own[k].has_volume = 1;
+            w->own.volumes[k] = 4 * TAUT_PI / 3 * radius * radius * radius;
+            w->own.pressures[k] = 0;
+        }
+    }
+    *problem = *asked;
+    problem->cells = own;
+    w->own.complex.problem = problem;
+    return taut_film_border_new(&w->own, arena, &w->border);
+}
+
+/* A film of smaller and smaller volumes, from the start. */
+static taut_status find_small(work *w, int *found)
+{
+    taut_status status = TAUT_OK;
+
+    *found = 0;
+    for (int k = 0; status == TAUT_OK && !*found && k < SMALLER; k++) {
+        for (int i = 0; k > 0 && i < w->border.cells; i++) {
+            w->own.volumes[w->border.which[i]] /= 2;
+        }
+        status = begin_again(w);
+        w->is_narrowed = 0;
+        w->least_start = w->theta = 1;
+        memset(w->multipliers, 0, (size_t)w->border.count * sizeof(double));
+        status = status == TAUT_OK ? find_here(w, found) : status;
+    }
+    return status;
+}
+
+/* Volumes of films whose pressures are nearer; *off: how far the farthest was. last: [cells][2], logarithms of V and p / p_given. */
+static void change_volumes(work *w, const double *given, double *last, int is_first, double *off)
+{
+    *off = 0;
+    for (int i = 0; i < w->border.cells; i++) {
+        const int k = w->border.which[i];
+        if (given[k] == 0) {
+            continue;
+        }
+        const double ratio = w->multipliers[i] / given[k];
+        const double by = ratio > 0 ? taut_log(ratio) : -1, at = taut_log(fabs(w->own.volumes[k]));
+        const double slope = is_first ? -1.0 / 3 : (by - last[2 * k + 1]) / (at - last[2 * k]);
+        const double way = -by / (slope < -1e-3 && isfinite(slope) ? slope : -1.0 / 3);
+        last[2 * k] = at;
+        last[2 * k + 1] = by;
+        w->own.volumes[k] *= taut_exp(fmax(-volume_most, fmin(volume_most, way)));
+        *off = fmax(*off, fabs(by));
+    }
+}
+
+/* From the film of other volumes on, nearer to these where they are too far. */
+static taut_status find_changed(work *w, const double *before, int *found)
+{
+    const size_t bytes = 3 * w->nodes * sizeof(double);
+    taut_status status = TAUT_OK;
+
+    memcpy(w->led_from, w->x, bytes);
+    *found = 0;
+    for (int k = 0; status == TAUT_OK && !*found && k < NEARER; k++) {
+        for (int i = 0; k > 0 && i < w->border.cells; i++) {
+            const int c = w->border.which[i];
+            w->own.volumes[c] = 0.5 * (w->own.volumes[c] + before[c]);
+        }
+        memcpy(w->x, w->led_from, bytes);
+        w->is_narrowed = 0;
+        w->theta = 1e-3;
+        status = find_here(w, found);
+    }
+    return status;
+}
+
+/* TAUT_OK: x is at a film under the pressures that is a minimum of its volumes, and none of pressures. */
+static taut_status lead_volumes(work *w, taut_arena *arena, taut_film_rest *rest)
+{
+    const taut_film_layout kept = w->own;
+    const taut_film_border border = w->border;
+    const size_t cells = (size_t)kept.complex.problem->cell_count;
+    taut_film_problem problem;
+    double *last = taut_arena_take(arena, cells, 2 * sizeof(double)),
+           *before = taut_arena_take(arena, cells, sizeof(double)), off = INFINITY;
+    int found = 0;
+    taut_status status = taut_arena_status(arena);
+
+    w->led = 1;
+    if (status == TAUT_OK) {
+        status = take_volumes(w, &problem, arena);
+    }
+    if (status == TAUT_OK) {
+        status = find_small(w, &found);
+    }
+    for (int k = 0; status == TAUT_OK && found && off > pressure_near && k < LED; k++) {
+        memcpy(before, w->own.volumes, cells * sizeof(double));
+        change_volumes(w, kept.pressures, last, k == 0, &off);
+        if (off > pressure_near) {
+            status = find_changed(w, before, &found);
+        }
+    }
+    w->own = kept;
+    w->border = border;
+    if (status != TAUT_OK || off > pressure_near) {
+        return status != TAUT_OK ? status : TAUT_NOT_CONVERGED;
+    }
+    memset(w->multipliers, 0, (size_t)w->border.count * sizeof(double));
+    status = find_any(w, rest);
+    return status == TAUT_OK && rest->negative == 0 ? TAUT_NOT_CONVERGED : status;
+}
+
+static taut_status refuse_pressures(const work *w, const taut_film_rest *rest)
+{
+    const taut_film_layout *l = w->layout;
+    const taut_film_problem *problem = l->complex.problem;
+    int k = 0;
+    char where[48];
+
+    while (l->pressures[k] == 0) {
+        k++;
+    }
+    snprintf(where, sizeof where, "/cells/%d/pressure", k);
+    const double volume = ldexp(w->energy->volumes[k], 3 * (l->scaling.outer + l->scaling.inner));
+    return taut_fail(w->error, TAUT_NO_SOLUTION, "unstable", where, rest->negative, 0,
+                     "under a pressure of %.6g the film rests with a volume of %.6g, and %d ways "
+                     "lead down from there: with less volume it shrinks, with more it grows; give "
+                     "the volume, or accept what is stationary",
+                     problem->cells[k].pressure, volume, rest->negative);
+}
+
+static int has_start(const taut_film_problem *problem)
+{
+    int has = 0;
+    for (int p = 0; p < problem->patch_count; p++) {
+        has |= problem->patches[p].start != NULL;
+    }
+    return has;
+}
+
 /* The film, led to its pressure, to its cables, or with its rims apart, where the way from the start misses it. */
 static taut_status find_film(work *w, taut_film_parting *parting, taut_arena *arena,
                              taut_film_rest *rest)
 {
-    const int normal = w->layout->complex.problem->method == TAUT_FILM_NORMAL;
+    const taut_film_problem *problem = w->layout->complex.problem;
+    const int normal = problem->method == TAUT_FILM_NORMAL, any = problem->accepts_stationary;
+
+    if (any && has_start(problem)) {
+        const taut_status begun = find_any(w, rest);
+        if (begun != TAUT_NOT_CONVERGED && begun != TAUT_NO_SOLUTION) {
+            return begun;
+        }
+        memcpy(w->x, w->layout->start, 3 * w->nodes * sizeof(double));
+        memset(w->multipliers, 0, (size_t)w->border.count * sizeof(double));
+        w->is_fresh = 1;
+    }
     const taut_status status = find_from(w, normal, rest);
     const int has_rims = parting->count == 2, has_cables = w->layout->complex.rope_count > 0;
     taut_error first = {.status = TAUT_OK};
@@ -802,6 +1006,13 @@ static taut_status find_film(work *w, taut_film_parting *parting, taut_arena *ar
         led = lead_apart(w, parting, arena);
     } else if (has_pressure(w->layout)) {
         led = lead(w);
+        if (led == TAUT_NOT_CONVERGED) {
+            led = lead_volumes(w, arena, rest);
+            if (led == TAUT_OK) {
+                return any ? TAUT_OK : refuse_pressures(w, rest);
+            }
+            led = led == TAUT_NO_SOLUTION ? TAUT_NOT_CONVERGED : led;
+        }
     } else if (w->has_ended) {
         led = lead_cables(w);
         taut_film_strengthen(w->energy, &w->own, w->given, 1);
@@ -911,8 +1122,10 @@ taut_status taut_film_rest_find(const taut_film_layout *layout, const taut_monit
     if (status == TAUT_OK) {
         status = taut_film_border_new(layout, arena, &w.border);
     }
-    w.multipliers = taut_arena_take(arena, (size_t)w.border.count, sizeof(double));
-    w.kept = taut_arena_take(arena, (size_t)w.border.count, sizeof(double));
+    const size_t borders = (size_t)layout->complex.problem->cell_count +
+                           (size_t)layout->complex.rope_count; /* all that may be given */
+    w.multipliers = taut_arena_take(arena, borders, sizeof(double));
+    w.kept = taut_arena_take(arena, borders, sizeof(double));
     if (status == TAUT_OK) {
         status = taut_arena_status(arena);
     }

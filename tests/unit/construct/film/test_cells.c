@@ -258,6 +258,55 @@ static void test_bubbles(void)
     }
 }
 
+/* An eighth of a ball under a pressure, which is no minimum: it shrinks or grows. */
+static const char ball[] =
+    "{\"taut\":1,\"construct\":\"film\",\"patches\":"
+    "[{\"name\":\"a\",\"u\":{\"type\":\"bspline\",\"degree\":4,\"count\":7},\"v\":{\"type"
+    "\":\"bspline\",\"degree\":4,\"count\":7},\"corners\":{\"u0v0\":{\"near\":[0.6,0,0]},"
+    "\"u1v0\":{\"near\":[0.42,0.42,0]},\"u0v1\":{\"near\":[0.42,0,0.42]},\"u1v1\":{\"near"
+    "\":[0.34,0.34,0.34]}},\"edges\":{\"v0\":{\"mirror\":{\"point\":[0,0,0],\"normal\":[0"
+    ",0,1]}},\"u0\":{\"mirror\":{\"point\":[0,0,0],\"normal\":[0,1,0]}}}},{\"name\":\"b\""
+    ",\"u\":{\"type\":\"bspline\",\"degree\":4,\"count\":7},\"v\":{\"type\":\"bspline\","
+    "\"degree\":4,\"count\":7},\"corners\":{\"u0v0\":{\"near\":[0,0.6,0]},\"u1v0\":{\"nea"
+    "r\":[0,0.42,0.42]},\"u0v1\":{\"near\":[0.42,0.42,0]},\"u1v1\":{\"near\":[0.34,0.34,0"
+    ".34]}},\"edges\":{\"v0\":{\"mirror\":{\"point\":[0,0,0],\"normal\":[1,0,0]}},\"u0\":"
+    "{\"mirror\":{\"point\":[0,0,0],\"normal\":[0,0,1]}}}},{\"name\":\"c\",\"u\":{\"type"
+    "\":\"bspline\",\"degree\":4,\"count\":7},\"v\":{\"type\":\"bspline\",\"degree\":4,\""
+    "count\":7},\"corners\":{\"u0v0\":{\"near\":[0,0,0.6]},\"u1v0\":{\"near\":[0.42,0,0.4"
+    "2]},\"u0v1\":{\"near\":[0,0.42,0.42]},\"u1v1\":{\"near\":[0.34,0.34,0.34]}},\"edges"
+    "\":{\"v0\":{\"mirror\":{\"point\":[0,0,0],\"normal\":[0,1,0]}},\"u0\":{\"mirror\":{"
+    "\"point\":[0,0,0],\"normal\":[1,0,0]}}}}],\"seams\":[[\"a.u1\",\"b.v1\"],[\"a.v1\","
+    "\"c.u1\"],[\"b.u1\",\"c.v1\"]]"
+    ",\"cells\":[{\"name\":\"air\",\"sides\":[\"a\",\"b\",\"c\"],\"pressure\":3}]";
+
+static void test_stationary(void)
+{
+    static text t;
+    taut_problem *problem = NULL;
+    taut_model *model = NULL;
+    taut_certificate *proof = NULL;
+    taut_error error = {.status = TAUT_OK};
+
+    put(&t, "%s,\"accept\":\"stationary\"}", ball);
+    CHECK(taut_problem_read_text(t.at, strlen(t.at), "text", &problem, &error) == TAUT_OK &&
+              taut_make(problem, NULL, &model, &error) == TAUT_OK &&
+              taut_certify(model, problem, NULL, &proof, &error) == TAUT_OK,
+          "ball: %s", error.message);
+    if (proof != NULL) {
+        CHECK(taut_certificate_holds(proof) != TAUT_FALSE, "ball of radius 2/3");
+        CHECK_NEAR(figure(proof, "area", -1), pi * 4 * 4 / 9 / 8, 1e-6, "ball of radius 2/3");
+        CHECK_NEAR(figure(proof, "volumes", 0), pi * 4 / 3 * 8 / 27 / 8, 1e-6, "its volume");
+        CHECK(figure(proof, "lowest_eigenvalue", -1) < 0, "it is no minimum");
+    }
+    taut_certificate_free(proof);
+    taut_model_free(model);
+    taut_problem_free(problem);
+    t.length = 0;
+    put(&t, "%s}", ball);
+    error = check_document_refused(t.at, TAUT_NO_SOLUTION, "unstable", "/cells/0/pressure");
+    CHECK(error.found == 1, "%s", error.message);
+}
+
 /* ---- what is refused ---- */
 
 static void test_refused(void)
@@ -323,6 +372,7 @@ int main(void)
     test_moved();
     test_unduloid();
     test_bubbles();
+    test_stationary();
     test_refused();
     test_led();
     return check_failures != 0;
