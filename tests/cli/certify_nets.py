@@ -228,6 +228,23 @@ def corners():
     model_of(ENNEPER)  # holds
 
 
+def torque():
+    """Of one piece that nothing is sewn to: how its energy falls with the angle of the thread, by two more patterns."""
+    energies, share = [], None
+    for thread in [0.299, 0.3, 0.301]:
+        document = example("pattern-sail")
+        document["cloth"] = {"thread": thread, "material": {"E": [600, 400], "nu": 0.2, "G": 20}}
+        document["seams"][0]["count"] = 1
+        save("one.json", document)
+        run("make", "one.json", "-o", "made.json", "--quiet")
+        piece = load("made.json")["details"]["pieces"][0]
+        energies.append(piece["energy"])
+        share = piece["torque"] if thread == 0.3 else share
+    slope = (energies[2] - energies[0]) / 0.002
+    if abs(slope + share) > 1e-4 * abs(slope):
+        complain(f"torque {share}, and the energy grows by {slope} with the angle")
+
+
 def cloth():
     for at in (["x", "y"], [None, None]):
         model = model_of("pattern-sail")
@@ -252,4 +269,5 @@ outlines()
 flat_pieces()
 corners()
 cloth()
+torque()
 finish()

@@ -91,6 +91,15 @@ static void add_edges(const taut_pattern_told *told, int index, taut_record *at)
     }
 }
 
+/* Energy over the angle that the thread is turned by: the constraint moves the middle of end across, so far times the chord. */
+static double torque_of(const taut_flat *flat)
+{
+    double y[2][3][2];
+    taut_flat_at(flat, 0, 0.5, y[0]);
+    taut_flat_at(flat, 1, 0.5, y[1]);
+    return flat->torque * taut_hypot(y[1][0][0] - y[0][0][0], y[1][0][1] - y[0][0][1]);
+}
+
 static void describe_piece(const taut_pattern_told *told, int index, taut_record *list)
 {
     const taut_pattern_piece *piece = &told->layout->pieces[index];
@@ -125,7 +134,7 @@ static void describe_piece(const taut_pattern_told *told, int index, taut_record
         ldexp(taut_hypot(y[1][0][0] - y[0][0][0], y[1][0][1] - y[0][0][1]), scale));
     add_strain(piece, at);
     taut_record_add_number(at, "energy", ldexp(piece->flat.energy, 2 * scale));
-    taut_record_add_number(at, "torque", ldexp(piece->flat.torque, 2 * scale));
+    taut_record_add_number(at, "torque", ldexp(torque_of(&piece->flat), 2 * scale));
     taut_record_add_number(at, "steps", piece->alone.steps + piece->flat.steps);
     taut_record_add_bool(at, "developed", piece->is_developable && piece->flat.steps == 0);
 }
