@@ -228,6 +228,90 @@ def corners():
     model_of(ENNEPER)  # holds
 
 
+def put(value, *path):
+    """Another value at a place of the details."""
+    def change(details):
+        for key in path[:-1]:
+            details = details[key]
+        details[path[-1]] = value(details[path[-1]]) if callable(value) else value
+    return change
+
+
+def without(*path):
+    def change(details):
+        for key in path[:-1]:
+            details = details[key]
+        del details[path[-1]]
+    return change
+
+
+def times(share):
+    return lambda x: x * share
+
+
+def plus(more):
+    return lambda x: x + more
+
+
+LAW = ("pattern-sail", lambda d: d["cloth"].update(width=2, thread=0.3, material={"E": [600, 400], "nu": 0.2, "G": 20}))
+
+# Of a pattern: what is told otherwise, with its document; ten times what the claim lets pass, and a tenth of it, which holds.
+TOLD = [
+    ("extent", ["pieces", 0, "extent", 0], 3e-6),
+    ("extent", ["pieces", 1, "extent", 1], -3e-6),
+    ("area", ["pieces", 0, "area"], 6e-6),
+    ("curvature", ["pieces", 0, "curvature"], 0.1),
+    ("cut area", ["pieces", 0, "cut_area"], 6e-8),
+    ("largest along the thread", ["pieces", 0, "strain", "warp", 1], 1e-5),
+    ("least across it", ["pieces", 0, "strain", "weft", 0], -1e-5),
+    ("shear", ["pieces", 0, "strain", "shear"], 1e-5),
+    ("length of a seam", ["seams", 0, "length"], 3e-8),
+    ("flat length of a seam", ["seams", 0, "flat_length"], 3e-8),
+    ("stretch of a seam", ["seams", 0, "stretch", 0], 1e-3),
+    ("length alone", ["pieces", 0, "alone", "right"], 6e-5),
+]
+
+# Words, numbers of the document, counts, and what cannot be; None: left out.
+WRONG = [
+    ("steps", ["pieces", 0, "steps"], 7.5), ("steps", ["pieces", 0, "steps"], -1), ("steps", ["pieces", 0, "steps"], None),
+    ("energy alone", ["pieces", 0, "alone", "energy"], times(2)), ("energy alone", ["pieces", 0, "alone", "energy"], -1e-9),
+    ("area alone", ["pieces", 0, "alone", "flat_area"], times(1.1)), ("alone", ["pieces", 0, "alone"], None),
+    ("length alone", ["pieces", 0, "alone", "left"], None), ("energy", ["pieces", 0, "energy"], times(1.002)),
+    ("torque", ["pieces", 0, "torque"], times(-1)), ("torque", ["pieces", 0, "torque"], times(1.002)),
+    ("place of the largest strain", ["pieces", 0, "strain", "at"], [0.3, 0.3]),
+    ("thread", ["cloth", "thread"], plus(0.001)), ("thread", ["cloth", "thread"], None),
+    ("material", ["cloth", "material", "E", 0], times(1.01)), ("material", ["cloth", "material"], None),
+    ("compensation", ["compensation", "weft"], times(1.01)), ("seam_length", ["seam_length"], "true"),
+    ("allowance", ["allowance", "seam"], times(1.1)), ("corner", ["allowance", "corner"], "square"),
+    ("spacing", ["marks", "spacing"], times(1.1)), ("notch", ["marks", "notch"], "v"), ("marks", ["marks"], None),
+    ("a mark", ["seams", 0, "marks", 2], plus(1e-6)), ("a mark", ["seams", 0, "marks", 2], None),
+    ("pieces of a seam", ["seams", 0, "pieces", 0], "P3"), ("closure", ["seams", 0, "closure"], 1e-8),
+    ("disagreement", ["seams", 0, "disagreement"], 0), ("gap", ["roll", "gap"], times(2)), ("waste", ["roll", "waste"], plus(1e-8)),
+    ("pattern", ["pattern"], "clothes"), ("a hem", ["hems"], [{"edge": "u0", "pocket": 0.1, "length": 1, "flat_length": 1}]),
+]
+
+
+def told():
+    """What is told of pieces and seams, one after the other."""
+    for name, path, far in TOLD:
+        model = model_of(LAW)
+        put(plus(far), *path)(model["details"])
+        judge(f"another {name}", model, LAW, "details", problem_of(LAW))
+        model = model_of(LAW)
+        put(plus(far / 100), *path)(model["details"])
+        save("changed.json", model)
+        code, _, said = run("certify", "changed.json", problem_of(LAW), "--quiet")
+        if code != 0:
+            complain(f"{name} a tenth of what the claim lets pass aside: exit {code} {said}")
+    for name, path, value in WRONG:
+        model = model_of(LAW)
+        (without(*path) if value is None else put(value, *path))(model["details"])
+        judge(f"another {name}", model, LAW, "details", problem_of(LAW))
+    model = model_of("pattern-dome")
+    model["details"]["pieces"][0]["edges"]["start"]["allowance"] *= 1.1
+    judge("another allowance at a tip", model, "pattern-dome", "allowance", problem_of("pattern-dome"))
+
+
 def torque():
     """Of one piece that nothing is sewn to: how its energy falls with the angle of the thread, by two more patterns."""
     energies, share = [], None
@@ -269,5 +353,6 @@ outlines()
 flat_pieces()
 corners()
 cloth()
+told()
 torque()
 finish()

@@ -174,7 +174,8 @@ static int is_asked(const taut_cloth *cloth, int index, int e)
     const taut_pattern_problem *p = cloth->problem;
     const taut_cloth_piece *piece = &cloth->pieces[index];
     if (piece->is_point[e]) { /* a tip, cut square */
-        return 1;
+        return piece->allowance[e] ==
+               fmax(piece->allowance[TAUT_CLOTH_RIGHT], piece->allowance[TAUT_CLOTH_LEFT]);
     }
     double asked = piece->border[e] < 0 ? p->allowance.seam : p->allowance.border;
     if (piece->border[e] < 0 && p->allowance.overlap > 0) {

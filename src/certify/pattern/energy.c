@@ -16,6 +16,7 @@
 
 #include "certify/common/verdict.h"
 #include "certify/pattern/skyline.h"
+#include "core/elementary/elementary.h"
 #include "core/vec3.h"
 #include "measure/curvature/spot.h"
 #include "numeric/quadrature.h"
@@ -246,6 +247,20 @@ static void principal(const density *d, double strain[2])
     const double half = (a + b) / 2, radius = taut_hypot((a - b) / 2, m);
     strain[0] = sqrt(half - radius) - 1;
     strain[1] = sqrt(half + radius) - 1;
+}
+
+/* Along the thread, across it, and the angle that is lost between them. */
+static void take_cloth(const density *d, taut_cloth_state *state)
+{
+    const double a = d->c[0][0] / (d->f[0] * d->f[0]), b = d->c[1][1] / (d->f[1] * d->f[1]);
+    const double m = d->c[0][1] / (d->f[0] * d->f[1]);
+    const double own[2] = {sqrt(a) - 1, sqrt(b) - 1};
+    double *ranges[2] = {state->warp, state->weft};
+    for (int k = 0; k < 2; k++) {
+        ranges[k][0] = taut_certify_min(ranges[k][0], own[k]);
+        ranges[k][1] = taut_certify_max(ranges[k][1], own[k]);
+    }
+    state->shear = taut_certify_max(state->shear, fabs(taut_asin(m / sqrt(a * b))));
 }
 
 /* How far apart the two are at one place: angles change by that. */
@@ -639,13 +654,47 @@ static taut_status make_room(work *w)
     return taut_skyline_new(w->arena, w->n, first, &w->hessian);
 }
 
+/* The density at a place of the flat piece; 0 where it turns over, or the surface has no metric. */
+static int see_at(const work *w, const taut_cloth_across *across, const double at[2], density *d)
+{
+    double y[3][3], g[3], f[2];
+    matrix j;
+    taut_surface_eval(w->piece->flat, at[0], at[1], 1, y[0]);
+    for (int c = 0; c < 2; c++) {
+        j[c][0] = y[1][c];
+        j[c][1] = y[2][c];
+    }
+    stretch_at(w, across, at[1], f);
+    return taut_cloth_metric_on(w->cloth, across, at[1], g) &&
+           density_of(w->cloth->law, f, (const double(*)[2])j, g, d);
+}
+
+double taut_cloth_strain_at(const taut_cloth *cloth, const taut_cloth_piece *piece, double s,
+                            double t)
+{
+    const work w = {.cloth = cloth, .piece = piece};
+    const double at[2] = {s, t};
+    double strain[2];
+    taut_cloth_across across;
+    density d;
+    if (!(s >= 0) || !(s <= 1) || !(t >= 0) || !(t <= 1)) {
+        return (double)NAN;
+    }
+    taut_cloth_across_at(cloth, piece, s, 1, &across);
+    if (!see_at(&w, &across, at, &d)) {
+        return (double)NAN;
+    }
+    principal(&d, strain);
+    return fabs(strain[0]) > fabs(strain[1]) ? strain[0] : strain[1];
+}
+
 /* Principal strains on a grid that has the border. */
 static void look_around(work *w)
 {
     const line *s = &w->lines[0], *t = &w->lines[1];
     taut_cloth_state *state = w->state;
-    state->strain[0] = state->inner[0] = INFINITY;
-    state->strain[1] = state->inner[1] = -INFINITY;
+    state->strain[0] = state->inner[0] = state->warp[0] = state->weft[0] = INFINITY;
+    state->strain[1] = state->inner[1] = state->warp[1] = state->weft[1] = -INFINITY;
     /* at a point there is no strain */
     const int first = w->piece->is_point[TAUT_CLOTH_START];
     const int last = GRID * s->spans - w->piece->is_point[TAUT_CLOTH_END];
@@ -654,21 +703,14 @@ static void look_around(work *w)
         taut_cloth_across_at(w->cloth, w->piece, (double)i / (GRID * s->spans), 1, &across);
         for (int k = 0; k <= GRID * t->spans; k++) {
             const double at[2] = {(double)i / (GRID * s->spans), (double)k / (GRID * t->spans)};
-            double y[3][3], g[3], f[2], strain[2];
-            matrix j;
+            double strain[2];
             density d;
-            taut_surface_eval(w->piece->flat, at[0], at[1], 1, y[0]);
-            for (int c = 0; c < 2; c++) {
-                j[c][0] = y[1][c];
-                j[c][1] = y[2][c];
-            }
-            stretch_at(w, &across, at[1], f);
-            if (!taut_cloth_metric_on(w->cloth, &across, at[1], g) ||
-                !density_of(w->cloth->law, f, (const double(*)[2])j, g, &d)) {
+            if (!see_at(w, &across, at, &d)) {
                 state->is_folded = 1;
                 continue;
             }
             principal(&d, strain);
+            take_cloth(&d, state);
             state->strain[0] = taut_certify_min(state->strain[0], strain[0]);
             state->strain[1] = taut_certify_max(state->strain[1], strain[1]);
             const int is_corner =
@@ -682,6 +724,15 @@ static void look_around(work *w)
             look_at_angle(strain, state);
         }
     }
+}
+
+/* From the middle of start to that of end. */
+static double chord_of(const taut_cloth_piece *piece)
+{
+    double from[3], to[3];
+    taut_surface_eval(piece->flat, 0, 0.5, 0, from);
+    taut_surface_eval(piece->flat, 1, 0.5, 0, to);
+    return taut_distance(from, to);
 }
 
 static taut_status look_in(work *w, int solved)
@@ -718,6 +769,7 @@ static taut_status look_in(work *w, int solved)
         return status;
     }
     judge_gradient(w);
+    w->state->torque = w->cloth->is_straight ? 0 : w->pull[w->rows - 1] * chord_of(w->piece);
     return judge_stiffness(w);
 }
 
@@ -725,7 +777,7 @@ taut_status taut_cloth_look_at(const taut_cloth *cloth, const taut_cloth_piece *
                                taut_cloth_state *state)
 {
     work w = {.cloth = cloth, .piece = piece, .arena = taut_arena_new(), .state = state};
-    *state = (taut_cloth_state){.residual = 0, .stiffness = (double)NAN};
+    *state = (taut_cloth_state){.residual = 0, .torque = (double)NAN, .stiffness = (double)NAN};
     const taut_status status = w.arena != NULL ? look_in(&w, solved) : TAUT_NO_MEMORY;
     taut_arena_free(w.arena);
     return status;
