@@ -56,14 +56,14 @@ static double unevenness(const edge_source *e, const taut_curve *curve, int span
 }
 
 static taut_status exact_edge(const edge_source *e, taut_arena *arena, const taut_curve **curve,
-                              double *closure)
+                              taut_pattern_outline *outline)
 {
     double nodes[NODES], weights[NODES], before = INFINITY;
     taut_gauss_rule(NODES, nodes, weights);
     const int own = taut_basis_span_count(taut_curve_t(e->spline));
     for (int spans = own > FIRST ? own : FIRST; spans <= MOST; spans *= 2) {
         taut_pattern_station *at = taut_arena_take(arena, (size_t)spans + 1, sizeof *at);
-        double y[1][3], slope[2][2];
+        double y[1][3], slope[2][2], length = 0;
         if (at == NULL) {
             return TAUT_NO_MEMORY;
         }
@@ -77,11 +77,15 @@ static taut_status exact_edge(const edge_source *e, taut_arena *arena, const tau
                 slopes_at(e, s + (1 + nodes[q]) / (2 * spans), slope);
                 y[0][0] += weights[q] / (2 * spans) * slope[0][0];
                 y[0][1] += weights[q] / (2 * spans) * slope[0][1];
+                length += weights[q] / (2 * spans) * taut_hypot(slope[0][0], slope[0][1]);
             }
         }
         taut_curve_eval(e->spline, 1, 0, y[0]);
-        *closure =
-            fmax(*closure, taut_hypot(y[0][0] - at[spans].y[0][0], y[0][1] - at[spans].y[0][1]));
+        const double gap[2] = {y[0][0] - at[spans].y[0][0], y[0][1] - at[spans].y[0][1]};
+        const double *way = at[spans].y[1];
+        const double along = (gap[0] * way[0] + gap[1] * way[1]) / taut_hypot(way[0], way[1]);
+        outline->closure = fmax(outline->closure, taut_hypot(gap[0], gap[1]));
+        outline->longer = fmax(outline->longer, fabs(along) / length);
         memcpy(at[spans].y[0], y[0], sizeof at[spans].y[0]);
         const taut_status status = taut_pattern_quintics(spans, at, arena, curve);
         if (status != TAUT_OK) {
@@ -186,7 +190,7 @@ taut_status taut_pattern_outline_new(const taut_pattern_layout *layout, const ta
         outline->edges[e] = one->edges[e];
         if (taut_pattern_held_speed(layout, cut, piece, e, 0, speed)) {
             const edge_source source = {layout, cut, piece, e, one->edges[e]};
-            status = exact_edge(&source, arena, &outline->edges[e], &outline->closure);
+            status = exact_edge(&source, arena, &outline->edges[e], outline);
         }
     }
     if (status == TAUT_OK) {

@@ -17,6 +17,7 @@ typedef struct taut_pattern_outline {
         [TAUT_FLAT_EDGES]; /* as s or t grows, t in [0, 1]; points (y_1, y_2, 0), the arena's */
     const taut_curve *cut; /* counter-clockwise and closed, from the corner of right and start */
     double closure;        /* how far an edge of exact speed ended from its corner */
+    double longer;         /* and by how much it is longer or shorter for it, over its length */
     double low[2], high[2], area; /* of the cut */
 } taut_pattern_outline;
 

@@ -36,7 +36,8 @@ enum { REFINEMENTS = 3, DRIFT_PLACES = 64, CLAIMED_PLACES = 1024 /* of the certi
 /* What is claimed of them, over the size; and of their lengths, which are off by what is left at their ends. */
 static const double drift_claimed = 1e-6, closure_claimed = 1e-9;
 /* Seams are claimed to be as equal over their own length, with what is left at the ends of both sides. */
-static const double closure_most = 3e-10;
+static const double closure_most = 3e-10, longer_most = 4e-10;
+enum { HOPED = 10 }; /* what twice the spans gain of these, where strain is singular at a corner */
 /* Strains between the places that are looked at may be larger. */
 static const double strain_room = 0.999;
 /* Corners of surfaces that meet, over the size. */
@@ -568,7 +569,9 @@ static int refine(made_pieces *made, int round)
         taut_pattern_piece *piece = &made->layout.pieces[k];
         const taut_pattern_outline *outline = &made->outlines[k];
         if (drift_of(piece, outline, DRIFT_PLACES) > most ||
-            (round == 0 && outline->closure > closure_most * size)) {
+            (round == 0 && outline->closure > closure_most * size) ||
+            (outline->longer > longer_most &&
+             (round == 0 || (round == 1 && outline->longer < HOPED * longer_most)))) {
             piece->spans[0] *= 2;
             piece->spans[1] *= 2;
             any = 1;
