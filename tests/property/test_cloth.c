@@ -15,6 +15,7 @@ enum {
     PRINT_ROUNDS = 6,
     PAIR_ROUNDS = 8,
     ROLL_ROUNDS = 8,
+    POLE_ROUNDS = 8,
     PLACES = 16
 };
 /* How far a place of a seam is from where it comes back to: of strips, and of pieces that are held all around. */
@@ -67,6 +68,30 @@ static void pair_of(double height, int is_turned, char *text, size_t room)
         n += (size_t)snprintf(text + n, room - n, "] }");
     }
     snprintf(text + n, room - n, "] }");
+}
+
+/* A cone or a dome around an angle, its apex the edge v0; points but those next to it up to a fraction of their distance elsewhere. */
+static void pole_of(int is_dome, double uneven, char *text, size_t room)
+{
+    const double angle = random_in(0.6, 2.2), height = random_in(-0.8, 0.8);
+    size_t n =
+        (size_t)snprintf(text, room,
+                         "{ \"taut\": 1, \"surfaces\": [{ \"name\": \"s\", \"u\": { \"type\": "
+                         "\"bezier\", \"degree\": 3 }, \"v\": { \"type\": \"bezier\", "
+                         "\"degree\": 3 }, \"points\": [");
+    for (int i = 0; i < 4; i++) {
+        const double way = i < 2 ? 0 : angle, on = i == 1 ? angle / 3 : i == 2 ? -angle / 3 : 0;
+        n += (size_t)snprintf(text + n, room - n, "%s[", i > 0 ? ", " : "");
+        for (int k = 0; k < 4; k++) {
+            const double x = k / 3.0, off = k > 1 ? uneven : 0;
+            n += (size_t)snprintf(text + n, room - n, "%s[%.17g, %.17g, %.17g]", k > 0 ? ", " : "",
+                                  x * (cos(way) - on * sin(way)) * (1 + random_in(-off, off)),
+                                  x * (sin(way) + on * cos(way)) * (1 + random_in(-off, off)),
+                                  height * (1 - (is_dome ? x * x : x)) + random_in(-off, off));
+        }
+        n += (size_t)snprintf(text + n, room - n, "]");
+    }
+    snprintf(text + n, room - n, "] }] }");
 }
 
 /* The (s, t) of a flat place, by Newton's method from another one. */
@@ -300,6 +325,36 @@ static void test_rolls(void)
     CHECK(2 * made_count > trials, "%d of %d were made", made_count, trials);
 }
 
+/* Gores that meet in a pole, or end around a cap. */
+static void test_poles(void)
+{
+    const int trials = random_trials(POLE_ROUNDS);
+    int made_count = 0;
+    for (int round = 0; round < trials; round++) {
+        random_seed((uint64_t)round + 5001);
+        char surface[4096], trim[64] = "", members[768];
+        pole_of(round % 2, round % 4 < 2 ? 0 : 0.15, surface, sizeof surface);
+        if (round % 3 == 1) {
+            snprintf(trim, sizeof trim, ", \"trim\": %.17g", random_in(0.1, 0.4));
+        }
+        snprintf(members, sizeof members,
+                 "\"seams\": [{ \"radial\": \"v%d\", \"count\": %d%s }], \"seam_length\": \"%s\", "
+                 "\"compensation\": { \"warp\": %.17g, \"weft\": 0.02 }, \"allowance\": { "
+                 "\"seam\": 0.02, \"border\": 0.03 }",
+                 round % 5 == 2, random_int(1, 5), trim, round % 4 == 3 ? "true" : "shared",
+                 random_in(0, 0.03));
+        made_cloth made = cloth_make(surface, members);
+        CHECK(made.status == TAUT_OK || made.status == TAUT_NO_SOLUTION, "%d: %s", round,
+              made.error.message);
+        if (made.status == TAUT_OK) {
+            made_count++;
+            check_cloth(&made, rule_away, members);
+        }
+        cloth_free(&made);
+    }
+    CHECK(2 * made_count > trials, "%d of %d were made", made_count, trials);
+}
+
 /* Laid flat by angles: these are kept within what is claimed, and lengths of seams. */
 static void test_prints(void)
 {
@@ -358,5 +413,6 @@ int main(void)
     test_prints();
     test_pairs();
     test_rolls();
+    test_poles();
     return check_failures != 0;
 }

@@ -119,6 +119,24 @@ static int is_short(const taut_cloth *cloth, const taut_cloth_piece *piece, int 
     return a[1][0] * b[1][1] - a[1][1] * b[1][0] < -straight_on || own * cosine > other;
 }
 
+/* What is left of the way from a place to the outline beyond the opposite edge, at least: next to a tip, or in narrow strips, where less is
+ * left there, it may be nearer than that of the place's own edge. */
+static double way_across(const taut_cloth *cloth, const taut_cloth_piece *piece, int e,
+                         const double at[2])
+{
+    const int opposite = (e + 2) % TAUT_CLOTH_EDGES;
+    const double other = ldexp(piece->allowance[opposite], -cloth->unit);
+    double least = INFINITY, y[2][2];
+    if (piece->is_point[opposite] || !(piece->allowance[opposite] < piece->allowance[e])) {
+        return INFINITY;
+    }
+    for (int k = 0; k <= PLACES; k++) {
+        edge_at(cloth, piece, opposite, (double)k / PLACES, y);
+        least = fmin(least, taut_hypot(y[0][0] - at[0], y[0][1] - at[1]));
+    }
+    return other + fmax(0, least - piece->flat_lengths[opposite] / PLACES);
+}
+
 static void look_at_edge(const taut_cloth *cloth, const taut_cloth_piece *piece, int e,
                          const trail *way, double width, taut_worst *w)
 {
@@ -140,7 +158,8 @@ static void look_at_edge(const taut_cloth *cloth, const taut_cloth_piece *piece,
             taut_worst_take(w, distance_from(way, out) / width, piece->name, e + x);
         }
         if (x > 0 && x < 1 && !is_near) { /* the line may not come nearer */
-            const double near = fmin(a, apart * fmin(x, 1 - x) * length);
+            const double near =
+                fmin(fmin(a, apart * fmin(x, 1 - x) * length), way_across(cloth, piece, e, y[0]));
             taut_worst_take(w, (near - distance_from(way, y[0])) / width, piece->name, e + x);
         }
     }
