@@ -161,8 +161,10 @@ taut_status taut_mounted_new(const taut_model *model, const taut_surface *flat, 
             mounted->parts[e][k] =
                 part != NULL ? taut_record_number(taut_record_at(part, (size_t)k)) : k;
         }
-        if (e % 2 == 1 && taut_record_get(edge, "seam") == NULL) { /* straight */
-            continue;
+        if (e % 2 == 1 && taut_record_get(edge, "seam") == NULL &&
+            side_named(taut_record_get(details, "domain"),
+                       taut_record_text(taut_record_get(edge, "edge")), surface) == NULL) {
+            continue; /* straight */
         }
         const taut_status status = read_side(details, edge, surface, arena, &mounted->sides[e]);
         if (e % 2 == 1) {

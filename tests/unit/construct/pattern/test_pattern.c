@@ -728,19 +728,6 @@ static void test_equal_butts(void)
     }
 }
 
-/* Height 3, all around an ellipse of half axes `a`, which is negative with `b`, and 2: four rational arcs, whose speeds change by jumps. */
-#define RING(a, b)                                                                                 \
-    "{ \"taut\": 1, \"surfaces\": [{ \"name\": \"ring\", \"u\": { \"type\": \"bspline\", "         \
-    "\"degree\": 2, \"knots\": [0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4] }, \"v\": { \"type\": "        \
-    "\"bezier\", \"degree\": 1 }, \"points\": [[[" a ", 0, 0], [" a ", 0, 3]], [[" a               \
-    ", 2, 0], [" a ", 2, 3]], [[0, 2, 0], [0, 2, 3]], [[" b ", 2, 0], [" b ", 2, 3]], [[" b        \
-    ", 0, 0], [" b ", 0, 3]], [[" b ", -2, 0], [" b ", -2, 3]], [[0, -2, 0], [0, -2, 3]], [[" a    \
-    ", -2, 0], [" a ", -2, 3]], [[" a ", 0, 0], [" a                                               \
-    ", 0, 3]]], \"weights\": [[1, 1], [0.70710678118654752, "                                      \
-    "0.70710678118654752], [1, 1], [0.70710678118654752, 0.70710678118654752], [1, 1], "           \
-    "[0.70710678118654752, 0.70710678118654752], [1, 1], [0.70710678118654752, "                   \
-    "0.70710678118654752], [1, 1]] }] }"
-
 /* R = 2, height 3, all around: four rectangles, the last one sewn to the first one. */
 static void test_ring(void)
 {

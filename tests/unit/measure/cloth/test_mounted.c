@@ -60,6 +60,31 @@ static void test_sail(const char *more, double low_room)
     cloth_free(&made);
 }
 
+/* A tube of arcs has no strain anywhere, where arcs meet inside a piece too. */
+static void test_arcs(void)
+{
+    made_cloth made =
+        cloth_make(RING("2", "-2"), "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 3 }]");
+    taut_arena *arena = taut_arena_new();
+    CHECK(made.status == TAUT_OK && arena != NULL, "%s", made.error.message);
+    for (int k = 0; k < 3; k++) {
+        taut_mounted piece;
+        CHECK(taut_mounted_new(made.model, taut_model_surface(made.model, k + 1), arena, &piece) ==
+                      TAUT_OK &&
+                  piece.flat != NULL,
+              "P%d", k + 1);
+        for (int i = 0; i <= PARTS * PARTS; i++) {
+            const double s = (double)(i / PARTS) / PARTS, t = (double)(i % PARTS) / (PARTS - 1);
+            double point[3], normal[3], strain;
+            taut_mounted_at(&piece, s, t, point, normal, &strain);
+            CHECK_NEAR(hypot(point[0], point[1]), 2, 1e-12, "radius");
+            CHECK_NEAR(strain, 0, 1e-10, "strain of P%d", k + 1);
+        }
+    }
+    taut_arena_free(arena);
+    cloth_free(&made);
+}
+
 /* A cap and gores, mounted: they meet on the circle, and strains are those that the construction tells, at the tip too. */
 static void test_cap(void)
 {
@@ -97,6 +122,7 @@ static void test_cap(void)
 
 int main(void)
 {
+    test_arcs();
     test_cap();
     test_sail("", 2e-5);
     test_sail(", \"decompensate\": [{ \"edge\": \"v0\", \"length\": 0.5 }, { \"edge\": \"u1\", "
