@@ -17,6 +17,8 @@ static const double least_sine = 1e-6, same_seed = 1e-9, same_end = 1e-6;
 static const double same_curve =
     1e-8; /* of the length: ends, middles and lengths of two curves that are one */
 static const double no_way = 1e-6; /* of the window: a curve that comes no farther from its seed */
+static const double no_lath =
+    1e-6; /* of the size: a curve of a lattice as short touches the window alone */
 
 static const char *const letters[] = {"AB", "AB", "GG", "AB"};
 
@@ -50,8 +52,9 @@ typedef struct planned {
     double at[2];
     const double *direction; /* of a geodesic, or NULL */
     int both;
-    int seed;     /* whose curve must be there, or -1: the place may be left out */
-    int is_known; /* a lath goes through it already */
+    int seed;      /* whose curve must be there, or -1: the place may be left out */
+    int may_touch; /* its curve is no lath if it only touches the window */
+    int is_known;  /* a lath goes through it already */
     double x[3], along[3], tangent[3];
     taut_linefield_fault fault;
     taut_status status;
@@ -119,7 +122,7 @@ static void leave_out(taut_net *net, int family, const double at[2], taut_linefi
 {
     if (net->left_count < TAUT_TRACE_LATHS_MAX) {
         net->left_out[net->left_count++] =
-            (taut_left_out){net->carrier, family, {at[0], at[1]}, fault, is_along};
+            (taut_left_out){net->carrier, family, {at[0], at[1]}, fault, is_along, 0};
     }
 }
 
@@ -265,6 +268,32 @@ static int is_begun(const taut_carrier *carrier, const double at[2], const doubl
     return near;
 }
 
+/* Does a curve of a lattice only touch the window, in a corner or along the border, or what has the net? */
+static int only_touches(const taut_net *net, const planned *p)
+{
+    const taut_lath *lath = &p->lath;
+    int leaves = p->may_touch && lath->length <= no_lath * net->carrier->size;
+    for (int end = 0; end < 2; end++) {
+        leaves &= lath->edges[end][0] >= 0 || lath->ended[end] == TAUT_END_PARABOLIC;
+    }
+    return leaves;
+}
+
+/* Such a curve is told once, though the walk round the border comes to it again. */
+static void leave_out_short(taut_net *net, const planned *p)
+{
+    int is_told = net->left_count >= TAUT_TRACE_LATHS_MAX;
+    for (int k = 0; !is_told && k < net->left_count; k++) {
+        const taut_left_out *left = &net->left_out[k];
+        is_told = left->is_short && left->on == p->on && left->family == p->family &&
+                  is_begun(p->on, left->at, p->at);
+    }
+    if (!is_told) {
+        leave_out(net, p->family, p->at, TAUT_LINEFIELD_FINE, 0);
+        net->left_out[net->left_count - 1].is_short = 1;
+    }
+}
+
 /* The lath that was followed from a place becomes one of the net, if its curve is none of it. */
 static taut_status take_lath(taut_net *net, planned *p, taut_error *error)
 {
@@ -301,6 +330,10 @@ static taut_status take_lath(taut_net *net, planned *p, taut_error *error)
         }
     }
     if (is_there(net, lath)) {
+        return TAUT_OK;
+    }
+    if (only_touches(net, p)) {
+        leave_out_short(net, p);
         return TAUT_OK;
     }
     if (net->count >= TAUT_TRACE_LATHS_MAX) {
@@ -730,6 +763,7 @@ static taut_status seed_border(taut_net *net, int family, taut_trace_by by, doub
                 double place[2], way[2];
                 border_at(net->carrier, wrapped(at), place, way);
                 *one = place_of(net->carrier, family, place);
+                one->may_touch = 1;
                 const taut_status status = add_laths(net, one, 1, error);
                 if (status != TAUT_OK) {
                     return status;
@@ -766,7 +800,8 @@ static taut_status seed_lattice(taut_net *net, int family, const taut_lath *othe
         if (k == 0) {
             list[count++] = place_of(net->carrier, family, other->seed);
         } else if (taut_lath_at(kind, other, by, target, &at)) {
-            list[count++] = place_on(&at, family);
+            list[count] = place_on(&at, family);
+            list[count++].may_touch = 1;
         }
     }
     return list != NULL ? add_laths(net, list, count, error) : taut_fail_memory(error);

@@ -18,6 +18,7 @@ typedef struct taut_left_out {
     double at[2];
     taut_linefield_fault fault;
     int is_along; /* it runs along the edge that seeds it */
+    int is_short; /* it leaves the window both ways at once */
 } taut_left_out;
 
 typedef struct taut_net {

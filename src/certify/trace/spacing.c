@@ -20,11 +20,13 @@
 #include <math.h>
 #include <string.h>
 
-enum { PIECES = 16 /* between two breaks */, NODES = 8, HALVINGS = 60 };
+enum { PIECES = 16 /* between two breaks */, NODES = 8, HALVINGS = 60, ROUNDS = 8 };
 /* Over the window's sides: a place lies on the line. Of |k_n| and such, over R: the line runs along the family. */
 static const double on_line = 1e-12, along = 1e-5;
 /* Over the size: a curve begins or ends at a place; and the sine of a geodesic's angle to where it is sent. */
 static const double at_end = 1e-9, same_way = 1e-6;
+/* Over the window's sides: a place that is said to have no curve as it would be too short. */
+static const double short_place = 1e-6;
 /* Of a part, as curves are seeded round the border by a rule that has an error where the net ends. */
 static const double bare_border = 0.1;
 static const taut_trace_seed as_default = {.kind = TAUT_TRACE_CELLS, .count = 8};
@@ -378,6 +380,7 @@ typedef struct parted {
     double whole;
     double *crossings; /* measures */
     int count;
+    const taut_record *left_out;
 } parted;
 
 /* The forms at t of the curve; 0 where they are not known. */
@@ -445,7 +448,9 @@ static taut_status part_curve(const taut_net_lines *lines, const line *l,
     const double *breaks = taut_basis_breaks(basis);
     const int spans = taut_basis_span_count(basis);
 
-    *p = (parted){.l = l, .curve = curve};
+    *p = (parted){.l = l,
+                  .curve = curve,
+                  .left_out = taut_record_get(taut_model_details(lines->model), "left_out")};
     p->sum = taut_arena_take(arena, (size_t)spans + 1, sizeof *p->sum);
     p->crossings = taut_arena_take(arena, taut_record_count(nodes) + 1, sizeof *p->crossings);
     if (taut_arena_status(arena) != TAUT_OK) {
@@ -490,8 +495,33 @@ static int exists_on(const parted *p, double target, double *rate)
            (square > 0 && (p->l->net != TAUT_TRACE_ASYMPTOTIC || -f.gaussian > 1e-9 * square));
 }
 
-/* How far the nearest crossing is from a target, over a part, by more than the curve itself is from its place; 0 where there is no curve to cross, and at the ends of
- * the curve, where the other one may leave the window at once. */
+/* Is a curve of the other family said to be too short where the measure is `target`? Whether it is, the claim `figures` sees. */
+static int is_short(const parted *p, double target)
+{
+    const taut_basis *t_basis = taut_curve_t(p->curve->space);
+    const double lo = taut_basis_lo(t_basis), hi = taut_basis_hi(t_basis);
+    double at[2], t = lo + (hi - lo) * target / p->whole;
+    int on = 0, found = 0;
+    for (int round = 0; taut_record_count(p->left_out) > 0 && round < ROUNDS; round++) {
+        t = fmin(fmax(t + (target - measure_up_to(p, t)) / rate_on(p, t), lo), hi);
+    }
+    for (size_t k = 0; !found && k < taut_record_count(p->left_out); k++) {
+        const taut_record *left = taut_record_at(p->left_out, k);
+        const taut_record *place = taut_record_get(left, "at");
+        found = strcmp(taut_record_text(taut_record_get(left, "reason")), "short") == 0 &&
+                taut_net_line_window(p->curve, t, at, &on);
+        for (size_t d = 0; found && d < 2; d++) {
+            const taut_surface *surface = p->l->cells->surfaces[on];
+            const taut_basis *basis = d == 0 ? taut_surface_u(surface) : taut_surface_v(surface);
+            found = fabs(taut_record_number(taut_record_at(place, d)) - at[d]) <=
+                    short_place * (taut_basis_hi(basis) - taut_basis_lo(basis));
+        }
+    }
+    return found;
+}
+
+/* How far the nearest crossing is from a target, over a part, by more than the curve itself is from its place; 0 where there is
+ * no curve to cross or one that is too short, and at the ends of the curve, where the other one may leave the window at once. */
 static double miss(const parted *p, double target, double part)
 {
     const double room = 1e-9 * part;
@@ -502,7 +532,8 @@ static double miss(const parted *p, double target, double part)
     for (int k = 0; k < p->count; k++) {
         best = fmin(best, fabs(p->crossings[k] - target));
     }
-    return fmax(best - p->l->fit * rate, 0) / part;
+    const double away = fmax(best - p->l->fit * rate, 0);
+    return away > room && is_short(p, target) ? 0 : away / part;
 }
 
 static taut_status judge_lath(const taut_net_lines *lines, const line *l,
@@ -647,7 +678,7 @@ static int target_of(const line *l, const double at[2], const double way[2], tar
 /* The place of a curve nearest to a point, and how far it is; unit: of the surfaces. */
 static double nearest(const taut_curve *curve, int unit, const double x[3], double *t)
 {
-    enum { LOOK = 4, ROUNDS = 12 };
+    enum { LOOK = 4, STEPS = 12 };
     const taut_basis *basis = taut_curve_t(curve);
     const double *breaks = taut_basis_breaks(basis);
     const int spans = taut_basis_span_count(basis);
@@ -665,7 +696,7 @@ static double nearest(const taut_curve *curve, int unit, const double x[3], doub
         *t = distance < best ? here : *t;
         best = fmin(best, distance);
     }
-    for (int round = 0; round < ROUNDS; round++) {
+    for (int round = 0; round < STEPS; round++) {
         double along_it = 0, square = 0;
         taut_curve_eval(curve, *t, 1, c[0]);
         for (int d = 0; d < 3; d++) {

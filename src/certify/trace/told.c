@@ -31,6 +31,9 @@ static const double no_sign = 1e-9;
 static const double round_point = 1e-7, flat_point = 1e-5, crease = 0.5e-9, no_normal = 1e-8;
 /* Sines of less are directions along a line, which the figure is to be off by 1e-6. */
 static const double along_share = 0.1;
+/* Over the size: a curve that only touches the window is out of it within that each way; three times as long as curves of
+ * lattices that are left out for it. */
+static const double out_within = 3e-6;
 /* As the largest R counts at least, over 1 over the size, and over |H|. */
 static const double least_share = 1e-4;
 
@@ -384,6 +387,48 @@ static int may_be_seed(const taut_net_audit *audit, int on, const double at[2])
     return may_be;
 }
 
+/* A step of the family's direction from a place, `side` of it as long as h in space, by the direction at `by`; 0: where the
+ * net does not exist. */
+static int step_to(const taut_net_audit *audit, int family, int on, const double from[2],
+                   const double by[2], double h, double way[2], double to[2])
+{
+    const double last[2] = {way[0], way[1]};
+    taut_forms f;
+    if (!taut_net_cells_look(audit->cells, on, by, NULL, &f) || !f.regular ||
+        !taut_net_family_way(audit->lines->net, family, &f, way) ||
+        (audit->lines->net == TAUT_TRACE_ASYMPTOTIC && !(f.gaussian < 0))) {
+        return 0;
+    }
+    const double a = way[0], b = way[1];
+    const double length = sqrt(f.e * a * a + 2 * f.f * a * b + f.g * b * b);
+    const double sign = a * last[0] + b * last[1] < 0 ? -1 : 1;
+    for (int d = 0; d < 2; d++) {
+        way[d] *= sign / length;
+        to[d] = from[d] + h * way[d];
+    }
+    return 1;
+}
+
+/* Does the curve through a place leave the window, or what has the net, both ways at once? By the midpoint rule, so that it is
+ * seen to bend out where it touches the border. */
+static int leaves_both_ways(const taut_net_audit *audit, int family, int on, const double at[2])
+{
+    const double h = out_within * audit->size;
+    int leaves = 1;
+    for (int side = -1; leaves && side <= 1; side += 2) {
+        double way[2] = {0, 0}, middle[2], end[2], none[2];
+        int goes_on = step_to(audit, family, on, at, at, side * h / 2, way, middle);
+        for (int d = 0; goes_on && d < 2; d++) {
+            const taut_basis *basis = side_of(audit, on, d);
+            middle[d] = fmin(fmax(middle[d], taut_basis_lo(basis)), taut_basis_hi(basis));
+        }
+        goes_on = goes_on && step_to(audit, family, on, at, middle, side * h, way, end);
+        leaves = !goes_on || !is_inside(audit, on, end) ||
+                 !step_to(audit, family, on, end, end, h, way, none);
+    }
+    return leaves;
+}
+
 /* How far a reason is from what the surface is there. */
 static double reason_off(const taut_net_audit *audit, const taut_record *left, int family)
 {
@@ -420,6 +465,9 @@ static double reason_off(const taut_net_audit *audit, const taut_record *left, i
                                                    fabs(f.mean) <= flat_point * largest)
                    ? 0
                    : (double)INFINITY;
+    }
+    if (strcmp(word, "short") == 0) {
+        return leaves_both_ways(audit, family, on, at) ? 0 : (double)INFINITY;
     }
     return strcmp(word, "along") == 0 ? along_off(audit, family, on, at, &f) : (double)INFINITY;
 }

@@ -323,7 +323,7 @@ static void describe_left_out(const taut_net *net, taut_record *details)
         taut_record_add_text(at, "family", families[net->problem->net][left->family]);
         add_surface(net, "surface", left->on, at);
         taut_record_add_numbers(at, "at", 2, left->at);
-        taut_record_add_text(at, "reason", faults[left->fault]);
+        taut_record_add_text(at, "reason", left->is_short ? "short" : faults[left->fault]);
     }
 }
 

@@ -317,6 +317,39 @@ static void check_borders(const made_net *made)
     CHECK(kinds[0] > 0 && kinds[1] > 0, "%d inside, %d on the border", kinds[0], kinds[1]);
 }
 
+/* Curves of a lattice touch the window alone, in the middle of two edges, and are no laths. Of a place elsewhere, of the
+ * other family there, or of one where the net does not exist, that is not true. */
+static void check_short(void)
+{
+    static const double heights[] = {0,    0.3, 0.3, 0,    -0.3, 0.1, 0.1, -0.3,
+                                     -0.3, 0.1, 0.1, -0.3, 0,    0.3, 0.3, 0};
+    static const struct {
+        const char *family;
+        double at[2];
+        int is_true;
+    } tries[] = {{"max", {0.5, 0}, 1}, {"max", {0.5, 1}, 1},    {"min", {0.5, 0}, 0},
+                 {"max", {0, 0.5}, 0}, {"max", {0.5, 1e-4}, 0}, {"max", {0.4, 0}, 0}};
+    const int degree[2] = {3, 3}, count[2] = {4, 4};
+    char surface[4096];
+
+    net_heights(degree, count, heights, surface, sizeof surface);
+    made_net made = net_make("principal", surface, "\"seeds\": [{ \"cells\": 4 }]");
+    CHECK(made.status == TAUT_OK && taut_certificate_holds(made.proof) == TAUT_TRUE, "touching: %s",
+          made.error.message);
+    CHECK(net_count(&made, "laths") == 8, "%d curves", net_count(&made, "laths"));
+    CHECK(net_count(&made, "left_out") == 2, "%d left out", net_count(&made, "left_out"));
+    for (size_t i = 0; made.status == TAUT_OK && i < sizeof tries / sizeof *tries; i++) {
+        taut_record *whole = taut_record_new(), *list = taut_record_add_list(whole, "left_out");
+        taut_record *to = taut_record_add_object(list, NULL);
+        taut_record_add_text(to, "family", tries[i].family);
+        taut_record_add_numbers(to, "at", 2, tries[i].at);
+        taut_record_add_text(to, "reason", "short");
+        CHECK(holds_with(&made, "left_out", list) == tries[i].is_true, "short %zu", i);
+        taut_record_free(whole);
+    }
+    net_free(&made);
+}
+
 /* Another reason, another family, a place beside the edge of its seed. */
 static void check_left_out(const made_net *made)
 {
@@ -401,6 +434,7 @@ static void check_told(void)
                              "\"parameter\" }]");
     CHECK(half.status == TAUT_OK, "%s", half.error.message);
     check_left_out(&half);
+    check_short();
     net_free(&half);
 }
 

@@ -320,6 +320,15 @@ static void test_cells(void)
     CHECK_NEAR(net_end(&made, "B7", "from", 0) + net_end(&made, "B7", "from", 1), 2.05, 1e-12,
                "B7");
     net_free(&made);
+
+    /* u - v = 1.2 - 1e-7 cuts off the corner (1.2, 0), which u + v = 1.2 ends in: no lath, but it was looked for */
+    made = net_make("asymptotic",
+                    "{ \"taut\": 1, \"construct\": \"bonnet\", \"lambda\": 0.29, \"sign\": \"-\", "
+                    "\"alpha\": 1.2, \"beta\": 0.9 }",
+                    "\"seeds\": [{ \"cells\": 6, \"at\": [0.74999995, 0.45000005] }]");
+    CHECK(net_count(&made, "left_out") == 1, "corner: %d left out", net_count(&made, "left_out"));
+    CHECK(taut_certificate_holds(made.proof) == TAUT_TRUE, "corner");
+    net_free(&made);
 }
 
 /* z = Re (x + iy - 0.2 - 0.1i)^3: a monkey saddle. */
