@@ -104,6 +104,34 @@ def curves():
     judge("a curve twice", model, "trace-torus", "identity", "trace-torus.problem.json")
 
 
+def put(value, *path):
+    """Another value at a place of the details."""
+    def change(details):
+        for key in path[:-1]:
+            details = details[key]
+        details[path[-1]] = value(details[path[-1]]) if callable(value) else value
+    return change
+
+
+def without(*path):
+    def change(details):
+        for key in path[:-1]:
+            details = details[key]
+        del details[path[-1]]
+    return change
+
+
+def times(share):
+    return lambda x: x * share
+
+
+def plus(more):
+    return lambda x: x + more
+
+
+HALF = ("trace-torus", lambda d: d.update(seeds=[{"edge": "u0", "count": 5, "by": "length"}]))  # some where K > 0
+
+
 def details():
     model = model_of("trace-principal")
     model["details"]["laths"][2]["length"] *= 1 + 1e-8
@@ -120,6 +148,23 @@ def details():
     again["s"][1] *= 0.9
     model["details"]["nodes"].append(again)
     judge("a node once more, elsewhere on its second curve", model, "trace-principal", "nodes")
+    for name, key, value in [
+            ("trace-principal", "trace", "asymptotic"), ("trace-torus", "trace", None), ("trace-torus", "left_out", None),
+            ("trace-principal", "drift", -1e-12), ("trace-principal", "drift", 5), ("trace-principal", "drift", "none")]:
+        model = model_of(name)
+        (without(key) if value is None else put(value, key))(model["details"])
+        judge(f"another {key}", model, name, "figures", problem_of(name))
+    for name, path, value in [
+            ("trace-principal", ["laths", 2, "steps"], 1000), ("trace-principal", ["laths", 2, "steps"], 7.5),
+            ("trace-principal", ["laths", 2, "steps"], None), ("trace-bonnet", ["nodes", 0, "slot_twisted"], None),
+            ("trace-planks", ["laths", 0, "stress", "t_max"], None), ("trace-planks", ["laths", 0, "stress", "w_max"], None)]:
+        model = model_of(name)
+        (without(*path) if value is None else put(value, *path))(model["details"])
+        judge(f"another {path[-1]}", model, name, "figures", problem_of(name))
+    for k in range(6):
+        model = model_of(HALF)
+        del model["details"]["left_out"][k]
+        judge("a seed that was left out, untold", model, HALF, "spacing", problem_of(HALF))
     for name in ["trace-bonnet", "trace-planks"]:
         model = model_of(name)
         for k, piece in enumerate(model["details"]["pieces"]):
@@ -226,31 +271,6 @@ def corners():
             drop(model, curve["name"])
             judge(f"{curve['name']} left out", model, ASIDE, "spacing", problem_of(ASIDE))
     model_of(ENNEPER)  # holds
-
-
-def put(value, *path):
-    """Another value at a place of the details."""
-    def change(details):
-        for key in path[:-1]:
-            details = details[key]
-        details[path[-1]] = value(details[path[-1]]) if callable(value) else value
-    return change
-
-
-def without(*path):
-    def change(details):
-        for key in path[:-1]:
-            details = details[key]
-        del details[path[-1]]
-    return change
-
-
-def times(share):
-    return lambda x: x * share
-
-
-def plus(more):
-    return lambda x: x + more
 
 
 LAW = ("pattern-sail", lambda d: d["cloth"].update(width=2, thread=0.3, material={"E": [600, 400], "nu": 0.2, "G": 20}))

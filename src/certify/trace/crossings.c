@@ -96,6 +96,16 @@ static int is_on_knot(const taut_net_audit *audit, const taut_record *node)
 
 /* Of K and H: differences over the larger of what they are and of what the size would have; of a place on a knot line the least
  * from any side. */
+/* Slots that are so many times as wide as laths are thick. */
+static const double no_slot = 1e3;
+
+/* Are there laths that stand, whose slots twist? */
+static int stands(const taut_net_audit *audit)
+{
+    const taut_trace_laths *laths = audit->problem != NULL ? audit->problem->laths : NULL;
+    return laths != NULL && laths->strip == TAUT_TRACE_STANDING;
+}
+
 static void look_at_forms(const taut_net_audit *audit, const taut_record *node, const char *name,
                           taut_net_off *off)
 {
@@ -181,12 +191,13 @@ void taut_net_crossings_look(const taut_net_audit *audit, taut_net_off *off)
         taut_net_off_take(off, taut_certify_min(away, own), name, "angle");
         taut_net_off_take(off, fabs(taut_net_number(node, "slot") - slot) / slot, name, "slot");
         look_at_forms(audit, node, name, off);
-        if (width > 0 && taut_record_get(node, "slot_twisted") != NULL &&
-            !is_on_knot(audit, node)) {
+        const int is_told = taut_record_get(node, "slot_twisted") != NULL;
+        if (width > 0 && (is_told || stands(audit)) && !is_on_knot(audit, node)) {
             const double twisted = fmax(twisted_of(spots, 0, width), twisted_of(spots, 1, width));
-            taut_net_off_take(
-                off, fabs(taut_net_number(node, "slot_twisted") - twisted) / (twisted * twisted),
-                name, "slot_twisted");
+            const double off_by = fabs(taut_net_number(node, "slot_twisted") - twisted);
+            if (is_told || twisted < no_slot) { /* laths that twist onto each other have none */
+                taut_net_off_take(off, off_by / (twisted * twisted), name, "slot_twisted");
+            }
         }
     }
 }

@@ -462,15 +462,18 @@ static void look_at_stress(const taut_net_audit *audit, const taut_net_line *lin
         course->cut.only_bends
             ? 2 * s.bending / (m->e * course->cut.thickness)
             : taut_net_course_most(course, sizes[course->cut.weak], clear[0], clear[1], 1);
-    const double thickest = ldexp(taut_net_number(told, "t_max"), -audit->unit);
-    if (taut_record_get(told, "t_max") != NULL) {
-        const double bent = 2 * m->strength / (m->e * thickest);
-        away = (is_soft && bent > weak ? 0 : fabs(bent - weak)) * audit->size;
-        taut_net_off_take(off, away / fmax(1, weak * audit->size), name, "stress t_max");
-    }
+    /* one that is not told is as thick, or as wide, as one likes; strips that only bend have no width of their own */
+    const taut_record *most_thick = taut_record_get(told, "t_max");
+    const taut_record *most_wide = taut_record_get(told, "w_max");
+    const double thickest =
+        most_thick != NULL ? ldexp(taut_record_number(most_thick), -audit->unit) : (double)INFINITY;
+    const double bent = 2 * m->strength / (m->e * thickest);
+    away = (is_soft && bent > weak ? 0 : fabs(bent - weak)) * audit->size;
+    taut_net_off_take(off, away / fmax(1, weak * audit->size), name, "stress t_max");
     const double twist = taut_net_course_most(course, twist_size, clear[0], clear[1], 1);
-    const double widest = ldexp(taut_net_number(told, "w_max"), -audit->unit);
-    if (taut_record_get(told, "w_max") != NULL) {
+    const double widest =
+        most_wide != NULL ? ldexp(taut_record_number(most_wide), -audit->unit) : (double)INFINITY;
+    if (most_wide != NULL || !course->cut.only_bends) {
         away = fabs(sqrt(12 * m->strength / m->e) / widest - twist) * audit->size;
         taut_net_off_take(off, away / fmax(1, twist * audit->size), name, "stress w_max");
     }

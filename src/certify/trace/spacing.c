@@ -29,6 +29,8 @@ static const double at_end = 1e-9, same_way = 1e-6;
 static const double short_place = 1e-6;
 /* Of a part, as curves are seeded round the border by a rule that has an error where the net ends. */
 static const double bare_border = 0.1;
+/* K over H^2 that no rounding makes; and of the line, how far it is seen beside a place. */
+static const double plainly = 1e-6, beside_it = 1e-4;
 static const taut_trace_seed as_default = {.kind = TAUT_TRACE_CELLS, .count = 8};
 
 typedef struct line {
@@ -300,6 +302,41 @@ static int is_closed(const line *l)
     return taut_distance(x[0], x[1]) <= at_end;
 }
 
+/* Is K clearly above 0 there and beside it, as across a knot line, so that no asymptotic curve is? */
+static int is_elliptic(const line *l, double t)
+{
+    int all = l->net == TAUT_TRACE_ASYMPTOTIC;
+
+    for (int k = -1; all && k <= 1; k++) {
+        double at[2];
+        taut_forms f;
+        place_on(l, fmin(fmax(t + k * beside_it, 0), 1), at);
+        all = taut_net_cells_look(l->cells, l->on, at, NULL, &f) && f.regular &&
+              f.gaussian > plainly * f.mean * f.mean;
+    }
+    return all;
+}
+
+/* Do details tell of a seed of the family, at this measure of the line, that was left out? */
+static int is_left_out(const line *l, const taut_net_lines *lines, int family, double measure,
+                       double room)
+{
+    const taut_record *list = taut_record_get(taut_model_details(lines->model), "left_out");
+    for (size_t k = 0; k < taut_record_count(list); k++) {
+        const taut_record *left = taut_record_at(list, k), *place = taut_record_get(left, "at");
+        const double at[2] = {taut_record_number(taut_record_at(place, 0)),
+                              taut_record_number(taut_record_at(place, 1))};
+        double t = 0;
+        if (strcmp(taut_record_text(taut_record_get(left, "family")), family == 0 ? "+" : "-") ==
+                0 &&
+            fabs(beside(l, at, &t)) <= at_end && t >= -at_end && t <= 1 + at_end &&
+            fabs(measure_to(l, fmin(fmax(t, 0), 1)) - measure) <= room) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
 static taut_status judge(const line *l, const taut_net_lines *lines, int family,
                          const taut_trace_seed *seed, taut_arena *arena, double *worst)
 {
@@ -315,6 +352,11 @@ static taut_status judge(const line *l, const taut_net_lines *lines, int family,
     for (int k = seed->ends ? 0 : 1; k <= seed->count + (seed->ends ? 1 : 0); k++) {
         const int is_end = k == 0 || k == last;
         double best = INFINITY;
+        if (part > 0 && !is_end && lines->surface_count == 1 &&
+            is_elliptic(l, reach(l, k * part)) &&
+            !is_left_out(l, lines, family, k * part, same_way * part)) {
+            *worst = INFINITY;
+        }
         if (!(part > 0) || !is_wanted(l, family, reach(l, k * part)) ||
             (is_end && lines->surface_count > 1)) { /* it may lie on the next surface */
             continue;

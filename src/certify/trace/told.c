@@ -1,6 +1,8 @@
 /* told.c
  *
+ *     trace              the net's name
  *     laths, nodes       none there twice, and no lath without a curve
+ *     steps, drift       of the way that led here: no more steps than the curve has spans, an end that moves within the surface
  *     border             of a node: does it lie where no curve goes on?
  *     kinks              of each the angle between the curve's own tangents on both sides of the place; no larger one left out
  *     left_out           what the reason says of the surface at the place
@@ -11,6 +13,7 @@
 
 #include "basis/basis_ops.h"
 #include "certify/trace/family.h"
+#include "certify/trace/laths.h"
 #include "certify/trace/side.h"
 #include "certify/trace/turns.h"
 #include "core/elementary/elementary.h"
@@ -115,6 +118,35 @@ static taut_status look_at_names(const taut_net_audit *audit, taut_arena *arena,
         taut_net_off_take(off, INFINITY, "laths", "count");
     }
     return status;
+}
+
+/* ---- how it was found ---- */
+
+/* Nothing in the model says how many steps there were, and how far they lead elsewhere if they are smaller: only what cannot be. */
+static void look_at_way(const taut_net_audit *audit, taut_net_off *off)
+{
+    static const char *const nets[] = {"asymptotic", "principal", "geodesic", "isoparametric"};
+    const taut_record *details = taut_model_details(audit->lines->model);
+    const taut_record *drift = taut_record_get(details, "drift");
+    const double moved = ldexp(drift != NULL ? taut_record_number(drift) : 0, -audit->unit);
+
+    if (strcmp(taut_net_text(details, "trace"), nets[audit->lines->net]) != 0) {
+        taut_net_off_take(off, INFINITY, "details", "trace");
+    }
+    if (!(moved >= 0) || !(moved <= audit->size)) {
+        taut_net_off_take(off, INFINITY, "details", "drift");
+    }
+    if (taut_record_get(details, "left_out") == NULL) {
+        taut_net_off_take(off, INFINITY, "details", "left_out");
+    }
+    for (int i = 0; i < audit->lines->count; i++) {
+        const taut_net_line *line = &audit->lines->lines[i];
+        const double steps = taut_net_number(taut_net_lath_of(audit->lines, line), "steps");
+        const int spans = taut_basis_span_count(taut_curve_t(line->space));
+        if (!(steps >= 0) || !(steps <= spans) || steps != floor(steps)) {
+            taut_net_off_take(off, INFINITY, taut_curve_name(line->space), "steps");
+        }
+    }
 }
 
 /* ---- border ---- */
@@ -540,6 +572,7 @@ taut_status taut_net_told_look(const taut_net_audit *audit, taut_arena *arena, t
         status = look_at_kinks(audit, arena, off);
     }
     if (status == TAUT_OK) {
+        look_at_way(audit, off);
         look_at_borders(audit, off);
         look_at_left_out(audit, off);
         look_at_share(audit, off);
