@@ -20,6 +20,7 @@
 #ifndef TAUT_JOIN_H
 #define TAUT_JOIN_H
 
+#include "taut/monitor.h"
 #include "taut/record.h"
 #include "taut/surface.h"
 
@@ -55,10 +56,22 @@ typedef struct taut_join {
                             * the affine map; beyond c_order, g_order and angles are checks */
 } taut_join;
 
-/* TAUT_BAD_ARGUMENT (NULL, an edge that is none), TAUT_NO_MEMORY. */
+/* TAUT_BAD_ARGUMENT (NULL, an edge that is none), TAUT_NO_MEMORY. Edges of high degree that do not meet take seconds: of degree
+ * 127, ten. */
 TAUT_API taut_status taut_join_measure(const taut_surface *a, taut_edge edge_a,
                                        const taut_surface *b, taut_edge edge_b, taut_join *join,
                                        taut_error *error);
+
+/* Zero means default everywhere. */
+typedef struct taut_join_options {
+    taut_monitor monitor; /* TAUT_INTERRUPTED where it says stop, or enough */
+} taut_join_options;
+
+/* The same with options, which may be NULL. */
+TAUT_API taut_status taut_join_measure_with(const taut_surface *a, taut_edge edge_a,
+                                            const taut_surface *b, taut_edge edge_b,
+                                            const taut_join_options *options, taut_join *join,
+                                            taut_error *error);
 
 /* The document of `taut join --json`: adds its members to `record`; one_surface only where it is
  * known. */

@@ -11,6 +11,7 @@
 
 #include "taut/construct.h"
 #include "taut/model.h"
+#include "taut/monitor.h"
 
 #include <stddef.h>
 
@@ -46,6 +47,8 @@ TAUT_API taut_status taut_model_read(const char *path, taut_model **model, taut_
 typedef struct taut_read_options {
     int untrim; /* nonzero: STEP and IGES: trimmed faces are read as the whole surfaces under them, which details.notes says */
     int edges; /* nonzero: STEP and IGES: of trimmed faces the edges, as the last details.edges curves, "FACE.1", "FACE.2", ... */
+    taut_monitor
+        monitor; /* TAUT_INTERRUPTED where it says stop, or enough. A file that a problem names is read untold */
 } taut_read_options;
 
 /* taut_model_read with options, which may be NULL. Faces that are trimmed by more than a box of parameters are TAUT_NO_SOLUTION,
@@ -95,6 +98,11 @@ TAUT_API int taut_problem_list_count(const taut_problem_list *list);
 TAUT_API const taut_problem *taut_problem_list_at(const taut_problem_list *list, int i);
 /* Nonzero: the document is a list, if only of one; 0: it is a problem. */
 TAUT_API int taut_problem_list_is_list(const taut_problem_list *list);
+
+/* taut_model_read_text with options, which may be NULL; only the monitor is of use. */
+TAUT_API taut_status taut_model_read_text_with(const char *text, size_t length, const char *name,
+                                               const taut_read_options *options, taut_model **model,
+                                               taut_error *error);
 
 /* Any JSON text as a record; its root must be an object or a list. */
 TAUT_API taut_status taut_record_read_text(const char *text, size_t length, const char *name,

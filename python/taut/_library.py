@@ -40,6 +40,14 @@ class MeasureOptions(Structure):
     _fields_ = [("grid", c_int), ("threads", c_int), ("monitor", MonitorStruct)]
 
 
+class ReadOptions(Structure):
+    _fields_ = [("untrim", c_int), ("edges", c_int), ("monitor", MonitorStruct)]
+
+
+class JoinOptions(Structure):
+    _fields_ = [("monitor", MonitorStruct)]
+
+
 class WriteOptions(Structure):
     _fields_ = [("tolerance", c_double), ("divide", c_int), ("threads", c_int), ("format", c_char_p), ("formats", c_void_p),
                 ("surface", c_char_p), ("short_knots", c_int), ("colour", c_int), ("no_net", c_int), ("has_view", c_int), ("view", c_double * 2),
@@ -217,7 +225,7 @@ SIGNATURES = {
     "taut_model_surface_count": "i:p", "taut_model_surface": "p:pi", "taut_model_curve_count": "i:p",
     "taut_model_curve": "p:pi", "taut_model_details": "p:p", "taut_model_certificate": "p:p", "taut_model_unit": "s:p",
     "taut_problem_read": "i:spp", "taut_problem_read_text": "i:szspp", "taut_problem_free": "-:p",
-    "taut_problem_or_model_read": "i:sppp", "taut_model_read": "i:spp", "taut_model_read_text": "i:szspp",
+    "taut_problem_or_model_read": "i:sppp", "taut_model_read_with": "i:sppp", "taut_model_read_text": "i:szspp",
     "taut_problem_list_read": "i:spp", "taut_problem_list_read_text": "i:szspp", "taut_problem_list_free": "-:p",
     "taut_problem_list_count": "i:p", "taut_problem_list_at": "p:pi", "taut_problem_list_is_list": "i:p",
     "taut_construct_count": "i:", "taut_construct_name": "s:i", "taut_make": "i:pppp", "taut_certify": "i:ppppp",
@@ -226,7 +234,7 @@ SIGNATURES = {
     "taut_claim_kind_name": "s:i", "taut_record_new": "p:", "taut_record_free": "-:p", "taut_record_status": "i:p",
     "taut_record_write": "i:ppp", "taut_text_free": "-:p", "taut_model_write": "i:pspp", "taut_model_write_text": "i:pspppp",
     "taut_measure_surface": "i:pppp", "taut_measure_curve": "i:pppp", "taut_measure_surface_record": "-:ppp",
-    "taut_measure_curve_record": "-:ppp", "taut_join_measure": "i:pipipp", "taut_join_record": "-:pp",
+    "taut_measure_curve_record": "-:ppp", "taut_join_measure_with": "i:pipippp", "taut_join_record": "-:pp",
     "taut_model_split": "i:psidpp", "taut_model_refine": "i:psiipp", "taut_model_pieces": "i:pspp",
     "taut_model_to_nurbs": "i:pdppp", "taut_model_to_unit": "i:pspp", "taut_surface_transform": "i:pppp", "taut_curve_transform": "i:pppp",
     "taut_surface_reverse": "i:pipp", "taut_surface_transpose": "i:ppp", "taut_curve_reverse": "i:ppp",
@@ -257,7 +265,8 @@ class AbiTable(Structure):
 
 LAYOUTS: dict[str, type[Structure]] = {
     "taut_error": ErrorStruct, "taut_monitor": MonitorStruct, "taut_make_options": MakeOptions, "taut_certify_options": CertifyOptions,
-    "taut_measure_options": MeasureOptions, "taut_write_options": WriteOptions, "taut_mesh_options": MeshOptions,
+    "taut_measure_options": MeasureOptions, "taut_read_options": ReadOptions, "taut_join_options": JoinOptions,
+    "taut_write_options": WriteOptions, "taut_mesh_options": MeshOptions,
     "taut_basis_spec": BasisSpec, "taut_claim": ClaimStruct, "taut_dirichlet_problem": DirichletProblem, "taut_gradient_request": GradientRequest,
     "taut_trace_step": TraceStep, "taut_trace_end": TraceEnd, "taut_film_gradient_request": FilmGradientRequest, "taut_film_slopes": FilmSlopes,
     "taut_plateau_problem": PlateauProblem, "taut_harmonic_problem": HarmonicProblem, "taut_harmonic_rows": HarmonicRows,

@@ -66,7 +66,7 @@ def join(a: Surface, edge_a: str, b: Surface, edge_b: str, threads: int | None =
          strict: bool = False) -> dict[str, Any]:
     """How two surfaces meet along an edge each ("u0", "u1", "v0", "v1"): max_gap, angles, c_order, g_order, kind.
 
-    One thread works; progress is called before and after; strict as of measure, of both surfaces.
+    One thread works; progress is told of it, the part done not known; strict as of measure, of both surfaces.
 
     Errors: InputError: another edge (`name`) or object (`type`)."""
     expect(a, Surface)
@@ -76,15 +76,17 @@ def join(a: Surface, edge_a: str, b: Surface, edge_b: str, threads: int | None =
             raise InputError(f"the edge is {edge!r}; expected one of {', '.join(_EDGES)}", "", "name")
     strictly(strict, a, b)
     room, error = create_string_buffer(c.sizes["taut_join"]), c.ErrorStruct()
-    with _Told("join", threads, progress):
-        status = library.taut_join_measure(a._pointer, _EDGES.index(edge_a), b._pointer, _EDGES.index(edge_b), room, byref(error))
+    with _Told("join", threads, progress) as told:
+        options = c.JoinOptions(monitor=told.monitor)
+        status = library.taut_join_measure_with(a._pointer, _EDGES.index(edge_a), b._pointer, _EDGES.index(edge_b), byref(options), room,
+                                                byref(error))
     if status != c.OK:
         raise_for(status, error)
     return dict(_record(lambda pointer: library.taut_join_record(room, pointer)))
 
 
 class _Told(Watch):
-    """Around a call of C that works with one thread and ends soon: progress is called before it and after it."""
+    """Around a call of C that works with one thread: progress is called before it and after it, and where C tells of it."""
 
     def __init__(self, what: str, threads: int | None, progress: Progress | None) -> None:
         thread_count(threads)

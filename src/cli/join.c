@@ -67,6 +67,7 @@ static int run(const cli_options *options)
     taut_model *models[2] = {NULL, NULL};
     taut_edge edges[2] = {TAUT_EDGE_U0, TAUT_EDGE_U0};
     taut_join join;
+    const taut_join_options watched = {.monitor = cli_monitor(options->quiet)};
     taut_error error;
     int code = 0;
 
@@ -81,10 +82,11 @@ static int run(const cli_options *options)
         }
     }
     if (code == 0) {
-        code = taut_join_measure(surfaces[0], edges[0], surfaces[1], edges[1], &join, &error) ==
-                       TAUT_OK
-                   ? print_join(options, &join, taut_model_unit(models[0]))
-                   : cli_fail(&error);
+        const taut_status status = taut_join_measure_with(surfaces[0], edges[0], surfaces[1],
+                                                          edges[1], &watched, &join, &error);
+        cli_monitor_done();
+        code = status == TAUT_OK ? print_join(options, &join, taut_model_unit(models[0]))
+                                 : cli_fail(&error);
     }
     taut_model_free(models[0]);
     taut_model_free(models[1]);

@@ -59,6 +59,7 @@ static taut_status read_chosen(const char *path, const cli_options *options,
 {
     const taut_status status = taut_model_read_with(path, chosen, model, error);
 
+    cli_monitor_done();
     if (status == TAUT_OK) {
         tell_of(path, options, *model);
     }
@@ -68,24 +69,29 @@ static taut_status read_chosen(const char *path, const cli_options *options,
 taut_status cli_read_model(const char *path, const cli_options *options, taut_model **model,
                            taut_error *error)
 {
-    const taut_read_options chosen = {.untrim = options->untrim};
+    const taut_read_options chosen = {.untrim = options->untrim,
+                                      .monitor = cli_monitor(options->quiet)};
     return read_chosen(path, options, &chosen, model, error);
 }
 
 taut_status cli_read_edges(const char *path, const cli_options *options, taut_model **model,
                            taut_error *error)
 {
-    const taut_read_options chosen = {.untrim = options->untrim, .edges = !options->untrim};
+    const taut_read_options chosen = {.untrim = options->untrim,
+                                      .edges = !options->untrim,
+                                      .monitor = cli_monitor(options->quiet)};
     return read_chosen(path, options, &chosen, model, error);
 }
 
 taut_status cli_read_either(const char *path, const cli_options *options, taut_problem **problem,
                             taut_model **model, taut_error *error)
 {
-    const taut_read_options chosen = {.untrim = options->untrim};
+    const taut_read_options chosen = {.untrim = options->untrim,
+                                      .monitor = cli_monitor(options->quiet)};
     const taut_status status =
         taut_problem_or_model_read_with(path, &chosen, problem, model, error);
 
+    cli_monitor_done();
     if (status == TAUT_OK) {
         tell_of(path, options, *model);
     }

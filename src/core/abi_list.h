@@ -343,6 +343,9 @@
     X(taut_join, one_surface, "int") \
     X(taut_join, kind, "taut_join_kind")
 
+#define TAUT_ABI_MEMBERS_taut_join_options(X) \
+    X(taut_join_options, monitor, "taut_monitor")
+
 #define TAUT_ABI_MEMBERS_taut_make_options(X) \
     X(taut_make_options, tolerance, "double") \
     X(taut_make_options, threads, "int") \
@@ -595,7 +598,8 @@
 
 #define TAUT_ABI_MEMBERS_taut_read_options(X) \
     X(taut_read_options, untrim, "int") \
-    X(taut_read_options, edges, "int")
+    X(taut_read_options, edges, "int") \
+    X(taut_read_options, monitor, "taut_monitor")
 
 #define TAUT_ABI_MEMBERS_taut_surface_measure(X) \
     X(taut_surface_measure, area, "double") \
@@ -813,6 +817,7 @@
     X(taut_harmonic_rows) \
     X(taut_jacobian) \
     X(taut_join) \
+    X(taut_join_options) \
     X(taut_make_options) \
     X(taut_measure_options) \
     X(taut_mesh_group) \

@@ -2,6 +2,7 @@
 #ifndef TAUT_IO_FORMAT_H
 #define TAUT_IO_FORMAT_H
 
+#include "core/pulse.h"
 #include "io/format_list.h"
 #include "taut/model.h"
 #include "taut/read.h"
@@ -22,11 +23,10 @@ typedef struct taut_format_ops {
     /* ...or, for libraries that want a name: writes the file `path`, which is there and empty. */
     taut_status (*write_path)(const taut_model *model, const taut_write_options *options,
                               const char *path, taut_error *error);
-    /* Reads a model from a file in this format; NULL where taut does not. */
-    taut_status (*read)(const char *path, taut_model **model, taut_error *error);
-    /* The same, with the edges of trimmed faces as curves in place of their surfaces: the last curves, details.edges of them. NULL
-     * where there are none. */
-    taut_status (*read_edges)(const char *path, taut_model **model, taut_error *error);
+    /* Reads a model from a file in this format; NULL where taut does not. options is never NULL; with `edges`, where the format has
+     * such, the edges of trimmed faces are curves in place of their surfaces: the last curves, details.edges of them. */
+    taut_status (*read)(const char *path, const taut_read_options *options, taut_model **model,
+                        taut_error *error);
 } taut_format_ops;
 
 #define TAUT_FORMAT_DECLARE(identifier, ending, text)                                              \
@@ -57,6 +57,9 @@ const taut_format_row *taut_format_find(const taut_formats *more, const char *pa
 taut_status taut_model_format_read(const taut_format_ops *ops, const char *path,
                                    const taut_read_options *options, taut_model **model,
                                    taut_error *error);
+
+/* What is told while a document is read; options may be NULL. */
+taut_pulse taut_read_pulse(const taut_read_options *options);
 
 /* Nonzero when options ask for surface i of the model. */
 int taut_format_wants(const taut_model *model, const taut_write_options *options, int i);

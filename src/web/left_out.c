@@ -171,17 +171,14 @@ void taut_boundary_file_bezier(taut_reader *document, taut_problem *problem,
     refuse_file(document);
 }
 
-taut_status taut_cad_read_step(const char *path, taut_model **model, taut_error *error)
+taut_status taut_cad_read_step(const char *path, const taut_read_options *options,
+                               taut_model **model, taut_error *error)
 {
     (void)path;
+    (void)options;
     (void)model;
     return taut_fail(error, TAUT_IO, "not-installed", NULL, taut_none, taut_none,
                      "STEP is not read in the browser: let the program `taut convert` read it");
-}
-
-taut_status taut_cad_read_step_edges(const char *path, taut_model **model, taut_error *error)
-{
-    return taut_cad_read_step(path, model, error);
 }
 
 /* Films of many patches: what nobody drags by hand. */

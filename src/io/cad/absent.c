@@ -13,9 +13,11 @@ static taut_status write_nothing(const taut_model *model, const taut_write_optio
                      "IGES is not written on Windows: write STEP, or let taut on Linux convert it");
 }
 
-static taut_status read_nothing(const char *path, taut_model **model, taut_error *error)
+static taut_status read_nothing(const char *path, const taut_read_options *options,
+                                taut_model **model, taut_error *error)
 {
     (void)path;
+    (void)options;
     (void)model;
     return taut_fail(error, TAUT_IO, "not-installed", NULL, taut_none, taut_none,
                      "STEP and IGES are not read on Windows: let taut on Linux convert them");
@@ -23,12 +25,8 @@ static taut_status read_nothing(const char *path, taut_model **model, taut_error
 
 const taut_format_ops taut_format_iges = {.write_path = write_nothing, .read = read_nothing};
 
-taut_status taut_cad_read_step(const char *path, taut_model **model, taut_error *error)
+taut_status taut_cad_read_step(const char *path, const taut_read_options *options,
+                               taut_model **model, taut_error *error)
 {
-    return read_nothing(path, model, error);
-}
-
-taut_status taut_cad_read_step_edges(const char *path, taut_model **model, taut_error *error)
-{
-    return read_nothing(path, model, error);
+    return read_nothing(path, options, model, error);
 }

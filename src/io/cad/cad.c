@@ -252,7 +252,8 @@ static taut_status finish_model(taut_cad_kind kind, taut_cad_result *result, tau
     return TAUT_OK;
 }
 
-static taut_status read_items(const taut_cad_job *job, taut_cad_result *result, taut_error *error)
+static taut_status read_items(const taut_cad_job *job, const taut_monitor *monitor,
+                              taut_cad_result *result, taut_error *error)
 {
     taut_status status = TAUT_OK;
     result->notes = taut_record_new_list();
@@ -265,14 +266,14 @@ static taut_status read_items(const taut_cad_job *job, taut_cad_result *result, 
         taut_model_new(&result->model) != TAUT_OK) {
         return taut_fail_memory(error);
     }
-    status = taut_cad_run(job, 0, NULL, NULL, result, error);
+    status = taut_cad_run(job, 0, NULL, monitor, result, error);
     return status == TAUT_OK ? finish_model(job->kind, result, error) : status;
 }
 
-static taut_status read_cad(taut_cad_kind kind, const char *path, int edges, taut_model **model,
-                            taut_error *error)
+static taut_status read_cad(taut_cad_kind kind, const char *path, const taut_read_options *options,
+                            taut_model **model, taut_error *error)
 {
-    const taut_cad_job job = {.kind = kind, .path = path, .edges = edges};
+    const taut_cad_job job = {.kind = kind, .path = path, .edges = options->edges != 0};
     taut_cad_result result = {.text = NULL};
     taut_status status = check_file(path, error);
 
@@ -283,7 +284,7 @@ static taut_status read_cad(taut_cad_kind kind, const char *path, int edges, tau
     if (status != TAUT_OK) {
         return status;
     }
-    status = read_items(&job, &result, error);
+    status = read_items(&job, &options->monitor, &result, error);
     taut_record_free(result.notes);
     taut_record_free(result.products);
     taut_record_free(result.colours);
@@ -297,25 +298,16 @@ static taut_status read_cad(taut_cad_kind kind, const char *path, int edges, tau
     return TAUT_OK;
 }
 
-taut_status taut_cad_read_step(const char *path, taut_model **model, taut_error *error)
+taut_status taut_cad_read_step(const char *path, const taut_read_options *options,
+                               taut_model **model, taut_error *error)
 {
-    return read_cad(TAUT_CAD_STEP, path, 0, model, error);
+    return read_cad(TAUT_CAD_STEP, path, options, model, error);
 }
 
-taut_status taut_cad_read_step_edges(const char *path, taut_model **model, taut_error *error)
+static taut_status read_iges(const char *path, const taut_read_options *options, taut_model **model,
+                             taut_error *error)
 {
-    return read_cad(TAUT_CAD_STEP, path, 1, model, error);
+    return read_cad(TAUT_CAD_IGES, path, options, model, error);
 }
 
-static taut_status read_iges(const char *path, taut_model **model, taut_error *error)
-{
-    return read_cad(TAUT_CAD_IGES, path, 0, model, error);
-}
-
-static taut_status read_iges_edges(const char *path, taut_model **model, taut_error *error)
-{
-    return read_cad(TAUT_CAD_IGES, path, 1, model, error);
-}
-
-const taut_format_ops taut_format_iges = {
-    .write_path = write_iges, .read = read_iges, .read_edges = read_iges_edges};
+const taut_format_ops taut_format_iges = {.write_path = write_iges, .read = read_iges};

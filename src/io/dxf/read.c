@@ -575,8 +575,10 @@ static taut_status read_text(const char *text, size_t length, drawing *d, taut_e
     return add_notes(d, unit, error);
 }
 
-taut_status taut_dxf_read(const char *path, taut_model **model, taut_error *error)
+taut_status taut_dxf_read(const char *path, const taut_read_options *options, taut_model **model,
+                          taut_error *error)
 {
+    (void)options;
     drawing d = {.arena = taut_arena_new()};
     char *text = NULL;
     size_t length = 0;

@@ -19,6 +19,7 @@ typedef struct taut_json {
     const struct taut_json *up;   /* the object or array it is in; NULL at the root */
     const char *key;              /* its name there, or NULL: item `index` */
     size_t index;
+    taut_pulse *pulse; /* told of what is read, or NULL; whoever reads much tells it */
 } taut_json;
 
 /* How a value of one's own is read. */
@@ -27,9 +28,10 @@ typedef taut_status taut_json_read(const taut_json *at, void *into, taut_error *
 /* Parses a text, or the file `path` ("-" is standard input), and reads its root: errors as
  * taut_json_parse, and TAUT_IO. The document lives until `read` returns. */
 taut_status taut_json_read_text(const char *text, size_t length, const char *name,
-                                taut_json_read *read, void *into, taut_error *error);
-taut_status taut_json_read_file(const char *path, taut_json_read *read, void *into,
+                                taut_pulse *pulse, taut_json_read *read, void *into,
                                 taut_error *error);
+taut_status taut_json_read_file(const char *path, taut_pulse *pulse, taut_json_read *read,
+                                void *into, taut_error *error);
 
 /* Item i of an array; its value is NULL if it is missing. */
 taut_json taut_json_item(const taut_json *array, size_t i);

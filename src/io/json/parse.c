@@ -16,7 +16,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { FIRST_BLOCK = 1 << 12, LARGEST_BLOCK = 1 << 20, ALIGNMENT = 8 };
+enum {
+    FIRST_BLOCK = 1 << 12,
+    LARGEST_BLOCK = 1 << 20,
+    ALIGNMENT = 8,
+    TOLD = 1 << 14, /* bytes that are told to a pulse at once, */
+    BYTE_WORK = 4   /* each so many operations */
+};
 
 /* Many small pieces that live and die together. */
 typedef struct pool_block {
@@ -305,6 +311,8 @@ typedef struct parser {
     size_t member_count, member_room;
     taut_json_value *items; /* of all lists that are open */
     size_t item_count, item_room;
+    taut_pulse *pulse; /* or NULL */
+    const char *told;  /* up to where */
 } parser;
 
 /* Room for one more on a stack; 0 when memory runs out. */
@@ -488,9 +496,23 @@ static int parse_object(parser *p, int depth, taut_json_value *value)
     return members != NULL && check_twice(p, members, count);
 }
 
+/* Tells the pulse of what was scanned since; 0 where it is to end. */
+static int tell(parser *p)
+{
+    const size_t bytes = (size_t)(p->scan.at - p->told);
+    if (bytes < TOLD) {
+        return 1;
+    }
+    p->told = p->scan.at;
+    return !taut_pulse_beat(p->pulse, BYTE_WORK * (double)bytes);
+}
+
 static int parse_value(parser *p, int depth, taut_json_value *value)
 {
     char c = '\0';
+    if (!tell(p)) {
+        return 0;
+    }
     skip_space(&p->scan);
     if (p->scan.at == p->scan.end) {
         return stop(&p->scan, p->scan.end, NULL);
@@ -587,7 +609,7 @@ static taut_status report_stop(const json_scan *scan, const char *name, taut_err
                               wish + strlen(between), "%s", message);
 }
 
-taut_status taut_json_parse(const char *text, size_t length, const char *name,
+taut_status taut_json_parse(const char *text, size_t length, const char *name, taut_pulse *pulse,
                             taut_json_document **document, taut_error *error)
 {
     static const char mark[] = "\xef\xbb\xbf"; /* a byte order mark may be ignored: RFC 8259, 8.1 */
@@ -595,7 +617,9 @@ taut_status taut_json_parse(const char *text, size_t length, const char *name,
     const char *begin = length > 0 ? text + skip : "";
     taut_json_document *made = NULL;
     taut_status status = TAUT_OK;
-    parser p = {.scan = {.begin = begin, .at = begin, .end = begin + (length - skip)}};
+    parser p = {.scan = {.begin = begin, .at = begin, .end = begin + (length - skip)},
+                .pulse = pulse,
+                .told = begin};
 
     if ((double)length > TAUT_FILE_MAX) {
         return taut_fail(error, TAUT_BAD_INPUT, "size", NULL, (double)length, TAUT_FILE_MAX,
@@ -607,7 +631,9 @@ taut_status taut_json_parse(const char *text, size_t length, const char *name,
     }
     p.scan.pool = &made->pool;
     if (!parse_all(&p, &made->root)) {
-        status = p.scan.no_memory ? taut_fail_memory(error) : report_stop(&p.scan, name, error);
+        status = taut_pulse_is_stopped(pulse) ? taut_fail_status(error, TAUT_INTERRUPTED)
+                 : p.scan.no_memory           ? taut_fail_memory(error)
+                                              : report_stop(&p.scan, name, error);
     }
     taut_free(p.items);
     taut_free(p.members);

@@ -21,7 +21,7 @@ static taut_status add_members(taut_record *record, const taut_json *at, taut_er
     }
     for (size_t i = 0; status == TAUT_OK && i < count; i++) {
         const taut_json_entry *entry = &at->value->as.members[i];
-        const taut_json member = {&entry->value, at, entry->key, 0};
+        const taut_json member = {&entry->value, at, entry->key, 0, NULL};
         status = add_value(record, entry->key, &member, error);
     }
     return status;
@@ -102,5 +102,5 @@ taut_status taut_record_read_text(const char *text, size_t length, const char *n
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "reading needs a text, its name and a place for the record");
     }
-    return taut_json_read_text(text, length, name, read_root, record, error);
+    return taut_json_read_text(text, length, name, NULL, read_root, record, error);
 }

@@ -64,7 +64,7 @@ static taut_status compare_key(const scan *s, const char *word, const char *end,
     scan past = *s;
     skip_string(&past);
     const taut_status status =
-        taut_json_parse(s->text + s->at, past.at - s->at, "key", &document, NULL);
+        taut_json_parse(s->text + s->at, past.at - s->at, "key", NULL, &document, NULL);
     if (status == TAUT_OK) {
         *same = is_word(taut_json_document_root(document)->as.string, word, end);
         taut_json_document_free(document);

@@ -8,6 +8,7 @@
 #ifndef TAUT_IO_JSON_TREE_H
 #define TAUT_IO_JSON_TREE_H
 
+#include "core/pulse.h"
 #include "taut/status.h"
 
 #include <stddef.h>
@@ -49,8 +50,8 @@ struct taut_json_entry {
 typedef struct taut_json_document taut_json_document;
 
 /* Parses text; `name` stands for the file in messages. TAUT_BAD_INPUT with file:line:column where
- * JSON broke; TAUT_NO_MEMORY. Cost: linear (objects: n log n in their members). */
-taut_status taut_json_parse(const char *text, size_t length, const char *name,
+ * JSON broke; TAUT_NO_MEMORY; TAUT_INTERRUPTED by the pulse, which may be NULL. Cost: linear (objects: n log n in their members). */
+taut_status taut_json_parse(const char *text, size_t length, const char *name, taut_pulse *pulse,
                             taut_json_document **document, taut_error *error);
 void taut_json_document_free(taut_json_document *document); /* NULL is fine */
 /* The value of the whole text; lives as long as the document. */

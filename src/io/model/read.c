@@ -136,19 +136,35 @@ taut_status taut_model_document_read(const taut_json *document, taut_model **mod
     return TAUT_OK;
 }
 
+taut_pulse taut_read_pulse(const taut_read_options *options)
+{
+    return (taut_pulse){.monitor = options != NULL ? &options->monitor : NULL,
+                        .what = "reading",
+                        .done = taut_none};
+}
+
 static taut_status read_root(const taut_json *document, void *model, taut_error *error)
 {
     return taut_model_document_read(document, model, error);
 }
 
-taut_status taut_model_read_text(const char *text, size_t length, const char *name,
-                                 taut_model **model, taut_error *error)
+taut_status taut_model_read_text_with(const char *text, size_t length, const char *name,
+                                      const taut_read_options *options, taut_model **model,
+                                      taut_error *error)
 {
+    taut_pulse pulse = taut_read_pulse(options);
     if ((text == NULL && length > 0) || model == NULL) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "taut_model_read_text needs a text and a place for the model");
     }
-    return taut_json_read_text(text, length, name != NULL ? name : "text", read_root, model, error);
+    return taut_json_read_text(text, length, name != NULL ? name : "text", &pulse, read_root, model,
+                               error);
+}
+
+taut_status taut_model_read_text(const char *text, size_t length, const char *name,
+                                 taut_model **model, taut_error *error)
+{
+    return taut_model_read_text_with(text, length, name, NULL, model, error);
 }
 
 /* What is cut by curves is not to be taken for the whole surface in silence. */
@@ -170,14 +186,15 @@ taut_status taut_model_format_read(const taut_format_ops *ops, const char *path,
                                    const taut_read_options *options, taut_model **model,
                                    taut_error *error)
 {
+    static const taut_read_options plain = {.untrim = 0};
+    const taut_read_options *chosen = options != NULL ? options : &plain;
     taut_model *made = NULL;
-    const int edges = options != NULL && options->edges && ops->read_edges != NULL;
-    taut_status status = (edges ? ops->read_edges : ops->read)(path, &made, error);
+    taut_status status = ops->read(path, chosen, &made, error);
 
     if (status != TAUT_OK) {
         return status;
     }
-    status = options != NULL && options->untrim ? TAUT_OK : refuse_trimmed(made, error);
+    status = chosen->untrim ? TAUT_OK : refuse_trimmed(made, error);
     if (status != TAUT_OK) {
         taut_model_free(made);
         return status;
@@ -190,6 +207,7 @@ taut_status taut_model_read_with(const char *path, const taut_read_options *opti
                                  taut_model **model, taut_error *error)
 {
     const taut_format_ops *ops = NULL;
+    taut_pulse pulse = taut_read_pulse(options);
     if (path == NULL || model == NULL) {
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "taut_model_read needs a path and a place for the model");
@@ -197,7 +215,7 @@ taut_status taut_model_read_with(const char *path, const taut_read_options *opti
     ops = taut_format_ops_at(taut_format_of(path, NULL));
     return ops != NULL && ops->read != NULL
                ? taut_model_format_read(ops, path, options, model, error)
-               : taut_json_read_file(path, read_root, model, error);
+               : taut_json_read_file(path, &pulse, read_root, model, error);
 }
 
 taut_status taut_model_read(const char *path, taut_model **model, taut_error *error)

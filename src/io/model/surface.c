@@ -52,6 +52,9 @@ static taut_status read_surface(const taut_json *at, taut_arena *arena, taut_sur
     rows = taut_basis_count(net.u);
     columns = taut_basis_count(net.v);
     taut_net_document_texts(&points, rows, columns, NULL, &has_texts);
+    if (taut_pulse_is_stopped(at->pulse)) {
+        return taut_fail_status(error, TAUT_INTERRUPTED);
+    }
     if (has_texts) {
         texts = taut_arena_take(arena, 3 * (size_t)rows * (size_t)columns, sizeof *texts);
         if (texts == NULL) {

@@ -67,7 +67,7 @@ static char *join_text(const taut_problem *problem, const char *pointer,
 static taut_status check_value(const char *value, size_t length, taut_error *error)
 {
     taut_json_document *document = NULL;
-    const taut_status status = taut_json_parse(value, length, "value", &document, error);
+    const taut_status status = taut_json_parse(value, length, "value", NULL, &document, error);
     taut_json_document_free(document);
     return status;
 }

@@ -29,6 +29,7 @@ taut_status taut_problem_or_model_read_with(const char *path, const taut_read_op
 {
     either e = {.path = path};
     const taut_format_ops *ops = NULL;
+    taut_pulse pulse = taut_read_pulse(options);
     taut_status status = TAUT_OK;
 
     if (path == NULL || problem == NULL || model == NULL) {
@@ -38,7 +39,7 @@ taut_status taut_problem_or_model_read_with(const char *path, const taut_read_op
     ops = taut_format_ops_at(taut_format_of(path, NULL));
     status = ops != NULL && ops->read != NULL
                  ? taut_model_format_read(ops, path, options, &e.model, error)
-                 : taut_problem_read_file(path, read_root, &e, &e.source, error);
+                 : taut_problem_read_file(path, &pulse, read_root, &e, &e.source, error);
     if (status != TAUT_OK) {
         return status;
     }

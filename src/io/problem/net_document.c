@@ -9,6 +9,8 @@
 #include <stdio.h>
 #include <string.h>
 
+enum { POINT_WORK = 40 }; /* operations of a point, as pulses count them */
+
 taut_status taut_net_document_shape(const taut_json *points, int *rows, int *columns,
                                     taut_error *error)
 {
@@ -122,6 +124,7 @@ void taut_net_document_texts(const taut_json *at, int rows, int columns, const c
         const taut_json row = taut_json_item(at, (size_t)i);
         const char **of_row = texts != NULL ? texts + 3 * (size_t)i * (size_t)columns : NULL;
         *found = list_row_texts(&row, columns, of_row) || *found;
+        taut_pulse_beat(at->pulse, POINT_WORK * (double)columns);
     }
 }
 
@@ -161,6 +164,9 @@ taut_status taut_net_document_points(const taut_json *at, int rows, int columns,
         const taut_json row = taut_json_item(at, i);
         status = read_row(&row, columns, points + 3 * i * length,
                           known != NULL ? known + i * length : NULL, error);
+        if (status == TAUT_OK && taut_pulse_beat(at->pulse, POINT_WORK * (double)columns)) {
+            status = taut_fail_status(error, TAUT_INTERRUPTED);
+        }
     }
     return status;
 }

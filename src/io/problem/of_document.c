@@ -86,7 +86,7 @@ static taut_status read_named(const char *path, const target *to, taut_error *er
     taut_model *model = NULL;
 
     if (ops == NULL || ops->read == NULL) {
-        return taut_problem_read_file(path, read_root, &f, &f.source, error);
+        return taut_problem_read_file(path, NULL, read_root, &f, &f.source, error);
     }
     const taut_status status = taut_model_format_read(ops, path, &options, &model, error);
     return status == TAUT_OK ? keep_either(to, NULL, model, error) : status;

@@ -185,7 +185,7 @@ taut_status taut_problem_read_from(const char *text, size_t length, const char *
                                    const char *path, taut_problem **problem, taut_error *error)
 {
     one_problem one = {path, {text, length, NULL}, problem};
-    return taut_json_read_text(text, length, name, read_one, &one, error);
+    return taut_json_read_text(text, length, name, NULL, read_one, &one, error);
 }
 
 taut_status taut_problem_read_text(const char *text, size_t length, const char *name,
@@ -198,8 +198,8 @@ taut_status taut_problem_read_text(const char *text, size_t length, const char *
     return taut_problem_read_from(text, length, name != NULL ? name : "text", NULL, problem, error);
 }
 
-taut_status taut_problem_read_file(const char *path, taut_json_read *read, void *into,
-                                   taut_problem_source *source, taut_error *error)
+taut_status taut_problem_read_file(const char *path, taut_pulse *pulse, taut_json_read *read,
+                                   void *into, taut_problem_source *source, taut_error *error)
 {
     char *text = NULL;
     taut_status status = taut_file_read(path, &text, &source->length, error);
@@ -209,8 +209,9 @@ taut_status taut_problem_read_file(const char *path, taut_json_read *read, void 
     }
     source->text = text;
     source->owned = &text;
-    status = taut_json_read_text(
-        text, source->length, strcmp(path, "-") == 0 ? "standard input" : path, read, into, error);
+    status =
+        taut_json_read_text(text, source->length, strcmp(path, "-") == 0 ? "standard input" : path,
+                            pulse, read, into, error);
     taut_free(text);
     return status;
 }
@@ -222,7 +223,7 @@ taut_status taut_problem_read(const char *path, taut_problem **problem, taut_err
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "taut_problem_read needs a path and a place for the problem");
     }
-    return taut_problem_read_file(path, read_one, &one, &one.source, error);
+    return taut_problem_read_file(path, NULL, read_one, &one, &one.source, error);
 }
 
 struct taut_problem_list {
@@ -317,7 +318,8 @@ taut_status taut_problem_list_read_text(const char *text, size_t length, const c
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "taut_problem_list_read_text needs a text and a place for the list");
     }
-    return taut_json_read_text(text, length, name != NULL ? name : "text", read_many, &many, error);
+    return taut_json_read_text(text, length, name != NULL ? name : "text", NULL, read_many, &many,
+                               error);
 }
 
 taut_status taut_problem_list_read(const char *path, taut_problem_list **list, taut_error *error)
@@ -327,5 +329,5 @@ taut_status taut_problem_list_read(const char *path, taut_problem_list **list, t
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "taut_problem_list_read needs a path and a place for the list");
     }
-    return taut_problem_read_file(path, read_many, &many, &many.source, error);
+    return taut_problem_read_file(path, NULL, read_many, &many, &many.source, error);
 }

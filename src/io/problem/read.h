@@ -21,7 +21,7 @@ taut_status taut_problem_read_from(const char *text, size_t length, const char *
                                    const char *path, taut_problem **problem, taut_error *error);
 
 /* taut_json_read_file with the text still there: *source, which `into` knows of, is filled first. */
-taut_status taut_problem_read_file(const char *path, taut_json_read *read, void *into,
-                                   taut_problem_source *source, taut_error *error);
+taut_status taut_problem_read_file(const char *path, taut_pulse *pulse, taut_json_read *read,
+                                   void *into, taut_problem_source *source, taut_error *error);
 
 #endif /* TAUT_IO_PROBLEM_READ_H */

@@ -233,5 +233,4 @@ static taut_status write_step(const taut_model *model, const taut_write_options 
     return status;
 }
 
-const taut_format_ops taut_format_step = {
-    .write = write_step, .read = taut_cad_read_step, .read_edges = taut_cad_read_step_edges};
+const taut_format_ops taut_format_step = {.write = write_step, .read = taut_cad_read_step};

@@ -238,9 +238,21 @@ static taut_status judge_join(taut_join_side *a, taut_join_side *b, taut_join *j
     return status;
 }
 
-taut_status taut_join_measure(const taut_surface *a, taut_edge edge_a, const taut_surface *b,
-                              taut_edge edge_b, taut_join *join, taut_error *error)
+/* Sides whose scales are shared. TAUT_NO_MEMORY. */
+static taut_status measure_sides(taut_join_side sides[2], taut_join *join)
 {
+    const taut_status status = judge_join(&sides[0], &sides[1], join);
+    return status == TAUT_OK ? taut_join_is_one_surface(&sides[0], &sides[1], &join->one_surface)
+                             : status;
+}
+
+taut_status taut_join_measure_with(const taut_surface *a, taut_edge edge_a, const taut_surface *b,
+                                   taut_edge edge_b, const taut_join_options *options,
+                                   taut_join *join, taut_error *error)
+{
+    taut_pulse pulse = {.monitor = options != NULL ? &options->monitor : NULL,
+                        .what = "measuring",
+                        .done = taut_none};
     taut_join made;
     taut_join_side sides[2];
 
@@ -252,14 +264,25 @@ taut_status taut_join_measure(const taut_surface *a, taut_edge edge_a, const tau
     sides[0] = side_of(a, edge_a, 1);
     sides[1] = side_of(b, edge_b, 0);
     share_scales(sides);
-    if (judge_join(&sides[0], &sides[1], &made) != TAUT_OK ||
-        taut_join_is_one_surface(&sides[0], &sides[1], &made.one_surface) != TAUT_OK) {
+    sides[0].pulse = sides[1].pulse = &pulse;
+    const taut_status status =
+        taut_pulse_report(&pulse) ? TAUT_INTERRUPTED : measure_sides(sides, &made);
+    if (taut_pulse_is_stopped(&pulse)) {
+        return taut_fail_status(error, TAUT_INTERRUPTED);
+    }
+    if (status != TAUT_OK) {
         return taut_fail_memory(error);
     }
     made.max_gap = ldexp(made.max_gap, sides[0].scale);
     made.gap_bound = ldexp(made.gap_bound, sides[0].scale);
     *join = made;
     return TAUT_OK;
+}
+
+taut_status taut_join_measure(const taut_surface *a, taut_edge edge_a, const taut_surface *b,
+                              taut_edge edge_b, taut_join *join, taut_error *error)
+{
+    return taut_join_measure_with(a, edge_a, b, edge_b, NULL, join, error);
 }
 
 taut_status taut_join_gap(const taut_surface *a, taut_edge edge_a, const taut_surface *b,

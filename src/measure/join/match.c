@@ -5,6 +5,19 @@
 #include "geometry/exponent.h"
 
 #include <math.h>
+#include <string.h>
+
+enum {
+    PLACE_WORK = 15,
+    JET_WORK = 60
+}; /* operations of a point alive at a place, of order 0; else */
+
+/* Operations, as pulses count them. */
+static double work_of_spot(const taut_join_side *side, int order)
+{
+    return (double)taut_basis_local(side->along) * taut_basis_local(side->across) *
+           (order == 0 ? PLACE_WORK : JET_WORK);
+}
 
 void taut_join_spot(const taut_join_side *side, int span, double t, int order, taut_spot *spot)
 {
@@ -15,6 +28,10 @@ void taut_join_spot(const taut_join_side *side, int span, double t, int order, t
     double parameters[2];
     taut_spot raw;
 
+    if (taut_pulse_beat(side->pulse, work_of_spot(side, order))) {
+        memset(spot, 0, sizeof *spot);
+        return;
+    }
     spans[held] = high ? last : 0;
     spans[1 - held] = span;
     parameters[held] = at;

@@ -22,7 +22,11 @@
 #include <float.h>
 #include <math.h>
 
-enum { NODES = 256, ORDERS = 4 };
+enum {
+    NODES = 256,
+    ORDERS = 4,
+    COSINE_WORK = 30 /* operations of a cosine, as pulses count them */
+};
 
 /* Roundings that a derivative's value has, of its bound. */
 static const double roundings = 256;
@@ -80,6 +84,10 @@ static void bound_order(proof *p, int k, double from, double to, double *bound, 
     double sums[3], constant = 0, noise = 0;
     int spans[2];
 
+    if (taut_pulse_beat(p->side[0]->pulse, 4.0 * COSINE_WORK * n * n)) {
+        *bound = *limit = 0;
+        return;
+    }
     for (int s = 0; s < 2; s++) {
         spans[s] = taut_basis_span(p->side[s]->along, taut_join_parameter(p->side[s], middle));
     }
@@ -140,7 +148,7 @@ taut_status taut_join_prove(const taut_join_side *a, const taut_join_side *b, in
         p->functions = functions;
         join->gap_bound = 0;
         for (int k = 0; k <= join->c_order; k++) {
-            for (int i = 0; i + 1 < break_count; i++) {
+            for (int i = 0; i + 1 < break_count && !taut_pulse_is_stopped(a->pulse); i++) {
                 double bound = 0, limit = 0;
                 bound_order(p, k, breaks[i], breaks[i + 1], &bound, &limit);
                 join->gap_bound = k == 0 ? fmax(join->gap_bound, bound) : join->gap_bound;

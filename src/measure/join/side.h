@@ -2,6 +2,7 @@
 #ifndef TAUT_MEASURE_JOIN_SIDE_H
 #define TAUT_MEASURE_JOIN_SIDE_H
 
+#include "core/pulse.h"
 #include "measure/curvature/spot.h"
 #include "taut/join.h"
 
@@ -15,10 +16,11 @@ typedef struct taut_join_side {
     double sign_across; /* of the parameter's growth: out of the first surface, into the second */
     int scale;          /* points are divided by 2^scale */
     int shift_across;   /* parameters across by 2^shift_across: the same for both sides */
+    taut_pulse *pulse;  /* told of what is evaluated, or NULL */
 } taut_join_side;
 
 /* The surface near a point of its edge: Taylor polynomials in (along, across), the second variable
- * growing from the first surface to the second. */
+ * growing from the first surface to the second. Once the side's pulse is stopped they are zero. */
 void taut_join_spot(const taut_join_side *side, int span, double t, int order, taut_spot *spot);
 
 /* The parameter of a side at the part in [0, 1] of the common direction along the edge. */

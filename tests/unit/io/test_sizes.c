@@ -53,8 +53,8 @@ static taut_status shape_of(uint32_t n, int shape[2], taut_error *error)
         rows[i] = (taut_json_value){TAUT_JSON_ARRAY, n, {.items = points}};
     }
     const taut_json_value net = {TAUT_JSON_ARRAY, ROWS, {.items = rows}};
-    const taut_json root = {NULL, NULL, NULL, 0};
-    const taut_json at = {&net, &root, "points", 0};
+    const taut_json root = {NULL, NULL, NULL, 0, NULL};
+    const taut_json at = {&net, &root, "points", 0, NULL};
     const taut_status status = taut_net_document_shape(&at, &shape[0], &shape[1], error);
     free(points);
     free(rows);

@@ -292,6 +292,13 @@ static void test_watched(void)
                   strcmp(error.reason, "interrupted") == 0 && stop.reports == k,
               "stopped at %d: went on to %d, %s", k, stop.reports, error.message);
         check_nothing_left(files, "watched");
+        watch end = {.stop_at = k, .answer = stop.answer};
+        const taut_read_options read = {.monitor = monitor_of(&end)};
+        taut_model *none = NULL;
+        CHECK(taut_model_read_with(drawing_path, &read, &none, &error) == TAUT_INTERRUPTED &&
+                  none == NULL && strcmp(error.reason, "interrupted") == 0 && end.reports == k,
+              "reading stopped at %d: went on to %d, %s", k, end.reports, error.message);
+        check_nothing_left(files, "watched");
     }
     watch all = {.stop_at = 0};
     const taut_write_options options = {.monitor = monitor_of(&all)};

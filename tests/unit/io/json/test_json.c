@@ -71,7 +71,7 @@ static int compare(const char *text, size_t length)
     json_t *other = json_loadb(text, length, flags, &broken);
     taut_json_document *document = NULL;
     taut_error error = {.status = TAUT_OK};
-    const taut_status status = taut_json_parse(text, length, "text", &document, &error);
+    const taut_status status = taut_json_parse(text, length, "text", NULL, &document, &error);
     const int accepted = status == TAUT_OK;
 
     CHECK(accepted == (other != NULL), "we say \"%s %s\", jansson \"%s\", of %.*s", error.where,
@@ -215,7 +215,8 @@ static void test_depth(void)
         taut_json_document *document = NULL;
         memset(text, '[', depth);
         memset(text + depth, ']', depth);
-        CHECK((taut_json_parse(text, 2 * depth, "text", &document, NULL) == TAUT_OK) == !extra,
+        CHECK((taut_json_parse(text, 2 * depth, "text", NULL, &document, NULL) == TAUT_OK) ==
+                  !extra,
               "depth %zu", depth);
         taut_json_document_free(document);
     }
