@@ -18,7 +18,7 @@ taut_status read_model_text(const void *context, void **result, taut_error *erro
 {
     taut_model *model = *result;
     const taut_status status =
-        taut_model_read_text(context, strlen(context), "text", &model, error);
+        taut_model_read_text_with(context, strlen(context), "text", NULL, &model, error);
     *result = model;
     return status;
 }

@@ -83,7 +83,7 @@ static taut_status join(const void *context, void **result, taut_error *error)
 {
     taut_join found = {.max_gap = -1};
     const taut_status status =
-        taut_join_measure(context, TAUT_EDGE_U0, context, TAUT_EDGE_U1, &found, error);
+        taut_join_measure_with(context, TAUT_EDGE_U0, context, TAUT_EDGE_U1, NULL, &found, error);
     (void)result;
     CHECK((status == TAUT_OK) == (found.max_gap >= 0), "the join is untouched on failure");
     return status;
