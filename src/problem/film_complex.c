@@ -12,6 +12,7 @@ static const char *const edge_names[4] = {"u0", "u1", "v0", "v1"};
 static const char *const corner_names[4] = {"u0v0", "u1v0", "u0v1", "u1v1"};
 static const double knots_alike = 1e-12; /* of the range */
 static const double gap_meeting = 1e-9;  /* of the size */
+static const double gap_one = 0x1p-48;   /* of the size: points that are one but for rounding */
 
 const taut_film_problem *taut_film_complex_of(const taut_film_problem *problem,
                                               taut_film_lone *room)
@@ -235,15 +236,16 @@ static void end_of(const taut_curve *curve, int end, double x[3])
     (void)taut_curve_eval(curve, end == 0 ? taut_basis_lo(t) : taut_basis_hi(t), 0, x);
 }
 
-static taut_status hold_corners(taut_film_complex *c, int p, double gap, taut_error *error)
+static taut_status hold_corners(taut_film_complex *c, int p, double size, taut_error *error)
 {
     const taut_film_problem *patch = &c->problem->patches[p];
+    const double gap = gap_meeting * size;
 
     for (int k = 0; k < 4; k++) {
         taut_film_hold *hold = &c->holds[taut_film_complex_corner(c, p, k)];
         const taut_film_corner_kind kind = patch->corner_kinds[k];
         const int meets = kind == TAUT_FILM_HELD && patch->has_corner[k]
-                              ? add_point(hold, patch->corners[k], gap)
+                              ? add_point(hold, patch->corners[k], gap_one * size)
                           : kind == TAUT_FILM_ON_LINE  ? add_line(hold, &patch->guides[k], gap)
                           : kind == TAUT_FILM_ON_PLANE ? add_plane(hold, &patch->guides[k], gap)
                                                        : 1;
@@ -251,6 +253,13 @@ static taut_status hold_corners(taut_film_complex *c, int p, double gap, taut_er
             return refuse_corner(c, p, k, error);
         }
     }
+    return TAUT_OK;
+}
+
+static taut_status hold_ends(taut_film_complex *c, int p, double gap, taut_error *error)
+{
+    const taut_film_problem *patch = &c->problem->patches[p];
+
     for (int e = 0; e < 4; e++) {
         for (int end = 0; patch->edges[e].curve != NULL && end < 2; end++) {
             const int k = taut_film_edge_corner(e, end);
@@ -352,11 +361,14 @@ double taut_film_complex_size(const taut_film_problem *problem)
 static taut_status find_holds(taut_film_complex *c, taut_error *error)
 {
     const taut_film_problem *problem = c->problem;
-    const double gap = gap_meeting * taut_film_complex_size(problem);
+    const double size = taut_film_complex_size(problem), gap = gap_meeting * size;
     taut_status status = TAUT_OK;
 
     for (int p = 0; status == TAUT_OK && p < problem->patch_count; p++) {
-        status = hold_corners(c, p, gap, error);
+        status = hold_corners(c, p, size, error);
+    }
+    for (int p = 0; status == TAUT_OK && p < problem->patch_count; p++) {
+        status = hold_ends(c, p, gap, error);
     }
     for (int p = 0; status == TAUT_OK && p < problem->patch_count; p++) {
         for (int e = 0; status == TAUT_OK && e < 4; e++) {

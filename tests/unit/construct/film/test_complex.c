@@ -146,6 +146,8 @@ static void test_refused(void)
                            TAUT_BAD_INPUT, "seam-mismatch", "/seams/0");
     check_document_refused(TWO(B(2, 4), "[1,0,1e-6]", "", "[\"a.u1\",\"b.u0\"]"), TAUT_BAD_INPUT,
                            "corner-conflict", "/patches/1/corners/u0v0");
+    check_document_refused(TWO(B(2, 4), "[1,0,1e-12]", "", "[\"a.u1\",\"b.u0\"]"), TAUT_BAD_INPUT,
+                           "corner-conflict", "/patches/1/corners/u0v0");
     check_document_refused(TWO(B(2, 4), "[1,0,0]", ",\"edges\":{\"u1\":{\"cable\":{\"force\":1}}}",
                                "[\"a.u1\",\"b.u0\"]"),
                            TAUT_BAD_INPUT, "edge-conflict", "/seams/0/0");
