@@ -18,7 +18,7 @@ static const double same_curve =
     1e-8; /* of the length: ends, middles and lengths of two curves that are one */
 static const double no_way = 1e-6; /* of the window: a curve that comes no farther from its seed */
 static const double no_lath =
-    1e-6; /* of the size: a curve of a lattice as short touches the window alone */
+    1e-6; /* of the size: a curve of several as short touches the window alone */
 
 static const char *const letters[] = {"AB", "AB", "GG", "AB"};
 
@@ -268,7 +268,7 @@ static int is_begun(const taut_carrier *carrier, const double at[2], const doubl
     return near;
 }
 
-/* Does a curve of a lattice only touch the window, in a corner or along the border, or what has the net? */
+/* Does a curve of several only touch the window, in a corner or along the border, or what has the net? */
 static int only_touches(const taut_net *net, const planned *p)
 {
     const taut_lath *lath = &p->lath;
@@ -457,6 +457,7 @@ static taut_status seed_line(taut_net *net, const taut_trace_seed *seed, int fam
     }
     for (int k = first; k <= last; k++) {
         list[k - first] = place_of(net->carrier, family, places + 2 * k);
+        list[k - first].may_touch = 1;
     }
     return add_laths(net, list, last - first + 1, error);
 }

@@ -317,7 +317,7 @@ static void check_borders(const made_net *made)
     CHECK(kinds[0] > 0 && kinds[1] > 0, "%d inside, %d on the border", kinds[0], kinds[1]);
 }
 
-/* Curves of a lattice touch the window alone, in the middle of two edges, and are no laths. Of a place elsewhere, of the
+/* Curves of a lattice, or of a line, touch the window alone, in the middle of two edges, and are no laths. Of a place elsewhere, of the
  * other family there, or of one where the net does not exist, that is not true. */
 static void check_short(void)
 {
@@ -347,6 +347,13 @@ static void check_short(void)
         CHECK(holds_with(&made, "left_out", list) == tries[i].is_true, "short %zu", i);
         taut_record_free(whole);
     }
+    net_free(&made);
+    made = net_make(
+        "principal", surface,
+        "\"seeds\": [{ \"line\": [[2e-8, 0], [1, 0]], \"count\": 1, \"by\": \"parameter\" }]");
+    CHECK(made.status == TAUT_OK && taut_certificate_holds(made.proof) == TAUT_TRUE, "line: %s",
+          made.error.message);
+    CHECK(net_count(&made, "left_out") == 1, "line: %d left out", net_count(&made, "left_out"));
     net_free(&made);
 }
 
