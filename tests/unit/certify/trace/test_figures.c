@@ -350,7 +350,7 @@ static void check_short(void)
     net_free(&made);
     made = net_make(
         "principal", surface,
-        "\"seeds\": [{ \"line\": [[2e-8, 0], [1, 0]], \"count\": 1, \"by\": \"parameter\" }]");
+        "\"seeds\": [{ \"line\": [[2e-8, 0], [1, 0]], \"count\": 3, \"by\": \"parameter\" }]");
     CHECK(made.status == TAUT_OK && taut_certificate_holds(made.proof) == TAUT_TRUE, "line: %s",
           made.error.message);
     CHECK(net_count(&made, "left_out") == 1, "line: %d left out", net_count(&made, "left_out"));
