@@ -292,32 +292,33 @@ class uses
 
 /* False, and nothing given, where the face is trimmed and only `whole` ones are wanted. */
 static bool give_face(const TopoDS_Face &face, const occt_about &about, const char *name,
-                      bool whole, uses &used, const occt_sink &sink)
+                      bool whole, uses &used, occt_joiner &joiner)
 {
-    taut_cad_item item = {};
+    occt_surface out = {};
+    taut_cad_item &item = out.item;
     const Handle(Geom_BSplineSurface) s = convert_surface(face, item.notes);
     if (whole && (item.notes & TAUT_CAD_TRIMMED) != 0) {
         return false;
     }
     used.find(face, about.product, item);
-    const std::vector<double> u = numbers(s->UKnotSequence()), v = numbers(s->VKnotSequence());
-    std::vector<double> points, weights;
+    out.knots[0] = numbers(s->UKnotSequence());
+    out.knots[1] = numbers(s->VKnotSequence());
     for (int i = 1; i <= s->NbUPoles(); i++) {
         for (int j = 1; j <= s->NbVPoles(); j++) {
             const gp_Pnt p = s->Pole(i, j);
-            points.insert(points.end(), {p.X(), p.Y(), p.Z()});
-            weights.push_back(s->Weight(i, j));
+            out.points.insert(out.points.end(), {p.X(), p.Y(), p.Z()});
+            out.weights.push_back(s->Weight(i, j));
         }
     }
     item.degree[0] = s->UDegree();
     item.degree[1] = s->VDegree();
     item.count[0] = s->NbUPoles();
     item.count[1] = s->NbVPoles();
-    item.knots[0] = u.data();
-    item.knots[1] = v.data();
-    item.points = points.data();
-    item.weights = s->IsURational() || s->IsVRational() ? weights.data() : nullptr;
-    give_item(sink, about, name, item);
+    item.product = about.product.c_str();
+    item.colour = about.colour;
+    out.name = name;
+    out.is_rational = s->IsURational() || s->IsVRational();
+    joiner.add(std::move(out));
     return true;
 }
 
@@ -460,6 +461,7 @@ void occt_give(const TopoDS_Shape &shape, const occt_names &names, bool with_edg
     namer namer(names, faces, edges);
     std::vector<std::pair<int, std::string>> trimmed;
     uses used;
+    occt_joiner joiner(sink, names.are_own);
     int given = 0;
     for (int i = 1; i <= faces.Extent(); i++) {
         const TopoDS_Face face = TopoDS::Face(faces(i));
@@ -467,11 +469,12 @@ void occt_give(const TopoDS_Shape &shape, const occt_names &names, bool with_edg
         /* edges are found by name: those of trimmed faces and of others are counted as one */
         const std::string said = own.empty() && with_edges ? "face" + std::to_string(i) : own;
         given += give_or_name("face", i, said.c_str(), sink, [&](const char *name) {
-            if (!give_face(face, names.find(face), name, with_edges, used, sink)) {
+            if (!give_face(face, names.find(face), name, with_edges, used, joiner)) {
                 trimmed.emplace_back(i, said);
             }
         });
     }
+    joiner.end();
     for (int i = 1; i <= edges.Extent(); i++) {
         const TopoDS_Edge edge = TopoDS::Edge(edges(i));
         const std::string said = namer.name(edge);

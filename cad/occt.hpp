@@ -55,6 +55,7 @@ struct occt_about {
 };
 struct occt_names {
     std::map<const void *, occt_about> of;
+    bool are_own = false; /* the file says that taut wrote it */
     void add(const TopoDS_Shape &shape, const std::string &name);
     /* All faces and free edges of a shape: what the first call says of one stays. */
     void add_product(const TopoDS_Shape &shape, const std::string &product);
@@ -119,6 +120,29 @@ Handle(Geom_BSplineSurface)
  * null for surfaces of another kind. */
 Handle(Geom_BSplineSurface)
     occt_round(const Handle(Geom_Surface) & surface, const double lo[2], const double hi[2]);
+
+/* A surface with the numbers of its item; weights are there always. */
+struct occt_surface {
+    taut_cad_item item;
+    std::string name;
+    std::vector<double> knots[2], points, weights;
+    bool is_rational;
+};
+
+/* Passes surfaces on in their order; of taut's `own` file those that it cut as one (join.cpp). */
+class occt_joiner
+{
+  public:
+    occt_joiner(const occt_sink &to, bool own);
+    void add(occt_surface surface);
+    void end();
+
+  private:
+    void give();
+    const occt_sink &sink;
+    const bool is_own;
+    std::vector<occt_surface> held;
+};
 
 /* Every face and every edge that bounds no face, as items, in the order of the shape; with `edges` faces that are trimmed as
  * their edges, after all else: "FACE.1", "FACE.2", ..., the outer ones first, around. */

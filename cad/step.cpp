@@ -1,6 +1,7 @@
 /* step.cpp -- reading STEP, of any application protocol. */
 #include "occt.hpp"
 
+#include <APIHeaderSection_MakeHeader.hxx>
 #include <Interface_Static.hxx>
 #include <Quantity_Color.hxx>
 #include <STEPConstruct_Styles.hxx>
@@ -152,6 +153,14 @@ static void add_colours(const Handle(XSControl_WorkSession) & session,
     }
 }
 
+/* Does the header say that taut wrote the file? */
+static bool is_own(const Handle(Interface_InterfaceModel) & model)
+{
+    const APIHeaderSection_MakeHeader header(Handle(StepData_StepModel)::DownCast(model));
+    return header.HasFn() && !header.OriginatingSystem().IsNull() &&
+           header.OriginatingSystem()->IsSameString(new TCollection_HAsciiString("taut"));
+}
+
 TopoDS_Shape occt_read_step(const taut_cad_job &job, const occt_sink &sink, occt_names &names)
 {
     STEPControl_Reader reader;
@@ -163,6 +172,7 @@ TopoDS_Shape occt_read_step(const taut_cad_job &job, const occt_sink &sink, occt
     if (reader.ReadFile(job.path) != IFSelect_RetDone) {
         throw occt_failure(TAUT_BAD_INPUT, "broken", "this is no STEP file, or a broken one");
     }
+    names.are_own = is_own(reader.Model());
     occt_leave_out_broken_step(reader.Model(), faults);
     reader.FileUnits(lengths, angles, solid_angles);
     if (lengths.Length() > 0 && unit_of(lengths.First()) != nullptr) {

@@ -3,16 +3,17 @@ find_program(WASM_OPT wasm-opt REQUIRED)
 # Without what nothing in a page asks for: among others flat pieces of cloth (pattern/flat), which only programs cut.
 file(GLOB_RECURSE web_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/*.c)
 list(FILTER web_sources EXCLUDE REGEX "/src/(cli|modules|page|construct/gradient)/|/io/cad/(absent|answer|cad|helper|looks|scan|sheets|wire)|/io/(csv|dxf)/|/io/geomdl/geomdl|/io/problem/(boundary_file|pattern|film_along|film_curves|film_patches)|/film/complex/|/problem/film_(complex|cells|places|rim|ropes)|/numeric/(sparse|modes_lent)|/geometry/boundary/|/io/mesh/threemf|/io/mesh/cloth|/mesh/thicken|/shell/thick/|/io/step/assembly|/io/step/bodies|/numeric/strip|/pattern/flat/|/draw/flat_page|/measure/cloth/|/(construct|certify)/pattern/|/io/flat/(cloth|spread)|avx2|avx512|/platform/(posix|windows)")
-# Nets of curves, and where a film is how far from least, are in the studio's module, which has room for them, and not in the one that any page may load.
+# Nets of curves, where a film is how far from least, and faces without creases in STEP files are in the studio's module, which has room for them, and not in the one that any page may load.
 option(TAUT_WEB_NETS "The module for browsers traces nets of curves" OFF)
 if(TAUT_WEB_NETS)
   list(FILTER web_sources EXCLUDE REGEX "/web/left_out_nets")
 else()
-  list(FILTER web_sources EXCLUDE REGEX "/src/((construct/|certify/)?trace|pattern)/|/numeric/runge|/measure/dual/density")
+  list(FILTER web_sources EXCLUDE REGEX "/src/((construct/|certify/)?trace|pattern)/|/numeric/runge|/measure/dual/density|/io/step/cuts")
 endif()
 add_executable(taut_web ${web_sources})
 target_link_libraries(taut_web PRIVATE taut_flags)
-target_compile_options(taut_web PRIVATE -D_WASI_EMULATED_SIGNAL -DTAUT_SMALL_KERNEL -DTAUT_UNWATCHED) # no page has a monitor
+target_compile_options(taut_web PRIVATE -D_WASI_EMULATED_SIGNAL -DTAUT_SMALL_KERNEL -DTAUT_UNWATCHED # no page has a monitor
+  $<$<NOT:$<BOOL:${TAUT_WEB_NETS}>>:-DTAUT_WHOLE_FACES>)
 file(STRINGS ${CMAKE_SOURCE_DIR}/src/web/web.c exported REGEX "^[a-z].*[ *]taut_web_[a-z]+\\(.*\\);$")
 list(TRANSFORM exported REPLACE ".*[ *](taut_web_[a-z]+)\\(.*" "-Wl,--export=\\1")
 target_link_options(taut_web PRIVATE -mexec-model=reactor ${exported} -Wl,--gc-sections -Wl,--strip-all

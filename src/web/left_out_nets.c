@@ -1,8 +1,10 @@
 /* left_out_nets.c -- nets of curves are left out of the module that is held small (TAUT_WEB_NETS): their documents are read, and
- * making or judging one says where it is done. So is where a film is how far from least: no witness is found there. */
+ * making or judging one says where it is done. So is where a film is how far from least: no witness is found there; and
+ * faces of STEP files are whole. */
 #include "certify/certify_ops.h"
 #include "construct/construct_ops.h"
 #include "core/fail.h"
+#include "io/step/cuts.h"
 #include "measure/dual/density.h"
 
 #include <math.h>
@@ -57,4 +59,15 @@ double taut_dual_density_at(const taut_dual_density *density, double u, double v
     (void)u;
     (void)v;
     return (double)NAN;
+}
+
+taut_status taut_step_find_cuts(const taut_model *model, const taut_shells *shells,
+                                const taut_step_form *forms, int are_sheets, taut_arena *arena,
+                                taut_step_cuts **cuts)
+{
+    (void)model;
+    (void)forms;
+    (void)are_sheets;
+    *cuts = taut_arena_take(arena, (size_t)shells->face_count, sizeof **cuts);
+    return *cuts != NULL ? TAUT_OK : TAUT_NO_MEMORY;
 }

@@ -91,13 +91,14 @@ PY
     # a face that cannot be had is named and left out, with what it is a part of only; the rest of the file is read
     "$TAUT" example pipe-run-coil > problem.json
     run 0 make problem.json --quiet -o coil.step
-    faces=$(grep -c '=ADVANCED_FACE(' coil.step)
+    run 0 convert coil.step -o coil.json # its coils are four faces each there, and one surface each
+    surfaces=$(sed '/"curves"/,$ d' coil.json | grep -c '"name"')
     sed 's/^\(#[0-9]*\)=PLANE(.*/\1=LEAF_SURFACE(1.);/' coil.step > kind.step
     run 0 convert kind.step -o kind.json
     contains err.txt 'face #[0-9]* of the file, "cap1", is left out: entity #[0-9]* is broken: its surface is of a kind that OpenCASCADE does not know'
     [ "$(grep -c 'is left out' err.txt)" = 2 ] || complain "planes: $(cat err.txt)"
     sed '/"curves"/,$ d' kind.json | grep -c '"name"' > count.txt
-    [ "$(cat count.txt)" = $((faces - 2)) ] || complain "without planes: $(cat count.txt) of $faces surfaces"
+    [ "$(cat count.txt)" = $((surfaces - 2)) ] || complain "without planes: $(cat count.txt) of $surfaces surfaces"
     python3 - <<'PY' || complain 'multiplicities: not set'
 import re
 text = open("coil.step").read()
@@ -109,7 +110,7 @@ PY
     contains err.txt 'is left out: OpenCASCADE makes no spline of entity #[0-9]*: its degrees, knots, multiplicities and points do not agree'
     [ "$(grep -c 'is left out' err.txt)" = 1 ] || complain "multiplicities: $(cat err.txt)"
     sed '/"curves"/,$ d' often.json | grep -c '"name"' > count.txt
-    [ "$(cat count.txt)" = $((faces - 1)) ] || complain "without one: $(cat count.txt) of $faces surfaces"
+    [ "$(cat count.txt)" = "$surfaces" ] || complain "without one: $(cat count.txt) of $surfaces surfaces" # three quarters of one are there
     # what is a part of no face is none to be done without
     sed 's/^\(#[0-9]*=MANIFOLD_SOLID_BREP([^,]*,\)#[0-9]*/\1#1/' coil.step > body.step
     run 3 convert body.step -o body.json

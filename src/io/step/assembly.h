@@ -15,6 +15,7 @@ typedef struct taut_step_part {
     int of; /* the part whose product this is a use of: itself, or an earlier one */
     taut_shells shells;
     taut_step_form *forms;
+    taut_step_cuts *cuts;
     int *outside;
     taut_step_content content;
     taut_step_product product;

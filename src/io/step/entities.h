@@ -3,6 +3,7 @@
 #define TAUT_IO_STEP_ENTITIES_H
 
 #include "core/arena.h"
+#include "io/step/cuts.h"
 #include "io/step/elementary.h"
 #include "io/step/part21.h"
 #include "shell/shell.h"
@@ -35,19 +36,33 @@ void taut_step_put_product(taut_part21 *out, const char *name, const taut_step_s
                            taut_step_content *content, taut_step_product *product);
 size_t taut_step_put_direction(taut_part21 *out, size_t count, const double *direction);
 
-/* geometry.c: a surface, whose points have numbers from *points on, u slowest; a curve of its own;
- * the curve that is edge 0..3 of a surface, on the surface's points from `points` on, or, where that is 0,
- * points of its own. */
-size_t taut_step_put_surface(taut_part21 *out, const taut_surface *surface, size_t *points);
-size_t taut_step_put_curve(taut_part21 *out, const taut_curve *curve);
-size_t taut_step_put_edge(taut_part21 *out, const taut_surface *surface, size_t points, int edge);
+/* Control points of one direction, both ends included: all, or those of a piece between two knots as often there as the degree. */
+typedef struct taut_step_range {
+    int from, to;
+} taut_step_range;
 
-/* topology.c: all faces, of these forms, as solids and surface models, which enter `content` with their styles. outside[face] is -1, or
- * for a face of the inside of a hollow one of the outside of its body. TAUT_NO_MEMORY. */
+/* A row of a net along direction 0 u, 1 v, at control point `line` of the other. */
+typedef struct taut_step_row {
+    int along, line;
+    taut_step_range range;
+} taut_step_row;
+
+/* geometry.c: the points of a surface, u slowest: the number of the first; a surface, or a piece of it, on them; a curve of its own;
+ * the curve that is a row of a surface's net, on its points, or, where `points` is 0, points of its own. */
+size_t taut_step_put_net(taut_part21 *out, const taut_surface *surface);
+size_t taut_step_put_surface(taut_part21 *out, const taut_surface *surface, size_t points,
+                             const taut_step_range ranges[2]);
+size_t taut_step_put_curve(taut_part21 *out, const taut_curve *curve);
+size_t taut_step_put_row(taut_part21 *out, const taut_surface *surface, size_t points,
+                         const taut_step_row *row);
+
+/* topology.c: all faces, of these forms, in these pieces, as solids and surface models, which enter `content` with their styles.
+ * outside[face] is -1, or for a face of the inside of a hollow one of the outside of its body. TAUT_NO_MEMORY. */
 taut_status taut_step_put_faces(taut_part21 *out, const taut_model *model,
                                 const taut_shells *shells, const taut_step_form *forms,
-                                const int *outside, const taut_step_spaces *spaces,
-                                taut_arena *arena, taut_step_content *content);
+                                const taut_step_cuts *cuts, const int *outside,
+                                const taut_step_spaces *spaces, taut_arena *arena,
+                                taut_step_content *content);
 
 /* style.c: what gives an item the i-th colour of surfaces or of curves, as figures and pages have
  * them; style[i % TAUT_STEP_COLOURS] keeps the number of what was written, at first 0. */

@@ -1,21 +1,24 @@
 /* geometry.c -- B-splines of ISO 10303-42, with the numbers that the model has. */
+#include "geometry/exponent.h"
 #include "io/step/entities.h"
 
 #include <string.h>
 
-/* One direction: degree and knots, clamped. */
+/* One direction, or a piece of it: degree, points and knots, clamped; each end is there once more than in
+ * knots, so that those of a piece are a part of the whole's. */
 typedef struct direction {
     int degree;
-    size_t count, knot_count;
+    size_t first, count, knot_count;
     const double *knots;
 } direction;
 
-static direction direction_of(const taut_basis *basis)
+static direction direction_of(const taut_basis *basis, const taut_step_range *range)
 {
     taut_basis_spec spec;
     taut_basis_spec_of(basis, &spec);
-    return (direction){spec.degree, (size_t)taut_basis_count(basis), (size_t)spec.knot_count,
-                       spec.knots};
+    const size_t count = (size_t)(range->to - range->from) + 1;
+    return (direction){spec.degree, (size_t)range->from, count, count + (size_t)spec.degree - 1,
+                       spec.knots + range->from + 1};
 }
 
 static size_t put_points(taut_part21 *out, size_t count, const double *points)
@@ -39,17 +42,27 @@ static int are_equal(const double *points, size_t count, size_t step, size_t acr
     return 1;
 }
 
-size_t taut_step_put_surface(taut_part21 *out, const taut_surface *surface, size_t *points)
+size_t taut_step_put_net(taut_part21 *out, const taut_surface *surface)
 {
-    const direction u = direction_of(taut_surface_u(surface));
-    const direction v = direction_of(taut_surface_v(surface));
-    const double *net = taut_surface_points(surface), *weights = taut_surface_weights(surface);
-    const int closed_u = are_equal(net, v.count, 1, (u.count - 1) * v.count);
-    const int closed_v = are_equal(net, u.count, v.count, v.count - 1);
+    return put_points(out, taut_point_count(surface), taut_surface_points(surface));
+}
 
-    *points = put_points(out, u.count * v.count, net);
-    const taut_part21_value grid = {
-        .kind = PART21_GRID, .ref = *points, .count = u.count, .across = v.count};
+size_t taut_step_put_surface(taut_part21 *out, const taut_surface *surface, size_t points,
+                             const taut_step_range ranges[2])
+{
+    const direction u = direction_of(taut_surface_u(surface), &ranges[0]);
+    const direction v = direction_of(taut_surface_v(surface), &ranges[1]);
+    const size_t row = (size_t)taut_basis_count(taut_surface_v(surface));
+    const size_t first = u.first * row + v.first;
+    const double *net = taut_surface_points(surface) + 3 * first;
+    const double *weights = taut_surface_weights(surface);
+    const int closed_u = are_equal(net, v.count, 1, (u.count - 1) * row);
+    const int closed_v = are_equal(net, u.count, row, v.count - 1);
+    const taut_part21_value grid = {.kind = PART21_GRID,
+                                    .ref = points + first,
+                                    .count = u.count,
+                                    .across = v.count,
+                                    .step = row};
     if (weights == NULL) {
         return TAUT_NEW(out,
                         "B_SPLINE_SURFACE_WITH_KNOTS('',%,%,%,.UNSPECIFIED.,%,%,.U.,%,%,%,%,"
@@ -59,8 +72,11 @@ size_t taut_step_put_surface(taut_part21 *out, const taut_surface *surface, size
                         TAUT_TIMES(v.knot_count, v.knots), TAUT_KNOTS(u.knot_count, u.knots),
                         TAUT_KNOTS(v.knot_count, v.knots));
     }
-    const taut_part21_value table = {
-        .kind = PART21_TABLE, .reals = weights, .count = u.count, .across = v.count};
+    const taut_part21_value table = {.kind = PART21_TABLE,
+                                     .reals = weights + first,
+                                     .count = u.count,
+                                     .across = v.count,
+                                     .step = row};
     return TAUT_NEW(out,
                     "(BOUNDED_SURFACE()B_SPLINE_SURFACE(%,%,%,.UNSPECIFIED.,%,%,.U.)"
                     "\nB_SPLINE_SURFACE_WITH_KNOTS(%,%,%,%,.UNSPECIFIED.)"
@@ -94,7 +110,8 @@ static size_t put_spline(taut_part21 *out, const char *name, const direction *t,
 
 size_t taut_step_put_curve(taut_part21 *out, const taut_curve *curve)
 {
-    const direction t = direction_of(taut_curve_t(curve));
+    const taut_step_range whole = {0, taut_basis_count(taut_curve_t(curve)) - 1};
+    const direction t = direction_of(taut_curve_t(curve), &whole);
     const double *points = taut_curve_points(curve);
     const taut_part21_value run = {
         .kind = PART21_RUN, .ref = put_points(out, t.count, points), .step = 1, .count = t.count};
@@ -102,25 +119,23 @@ size_t taut_step_put_curve(taut_part21 *out, const taut_curve *curve)
                       taut_curve_weights(curve), 1);
 }
 
-size_t taut_step_put_edge(taut_part21 *out, const taut_surface *surface, size_t points, int edge)
+size_t taut_step_put_row(taut_part21 *out, const taut_surface *surface, size_t points,
+                         const taut_step_row *row)
 {
-    const int along_v = edge == TAUT_EDGE_U0 || edge == TAUT_EDGE_U1;
-    const direction u = direction_of(taut_surface_u(surface));
-    const direction v = direction_of(taut_surface_v(surface));
-    const size_t step = along_v ? 1 : v.count;
-    const size_t first = edge == TAUT_EDGE_U1   ? (u.count - 1) * v.count
-                         : edge == TAUT_EDGE_V1 ? v.count - 1
-                                                : 0;
+    const size_t nv = (size_t)taut_basis_count(taut_surface_v(surface));
+    const direction t = direction_of(
+        row->along == 0 ? taut_surface_u(surface) : taut_surface_v(surface), &row->range);
+    const size_t step = row->along == 0 ? nv : 1;
+    const size_t first = (size_t)row->line * (row->along == 0 ? 1 : nv) + t.first * step;
     const double *weights = taut_surface_weights(surface), *net = taut_surface_points(surface);
-    const direction *t = along_v ? &v : &u;
-    const int closed = are_equal(net + 3 * first, 1, 1, (t->count - 1) * step);
+    const int closed = are_equal(net + 3 * first, 1, 1, (t.count - 1) * step);
     const size_t own = out->count + 1;
-    for (size_t i = 0; points == 0 && i < t->count; i++) {
+    for (size_t i = 0; points == 0 && i < t.count; i++) {
         TAUT_NEW(out, "CARTESIAN_POINT('',%)", TAUT_REALS(3, net + 3 * (first + i * step), 1));
     }
     const taut_part21_value run = {.kind = PART21_RUN,
                                    .ref = points == 0 ? own : points + first,
                                    .step = points == 0 ? 1 : step,
-                                   .count = t->count};
-    return put_spline(out, "", t, run, closed, weights != NULL ? weights + first : NULL, step);
+                                   .count = t.count};
+    return put_spline(out, "", &t, run, closed, weights != NULL ? weights + first : NULL, step);
 }

@@ -144,7 +144,7 @@ static void put_rows(taut_part21 *out, const taut_part21_value *value)
     put_bytes(out, "(", 1);
     for (size_t i = 0; i < value->count; i++) {
         begin_member(out, i == 0);
-        put_list(out, &row, i * value->across);
+        put_list(out, &row, i * value->step);
     }
     put_bytes(out, ")", 1);
 }
@@ -163,7 +163,7 @@ static void put_knots(taut_part21 *out, const taut_part21_value *value)
         if (value->kind == PART21_KNOTS) {
             put_real(out, value->reals[i]);
         } else {
-            put_count(out, times);
+            put_count(out, times + (i == 0) + (i + times == value->count));
         }
         i += times;
     }

@@ -28,11 +28,11 @@ typedef enum taut_part21_kind {
     PART21_WORD,   /* as it is: a keyword, .T. */
     PART21_REFS,   /* (#1,#2), count of them from refs */
     PART21_RUN,    /* (#1,#4,#7), from ref by step */
-    PART21_GRID,   /* ((#1,#2),(#3,#4)), count rows of across, from ref on */
-    PART21_REALS,  /* (1.,2.), from reals by step */
-    PART21_TABLE,  /* ((1.,2.),(3.,4.)) */
-    PART21_KNOTS,  /* (0.,1.), the distinct ones of count */
-    PART21_TIMES   /* (4,4), how often each is there */
+    PART21_GRID, /* ((#1,#2),(#4,#5)), count rows of across, from ref on, each step after the last */
+    PART21_REALS, /* (1.,2.), from reals by step */
+    PART21_TABLE, /* ((1.,2.),(3.,4.)) */
+    PART21_KNOTS, /* (0.,1.), the distinct ones of count */
+    PART21_TIMES  /* (4,4), how often each is there; the ends once more than in reals */
 } taut_part21_kind;
 
 typedef struct taut_part21_value {

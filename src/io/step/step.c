@@ -74,17 +74,21 @@ static taut_status find_shells(const taut_model *nurbs, double moved, taut_arena
     return taut_shells_find(surfaces, count, moved, arena, shells);
 }
 
-static taut_status take_content(const taut_model *nurbs, taut_arena *arena,
-                                taut_step_content *content)
+static taut_status take_content(const taut_model *nurbs, const taut_step_cuts *cuts,
+                                taut_arena *arena, taut_step_content *content)
 {
     const size_t faces = (size_t)taut_model_surface_count(nurbs);
+    size_t pieces = 0;
     const size_t curves = (size_t)taut_model_curve_count(nurbs);
     *content = (taut_step_content){.style_count = 0};
     for (int kind = 0; kind < TAUT_STEP_KINDS; kind++) {
         content->items[kind] =
             taut_arena_take(arena, (kind == TAUT_STEP_CURVES ? curves : faces) + 1, sizeof(size_t));
     }
-    content->styles = taut_arena_take(arena, faces + curves, sizeof(size_t));
+    for (size_t f = 0; f < faces; f++) {
+        pieces += (size_t)taut_step_pieces(&cuts[f], 0) * (size_t)taut_step_pieces(&cuts[f], 1);
+    }
+    content->styles = taut_arena_take(arena, pieces + curves, sizeof(size_t));
     return taut_arena_status(arena);
 }
 
@@ -117,12 +121,16 @@ static double distance_of(const taut_model *nurbs, const taut_step_form *forms)
 static taut_status prepare_part(taut_step_part *p, const taut_cad_facts *facts, taut_arena *arena,
                                 taut_error *error)
 {
-    taut_status status = take_content(p->model, arena, &p->content);
-    if (status == TAUT_OK) {
-        status = find_shells(p->model, facts->bound, arena, &p->shells);
-    }
+    taut_status status = find_shells(p->model, facts->bound, arena, &p->shells);
     if (status == TAUT_OK) {
         status = find_forms(p->model, &p->shells, arena, &p->forms);
+    }
+    if (status == TAUT_OK) {
+        status = taut_step_find_cuts(p->model, &p->shells, p->forms, facts->thickness > 0, arena,
+                                     &p->cuts);
+    }
+    if (status == TAUT_OK) {
+        status = take_content(p->model, p->cuts, arena, &p->content);
     }
     if (status == TAUT_OK) {
         status = taut_step_find_hollows(facts, &p->shells, arena, &p->outside);
@@ -158,8 +166,8 @@ static taut_status prepare_parts(int count, taut_step_part *parts, taut_cad_fact
 static taut_status put_part(taut_part21 *out, const taut_step_spaces *spaces, taut_arena *arena,
                             taut_step_part *p)
 {
-    const taut_status status = taut_step_put_faces(out, p->model, &p->shells, p->forms, p->outside,
-                                                   spaces, arena, &p->content);
+    const taut_status status = taut_step_put_faces(out, p->model, &p->shells, p->forms, p->cuts,
+                                                   p->outside, spaces, arena, &p->content);
     if (status == TAUT_OK) {
         put_curves(out, p->model, &p->content);
         taut_step_put_product(out, p->name, spaces, &p->content, &p->product);

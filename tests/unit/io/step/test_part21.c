@@ -83,17 +83,17 @@ static void test_lists(void)
     static const double numbers[] = {0, 0, 0, 0.5, 0.5, 1, 1, 1};
     static const size_t refs[] = {7, 12};
     taut_part21 out = {.sink = taut_sink_to(NULL)};
-    const taut_part21_value grid = {.kind = PART21_GRID, .ref = 3, .count = 2, .across = 3};
+    const taut_part21_value grid = {.kind = PART21_GRID, .ref = 3, .count = 2, .across = 3, .step = 4};
     const taut_part21_value run = {.kind = PART21_RUN, .ref = 3, .step = 4, .count = 3};
     const taut_part21_value table = {
-        .kind = PART21_TABLE, .reals = numbers + 2, .count = 2, .across = 2};
+        .kind = PART21_TABLE, .reals = numbers + 2, .count = 2, .across = 2, .step = 2};
     CHECK(TAUT_NEW(&out, "A(%,%,%)", grid, run, table) == 1, "first");
-    CHECK(TAUT_NEW(&out, "B(%,%,%,%)", TAUT_KNOTS(8, numbers), TAUT_TIMES(8, numbers),
+    CHECK(TAUT_NEW(&out, "B(%,%,%,%)", TAUT_KNOTS(8, numbers), TAUT_TIMES(6, numbers + 1),
                    TAUT_REFS(2, refs), TAUT_REALS(3, numbers + 1, 3)) == 2,
           "second");
     CHECK(taut_part21_new(&out, "C()", NULL) == 3, "third");
     char *text = finish(&out);
-    check_text(text, "#1=A(((#3,#4,#5),(#6,#7,#8)),(#3,#7,#11),((0.,0.5),(0.5,1.)));\n"
+    check_text(text, "#1=A(((#3,#4,#5),(#7,#8,#9)),(#3,#7,#11),((0.,0.5),(0.5,1.)));\n"
                      "#2=B((0.,0.5,1.),(3,2,3),(#7,#12),(0.,0.5,1.));\n#3=C();\n");
     taut_free(text);
 }
