@@ -1062,7 +1062,8 @@
 
 #define TAUT_ABI_VALUES_taut_plateau_method(X) \
     X(TAUT_PLATEAU_FULL, "full") \
-    X(TAUT_PLATEAU_NORMAL, "normal")
+    X(TAUT_PLATEAU_NORMAL, "normal") \
+    X(TAUT_PLATEAU_EITHER, "either")
 
 #define TAUT_ABI_VALUES_taut_record_kind(X) \
     X(TAUT_RECORD_NULL, "null") \

@@ -377,4 +377,22 @@ if "$PROBE"; then
 else
     missing OpenCASCADE 'tools/deps.sh test, and build anew'
 fi
+
+# eight sides in four: in all coordinates the film folds at a side that is straight on, so that it is made along the normals, which is
+# said; the certificate judges that
+python3 - <<'PY'
+corners = [(1.59, 0, -.03), (.45, 1.09, -.01), (-.06, 1.08, -.21), (-1.21, .94, .06), (-1.14, 0, .09), (-1.04, -.41, -.28), (.3, -1.51, -.1), (.62, -.57, -.12)]
+lines = [0, "SECTION", 2, "HEADER", 9, "$INSUNITS", 70, 4, 0, "ENDSEC", 0, "SECTION", 2, "ENTITIES"]
+for a, b in zip(corners, corners[1:] + corners[:1]):
+    lines += [0, "LINE", 8, "side", 10, a[0], 20, a[1], 30, a[2], 11, b[0], 21, b[1], 31, b[2]]
+open("sides.dxf", "w").write("\n".join(map(str, lines + [0, "ENDSEC", 0, "EOF", ""])))
+PY
+echo '{ "taut": 1, "construct": "plateau", "boundary": "sides.dxf" }' > problem.json
+run 0 make problem.json -o made.json
+contains err.txt '^  method  *normal$'
+contains err.txt '^  warnings  *by the method "full" the film folds: it is made by "normal"$'
+contains err.txt '^  stationary  *holds'
+echo '{ "taut": 1, "construct": "plateau", "boundary": "sides.dxf", "method": "full" }' > problem.json
+run 1 make problem.json
+contains err.txt 'take the method "normal"'
 finish

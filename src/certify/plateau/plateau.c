@@ -155,7 +155,9 @@ static taut_status read_method(const taut_record *details, request *r, taut_erro
         return status;
     }
     r->tolerance = problem->tolerance;
-    r->is_normal = problem->method == TAUT_PLATEAU_NORMAL;
+    r->is_normal =
+        problem->method == TAUT_PLATEAU_NORMAL ||
+        (problem->method == TAUT_PLATEAU_EITHER && method != NULL && strcmp(method, "normal") == 0);
     if (has_new_net(problem)) {
         r->boundary_only = 1;
         return TAUT_OK;

@@ -141,7 +141,8 @@ static taut_status check_problem(const taut_plateau_problem *problem, taut_error
         return taut_fail(error, TAUT_BAD_INPUT, "value", "/max_iterations", problem->max_iterations,
                          0, "max_iterations is %d, expected at least 1", problem->max_iterations);
     }
-    if (problem->method != TAUT_PLATEAU_FULL && problem->method != TAUT_PLATEAU_NORMAL) {
+    if (problem->method != TAUT_PLATEAU_FULL && problem->method != TAUT_PLATEAU_NORMAL &&
+        problem->method != TAUT_PLATEAU_EITHER) {
         return taut_fail(error, TAUT_BAD_INPUT, "name", "/method", taut_none, taut_none,
                          "expected the method \"full\" or \"normal\"");
     }
@@ -303,24 +304,47 @@ static taut_status find_through(const taut_plateau_problem *problem,
     return missing > 0 ? find_nearest(problem, options, p, error) : TAUT_OK;
 }
 
+static taut_status solve_first(const taut_plateau_problem *problem,
+                               const taut_make_options *options, parts *p, taut_error *error)
+{
+    const taut_status status = taut_plateau_space_new(problem, NULL, &p->space, error);
+    return status == TAUT_OK ? taut_plateau_solve(&p->space->problem, options, &p->solution, error)
+                             : status;
+}
+
 static taut_status make_parts(const taut_plateau_problem *given, const taut_make_options *options,
                               parts *p, taut_error *error)
 {
     taut_plateau_problem held = *given;
     const taut_plateau_problem *problem = &held;
+    taut_error found = {.status = TAUT_OK};
     taut_status status = find_through(given, options, p, error);
 
     if (status != TAUT_OK) {
         return status;
     }
     held.net.through = p->through;
-    status = taut_plateau_space_new(problem, NULL, &p->space, error);
+    if (given->method == TAUT_PLATEAU_EITHER) {
+        held.method = TAUT_PLATEAU_FULL;
+    }
+    status = solve_first(problem, options, p, &found);
+    const int again = given->method == TAUT_PLATEAU_EITHER && strcmp(found.reason, "folds") == 0;
+    if (status == TAUT_NOT_CONVERGED && again) {
+        held.method = TAUT_PLATEAU_NORMAL;
+        taut_plateau_solution_clear(&p->solution);
+        taut_plateau_space_free(p->space);
+        p->space = NULL;
+        status = solve_first(problem, options, p, &found);
+    }
     if (status != TAUT_OK) {
+        if (error != NULL) {
+            *error = found;
+        }
         return status;
     }
-    status = taut_plateau_solve(&p->space->problem, options, &p->solution, error);
-    if (status != TAUT_OK) {
-        return status;
+    if (again) {
+        taut_record_add_text(taut_record_add_list(p->solution.details, "warnings"), NULL,
+                             "by the method \"full\" the film folds: it is made by \"normal\"");
     }
     return refine_parts(problem, options, p, error);
 }

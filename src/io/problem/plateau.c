@@ -55,8 +55,14 @@ static void read_options(taut_reader *document, taut_plateau_problem *data)
     taut_reader_optional_integer(document, "max_iterations", 1, INT_MAX, &data->max_iterations);
     word = taut_reader_has(document, "through") ? 1 : 0; /* "full" folds around a point */
     taut_reader_optional_word(document, "method", methods, &word);
-    data->method = word == 1 ? TAUT_PLATEAU_NORMAL : TAUT_PLATEAU_FULL;
-    if (!taut_boundary_document_is(document)) { /* else it is a pair */
+    const int is_file = taut_boundary_document_is(document);
+    const int is_own =
+        (is_file || taut_reader_has(document, "curves")) && /* a net of taut's choice */
+        !taut_reader_has(document, "method");
+    data->method = word == 1 ? TAUT_PLATEAU_NORMAL
+                   : is_own  ? TAUT_PLATEAU_EITHER
+                             : TAUT_PLATEAU_FULL;
+    if (!is_file) { /* else it is a pair */
         taut_reader_optional_integer(document, "refine", 0, TAUT_PLATEAU_REFINE_MAX, &data->refine);
     }
     taut_reader_optional(document, "tolerance_area", read_tolerance_area, &data->tolerance_area);

@@ -57,7 +57,7 @@ static taut_curve *edge(int side, double half, double raised)
 static void test_numbers(void)
 {
     static const double areas[] = {1e-12, -1e-3, 1, INFINITY};
-    static const int methods[] = {-1, 2}, refines[] = {-1, TAUT_PLATEAU_REFINE_MAX + 1};
+    static const int methods[] = {-1, 3}, refines[] = {-1, TAUT_PLATEAU_REFINE_MAX + 1};
     test_problem net = problem_example(1);
     const taut_plateau_problem good = film_problem(&net, TAUT_PLATEAU_FULL);
     taut_plateau_problem problem = good;
