@@ -75,7 +75,7 @@ contains err.txt 'least bend radius +60\.0000'
 contains err.txt '^ +\.\.\. and 3 more$'
 contains err.txt 'blends +\(5 rows: see --report\)'
 contains run.json '"name": "axis-blend5"'
-[ "$(grep -c ADVANCED_FACE run.step)" = 11 ] || complain "not one face for each piece"
+[ "$(grep -c ADVANCED_FACE run.step)" = 26 ] || complain "not one face for each straight piece and four for each elbow"
 run 0 certify run.json "$example/pipe-run.json"
 run 0 certify run.json
 run 1 certify run.json "$example/pipe-run-closed.json"

@@ -149,7 +149,7 @@ import Part
 shape = Part.Shape()
 shape.read("$PWD/elbow.step")
 offset = shape.Solids[0].makeOffsetShape(1.0, 1e-4)
-points, triangles = offset.tessellate(0.005)
+points, triangles = offset.tessellate(0.01)
 volume = sum(points[a].dot(points[b].cross(points[c])) for a, b, c in triangles) / 6
 print("OFFSET", len(shape.Faces), offset.isValid(), repr(volume))
 PY

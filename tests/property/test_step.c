@@ -173,9 +173,13 @@ typedef struct topology {
 
 static void check_loop(topology *t, const char *list, int loop)
 {
-    int use[4] = {0, 0, 0, 0};
-    const int count = sscanf(list, "(#%d,#%d,#%d,#%d)", &use[0], &use[1], &use[2], &use[3]);
-    CHECK(count >= 1, "loop %d: %s", loop, list);
+    int use[16] = {0}, count = 0;
+    for (int read = 0;
+         count < 16 && sscanf(list, count == 0 ? "(#%d%n" : ",#%d%n", &use[count], &read) == 1;
+         count++) {
+        list += read;
+    }
+    CHECK(count >= 1 && *list == ')', "loop %d: %s", loop, list);
     for (int k = 0; k < count; k++) {
         const int here = use[k], next = use[(k + 1) % count];
         CHECK(t->edge[here] != 0 && t->edge[next] != 0, "loop %d", loop);
@@ -426,6 +430,27 @@ static void test_round(void)
     }
 }
 
+/* A tube that has a name on one that is four faces: the ring between them is four edges, in the loop of the first too. */
+static void test_ringed(void)
+{
+    for (int trial = 0; trial < random_trials(16); trial++) {
+        const double size = random_log(1e-2, 1e5);
+        const char *path = in_folder("ringed.step");
+        taut_model *model = new_model("mm");
+        step_probe found;
+        add(model, turned(shape_cylinder(size, 2 * size, 2), random_int(0, 7)));
+        add(model, turned(shape_cylinder(size, -size, 1), random_int(0, 7)));
+        write_model(model, path);
+        step_probe_file(path, &found);
+        CHECK(found.is_read && found.valid && found.shells == 1 && found.faces == 5 &&
+                  found.vertices == 9 && found.free_edges == 5,
+              "size %g: valid %d, %d shells, %d faces, %d vertices, %d free", size, found.valid,
+              found.shells, found.faces, found.vertices, found.free_edges);
+        check_file(path, 14, 5);
+        taut_model_free(model);
+    }
+}
+
 enum { DISC, WASHER, CYLINDER, BEND, FORMS };
 static const char *const form_names[FORMS] = {"=PLANE(", "=PLANE(", "=CYLINDRICAL_SURFACE(",
                                               "=TOROIDAL_SURFACE("};
@@ -657,6 +682,7 @@ int main(void)
     test_boxes();
     test_quilts();
     test_round();
+    test_ringed();
     test_forms();
     test_capped();
     test_no_form();

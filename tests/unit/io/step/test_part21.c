@@ -83,7 +83,8 @@ static void test_lists(void)
     static const double numbers[] = {0, 0, 0, 0.5, 0.5, 1, 1, 1};
     static const size_t refs[] = {7, 12};
     taut_part21 out = {.sink = taut_sink_to(NULL)};
-    const taut_part21_value grid = {.kind = PART21_GRID, .ref = 3, .count = 2, .across = 3, .step = 4};
+    const taut_part21_value grid = {
+        .kind = PART21_GRID, .ref = 3, .count = 2, .across = 3, .step = 4};
     const taut_part21_value run = {.kind = PART21_RUN, .ref = 3, .step = 4, .count = 3};
     const taut_part21_value table = {
         .kind = PART21_TABLE, .reals = numbers + 2, .count = 2, .across = 2, .step = 2};
