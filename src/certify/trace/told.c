@@ -143,7 +143,7 @@ static void look_at_way(const taut_net_audit *audit, taut_net_off *off)
         const taut_net_line *line = &audit->lines->lines[i];
         const double steps = taut_net_number(taut_net_lath_of(audit->lines, line), "steps");
         const int spans = taut_basis_span_count(taut_curve_t(line->space));
-        if (!(steps >= 0) || !(steps <= spans) || steps != floor(steps)) {
+        if (!(steps >= 0) || !(steps <= 64 + 8.0 * spans) || steps != floor(steps)) {
             taut_net_off_take(off, INFINITY, taut_curve_name(line->space), "steps");
         }
     }
