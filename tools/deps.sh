@@ -90,6 +90,8 @@ bench header:suitesparse/cholmod.h   libsuitesparse-dev     CHOLMOD, a peer of t
 bench header:sisl.h                  libsisl-dev            SISL, a peer in evaluation
 bench header:opencascade/STEPControl_Writer.hxx libocct-data-exchange-dev OpenCASCADE, a peer in evaluation
 bench pc:openblas                    libopenblas-dev        what CHOLMOD runs on
+bench header:lapacke.h               liblapacke-dev         fast diagonalisation by LAPACK, the fair peer of the Dirichlet solver
+bench header:tbb/tbb.h               libtbb-dev             what OpenCASCADE's CMake files name
 bench cmd:evolver               evolver                Surface Evolver, a peer of the least area
 LIST
 }

@@ -65,7 +65,7 @@ typedef struct request {
     double tolerance;
     double
         half; /* half the size of the film: of the largest coordinate of a point from the first */
-    taut_pulse *pulse;
+    taut_crew crew;
 } request;
 
 static int corner_of(int e, int end)
@@ -318,6 +318,7 @@ typedef struct finding {
     double stored, gain; /* of threads: P over the tension; what is left of it to gain at most */
     int bounded;         /* is `gain` known? */
     double lowest, relative; /* eigenvalue, and times size^2 over the tension */
+    double mean;             /* the largest |H| */
     int below, at;
     int settled;
     double forces[4], given[4]; /* lengths */
@@ -427,7 +428,7 @@ static taut_status find_gain(const request *r, const taut_film_sheet *sheet,
         return TAUT_OK;
     }
     const taut_status status =
-        taut_film_moves_bound(sheet, moves, gradient, r->pulse, &found->gain);
+        taut_film_moves_bound(sheet, moves, gradient, r->crew.pulse, &found->gain);
     found->bounded = status == TAUT_OK;
     found->gain = ldexp(found->gain, 2 * sheet->unit);
     found->stored = ldexp(taut_film_sheet_stored(sheet), 2 * sheet->unit);
@@ -457,13 +458,48 @@ static taut_status find_stability(const request *r, finding *found)
     }
     if (status == TAUT_OK) {
         status = taut_film_moves_lowest(&sheet, &moves, ldexp(r->half, 1 - sheet.unit),
-                                        stable_limit, r->pulse, &found->lowest, &found->below);
+                                        stable_limit, r->crew.pulse, &found->lowest, &found->below);
         const double size = ldexp(r->half, 1 - sheet.unit);
         found->relative = found->lowest * size * size;
         found->lowest = ldexp(found->lowest * sheet.tension, -2 * sheet.unit);
     }
     taut_arena_free(arena);
     return status == TAUT_NOT_CONVERGED ? TAUT_OK : status;
+}
+
+/* Two searches that share nothing but the request: stability, which takes longer and is watched, and the rest. */
+typedef struct searches {
+    const request *r;
+    finding *found; /* each fills its own members */
+    taut_status stability, rest;
+} searches;
+
+static void search(void *context, int part, int from, int to)
+{
+    searches *s = context;
+
+    (void)part;
+    for (; from < to; from++) {
+        if (from == 0) {
+            s->stability = find_stability(s->r, s->found);
+        } else {
+            s->rest = settle_rest(s->r, s->found);
+            if (s->rest == TAUT_OK) {
+                s->rest = taut_mean_largest(s->r->surface, GRID, NULL, &s->found->mean);
+            }
+        }
+    }
+}
+
+static taut_status find_all(const request *r, finding *found)
+{
+    searches s = {.r = r, .found = found};
+
+    taut_parallel_for(2, r->crew.threads, search, &s);
+    if (taut_pulse_report(r->crew.pulse)) {
+        return TAUT_INTERRUPTED;
+    }
+    return s.stability != TAUT_OK ? s.stability : s.rest;
 }
 
 /* Force by force: is every cable drawn? */
@@ -727,18 +763,14 @@ static int has_slide(const taut_film_problem *problem)
 static taut_status fill_figures(const request *r, const finding *found, taut_arena *arena,
                                 taut_record *figures, taut_certificate *certificate)
 {
-    double largest = 0;
     taut_film_sheet sheet;
     taut_status status = taut_film_sheet_new(r->surface, r->problem, SECOND_EXTRA, arena, &sheet);
 
-    if (status == TAUT_OK) {
-        status = taut_mean_largest(r->surface, GRID, NULL, &largest);
-    }
     if (status != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
     const taut_film_defects defects = taut_film_defects_of(&sheet);
-    const double mean = taut_film_sheet_has_threads(r->problem) ? 0 : 4 * largest * r->half;
+    const double mean = taut_film_sheet_has_threads(r->problem) ? 0 : 4 * found->mean * r->half;
     status = add_least(r, found, &sheet, figures, certificate);
     add_lists(r, found, &sheet, figures);
     add_reactions(&sheet, figures);
@@ -794,14 +826,10 @@ static taut_status prove(const request *r, taut_certificate *certificate)
         status = add_cables(r, certificate);
     }
     if (status == TAUT_OK) {
-        status = settle_rest(r, &found);
+        status = find_all(r, &found);
     }
     if (status == TAUT_OK) {
-        status = taut_pulse_report(r->pulse) ? TAUT_INTERRUPTED : find_stability(r, &found);
-    }
-    if (status == TAUT_OK) {
-        status =
-            taut_pulse_report(r->pulse) ? TAUT_INTERRUPTED : add_length(r, &found, certificate);
+        status = add_length(r, &found, certificate);
     }
     if (status == TAUT_OK) {
         status = add_stationary(r, &found, certificate);
@@ -833,7 +861,7 @@ static taut_status certify(const taut_model *model, const void *data, const taut
     if (status != TAUT_OK) {
         return status;
     }
-    r.pulse = audit->crew.pulse;
+    r.crew = audit->crew;
     return prove(&r, certificate) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 }
 
