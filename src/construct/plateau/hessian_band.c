@@ -1,5 +1,6 @@
 #include "construct/plateau/hessian_band.h"
 
+#include "construct/plateau/elements.h"
 #include "construct/plateau/small.h"
 #include "core/arena.h"
 #include "core/memory.h"
@@ -23,9 +24,6 @@ typedef struct border {
     int is_signed;                                        /* are both factors those of any signs? */
 } border;
 
-/* Of Gauss points: what is known of them stays in the nearest cache. */
-enum { POINTS_AT_ONCE = 64 };
-
 /* What factors may cost; beyond it conjugate gradients serve. */
 static const struct {
     double factor_flops;   /* of one factorisation: a second or so */
@@ -40,15 +38,10 @@ struct taut_area_hessian {
     int *index;                       /* [nu][nv], or -1 at known points */
     int local;                        /* functions alive on one cell */
     taut_band second, metric, factor; /* H, L_g, what was made of both */
-    int wide;                         /* local, rounded up to vectors */
-    double *element;                  /* [local][TAUT_AREA_BLOCK][wide], the lower half used */
-    int lines;                        /* of a cell that are added at once */
-    int *alive;                       /* [local]: the unknowns of one cell, or -1 */
-    double *slope_u, *slope_v;        /* [lines v.nodes][wide]: of the points of lines in a cell */
-    double *flux_u, *flux_v;          /* [lines v.nodes][wide] */
-    double *normal;                   /* [lines v.nodes][TAUT_AREA_BLOCK - 1] */
-    double *right;                    /* [unknowns][3] */
-    double *work;                     /* of the factors of wide bands */
+    taut_area_elements *elements;
+    int *alive;    /* [local]: the unknowns of one cell, or -1 */
+    double *right; /* [unknowns][3] */
+    double *work;  /* of the factors of wide bands */
     const double **
         allowed; /* [unknowns]: the projector of each that is kept on a line or in a plane, else NULL; or
                              * NULL: none is */
@@ -182,6 +175,7 @@ void taut_area_hessian_free(taut_area_hessian *hessian)
         taut_band_clear(&hessian->second);
         taut_band_clear(&hessian->metric);
         taut_band_clear(&hessian->factor);
+        taut_area_elements_free(hessian->elements);
         taut_arena_free(hessian->arena);
         taut_free(hessian);
     }
@@ -190,19 +184,11 @@ void taut_area_hessian_free(taut_area_hessian *hessian)
 static taut_status take_arrays(const taut_area_functional *functional, taut_area_hessian *hessian)
 {
     taut_arena *arena = hessian->arena = taut_arena_new();
-    const size_t local = (size_t)hessian->local, wide = (size_t)hessian->wide;
-    const size_t nodes = (size_t)hessian->lines * (size_t)functional->v.nodes,
-                 line = wide * sizeof(double);
+    const size_t local = (size_t)hessian->local;
 
     hessian->index =
         taut_arena_take(arena, (size_t)functional->nu * (size_t)functional->nv, sizeof(int));
     hessian->alive = taut_arena_take(arena, local, sizeof(int));
-    hessian->element = taut_arena_take(arena, local, TAUT_AREA_BLOCK * line);
-    hessian->slope_u = taut_arena_take(arena, nodes, line);
-    hessian->slope_v = taut_arena_take(arena, nodes, line);
-    hessian->flux_u = taut_arena_take(arena, nodes, line);
-    hessian->flux_v = taut_arena_take(arena, nodes, line);
-    hessian->normal = taut_arena_take(arena, nodes, (TAUT_AREA_BLOCK - 1) * sizeof(double));
     hessian->right = taut_arena_take(arena, hessian->mask->unknowns, 3 * sizeof(double));
     for (int k = 0; k < functional->cable_count; k++) {
         hessian->border.pull[k] =
@@ -215,9 +201,13 @@ static taut_status take_arrays(const taut_area_functional *functional, taut_area
 
 static taut_status make_matrices(const taut_area_functional *functional, taut_area_hessian *hessian)
 {
-    taut_status status = take_arrays(functional, hessian);
+    taut_status status =
+        taut_area_elements_new(1, &functional, functional->threads, &hessian->elements);
     int count = 0, width = 0;
 
+    if (status == TAUT_OK) {
+        status = take_arrays(functional, hessian);
+    }
     if (status != TAUT_OK) {
         return status;
     }
@@ -258,11 +248,6 @@ taut_status taut_area_hessian_new(const taut_area_functional *functional, const 
     }
     made->mask = mask;
     made->local = functional->u.local * functional->v.local;
-    made->wide = (made->local + TAUT_AREA_PAD - 1) / TAUT_AREA_PAD * TAUT_AREA_PAD;
-    made->lines = POINTS_AT_ONCE / functional->v.nodes;
-    made->lines = made->lines < 1                     ? 1
-                  : made->lines < functional->u.nodes ? made->lines
-                                                      : functional->u.nodes;
     status = make_matrices(functional, made);
     if (status != TAUT_OK) {
         taut_area_hessian_free(made);
@@ -270,87 +255,6 @@ taut_status taut_area_hessian_new(const taut_area_functional *functional, const 
     }
     *hessian = made;
     return TAUT_OK;
-}
-
-/* The slopes of x in each point alive at node k of v: N_i' N_j and N_i N_j', or with weights
- * w_ij (N_i' N_j - N_i N_j w_u / w) / w. */
-static void find_slopes(const taut_area_functional *functional, int line, int k, double *slope_u,
-                        double *slope_v)
-{
-    const size_t local_u = (size_t)functional->u.local, local_v = (size_t)functional->v.local;
-    const double *n = functional->u.value + (size_t)line * local_u;
-    const double *d = functional->u.slope + (size_t)line * local_u;
-    const double *m = functional->v.value + (size_t)k * local_v;
-    const double *e = functional->v.slope + (size_t)k * local_v;
-    const int is_rational = functional->quotient != NULL;
-    double q[3] = {1, 0, 0};
-    size_t p = 0;
-
-    if (is_rational) {
-        taut_area_functional_quotient(functional, line, k, q);
-    }
-
-    for (size_t a = 0; a < local_u; a++) {
-        for (size_t b = 0; b < local_v; b++, p++) {
-            slope_u[p] = d[a] * m[b];
-            slope_v[p] = n[a] * e[b];
-            if (is_rational) {
-                const size_t i = (size_t)functional->u.first[line] + a;
-                const size_t j = (size_t)functional->v.first[k] + b;
-                const double w = functional->weights[i * (size_t)functional->nv + j] * q[0];
-                slope_u[p] = w * (slope_u[p] - n[a] * m[b] * q[1]);
-                slope_v[p] = w * (slope_v[p] - n[a] * m[b] * q[2]);
-            }
-        }
-    }
-}
-
-/* What Gauss point (line, k) gives to every pair of functions: the g-th of those that are added at once. */
-static void lay_point(taut_area_hessian *hessian, const taut_area_functional *functional, int line,
-                      int k, int g)
-{
-    const size_t from = (size_t)g * (size_t)hessian->wide;
-    const double *pu = hessian->slope_u + from, *pv = hessian->slope_v + from;
-    double *normal = hessian->normal + g * (TAUT_AREA_BLOCK - 1), state[TAUT_AREA_STATE];
-
-    find_slopes(functional, line, k, hessian->slope_u + from, hessian->slope_v + from);
-    taut_area_functional_state(functional, line, k, state);
-    const double *n = state, e = state[3], m = state[4], h = state[5];
-    for (int c = 0, at = 0; c < 3; c++) {
-        for (int d = 0; d <= c; d++) {
-            normal[at++] = n[c] * n[d];
-        }
-        normal[6 + c] = state[6] * n[c];
-    }
-    if (functional->density != NULL) { /* alike in every direction, and nothing turns */
-        for (int c = 0; c < TAUT_AREA_BLOCK - 1; c++) {
-            normal[c] = c == 0 || c == 2 || c == 5;
-        }
-    }
-    for (size_t p = 0; p < (size_t)hessian->local; p++) {
-        hessian->flux_u[from + p] = h * pu[p] - m * pv[p];
-        hessian->flux_v[from + p] = e * pv[p] - m * pu[p];
-    }
-}
-
-/* Adds the points of some lines in one cell to the element, or begins it with them. */
-static void add_lines(taut_area_hessian *hessian, const taut_area_functional *functional, int line,
-                      int lines, int k, int begins)
-{
-    const int nodes = functional->v.nodes;
-    const taut_area_pairs points = {.nodes = lines * nodes,
-                                    .begins = begins,
-                                    .local = hessian->local,
-                                    .wide = hessian->wide,
-                                    .slope_u = hessian->slope_u,
-                                    .slope_v = hessian->slope_v,
-                                    .flux_u = hessian->flux_u,
-                                    .flux_v = hessian->flux_v,
-                                    .normal = hessian->normal};
-    for (int g = 0; g < points.nodes; g++) {
-        lay_point(hessian, functional, line + g / nodes, k + g % nodes, g);
-    }
-    functional->ops->pairs(&points, hessian->element);
 }
 
 /* Adds a block to row a, column b of both matrices, a >= b. sign: -1 when a and b have changed
@@ -398,7 +302,8 @@ static void add_pair(taut_area_hessian *hessian, int a, int b, int are_two, cons
 static void add_element(taut_area_hessian *hessian, const taut_area_functional *functional,
                         int line, int k)
 {
-    const size_t wide = (size_t)hessian->wide;
+    const size_t wide = (size_t)taut_area_wide(functional);
+    const double *element = taut_area_elements_next(hessian->elements);
     int *const alive = hessian->alive;
 
     for (int p = 0; p < hessian->local; p++) {
@@ -407,7 +312,7 @@ static void add_element(taut_area_hessian *hessian, const taut_area_functional *
         alive[p] = hessian->index[(size_t)i * (size_t)functional->nv + (size_t)j];
     }
     for (int p = 0; p < hessian->local; p++) {
-        const double *row = hessian->element + (size_t)p * TAUT_AREA_BLOCK * wide;
+        const double *row = element + (size_t)p * TAUT_AREA_BLOCK * wide;
         for (int q = 0; alive[p] >= 0 && q <= p; q++) {
             add_pair(hessian, alive[p], alive[q], p != q, row + q, wide);
         }
@@ -472,12 +377,9 @@ void taut_area_hessian_assemble(taut_area_hessian *hessian, const taut_area_func
     hessian->pulse = functional->pulse;
     clear_band(&hessian->second);
     clear_band(&hessian->metric);
+    taut_area_elements_begin(hessian->elements, &functional, NULL, NULL);
     for (int line = 0; line < functional->u.count; line += nodes) {
         for (int k = 0; k < functional->v.count; k += functional->v.nodes) {
-            for (int g = 0; g < nodes; g += hessian->lines) {
-                const int lines = hessian->lines < nodes - g ? hessian->lines : nodes - g;
-                add_lines(hessian, functional, line + g, lines, k, g == 0);
-            }
             add_element(hessian, functional, line, k);
             if (taut_pulse_beat(hessian->pulse, cell)) {
                 return;
