@@ -9,11 +9,9 @@
 
 #include "core/arena.h"
 #include "core/memory.h"
+#include "numeric/front.h"
 
-#include <math.h>
 #include <string.h>
-
-static const double pivot_least = 0x1p-45;
 
 /* A list of ints that grows in an arena. */
 typedef struct list {
@@ -300,7 +298,7 @@ double taut_sparse_work(const taut_sparse *sparse)
 static void load_rows(taut_sparse *s, const group *at, taut_sparse_block *block,
                       const void *context, double *front)
 {
-    const size_t rows = (size_t)at->rows;
+    const size_t stride = taut_front_stride((size_t)at->rows);
     int place = 0;
 
     for (int k = 0; k < at->count; k++) {
@@ -319,7 +317,7 @@ static void load_rows(taut_sparse *s, const group *at, taut_sparse_block *block,
             block(context, b, a, entries);
             for (int i = 0; i < nb; i++) {
                 for (int j = 0; j < na; j++) {
-                    front[(size_t)(row + i) * rows + (size_t)(column + j)] = entries[i * na + j];
+                    front[(size_t)(row + i) * stride + (size_t)(column + j)] = entries[i * na + j];
                 }
             }
         }
@@ -328,7 +326,7 @@ static void load_rows(taut_sparse *s, const group *at, taut_sparse_block *block,
 
 /* What a group below left, added where its nodes are now. */
 static void add_update(const taut_sparse *s, const group *child, int *at, double *front,
-                       size_t rows)
+                       size_t stride)
 {
     const size_t count = (size_t)(child->rows - child->own_rows);
     size_t n = 0;
@@ -341,71 +339,7 @@ static void add_update(const taut_sparse *s, const group *child, int *at, double
     for (size_t i = 0; i < count; i++) {
         for (size_t j = 0; j <= i; j++) {
             const size_t p = (size_t)at[i], q = (size_t)at[j];
-            front[p > q ? p * rows + q : q * rows + p] += child->update[i * count + j];
-        }
-    }
-}
-
-/* Eliminates the own columns of the front, lower half: how many pivots are not positive. */
-static int reduce(double *front, size_t rows, size_t own, double *column, taut_pulse *pulse)
-{
-    int negative = 0;
-
-    for (size_t k = 0; k < own; k++) {
-        column[k] = fabs(front[k * rows + k]);
-    }
-    for (size_t k = 0; k < own; k++) {
-        double pivot = front[k * rows + k];
-        if (!(fabs(pivot) > pivot_least * column[k])) {
-            pivot = -pivot_least * (column[k] > 0 ? column[k] : 1);
-            front[k * rows + k] = pivot;
-        }
-        negative += !(pivot > 0);
-        for (size_t i = k + 1; i < rows; i++) {
-            const double l = front[i * rows + k];
-            double *row = front + i * rows;
-            const double scaled = l / pivot;
-            if (l == 0) {
-                continue;
-            }
-            for (size_t j = k + 1; j < own && j <= i; j++) {
-                row[j] -= scaled * front[j * rows + k];
-            }
-        }
-        for (size_t i = k + 1; i < rows; i++) {
-            front[i * rows + k] /= pivot;
-        }
-        if (taut_pulse_beat(pulse, (double)(2 * (rows - k) - (own - k)) * (double)(own - k))) {
-            break;
-        }
-    }
-    return negative;
-}
-
-/* What is left: below the own columns, front -= L D L^T; rows of L are contiguous. */
-static void leave(double *front, size_t rows, size_t own, double *scaled, taut_pulse *pulse)
-{
-    for (size_t i = own; i < rows; i++) {
-        double *row = front + i * rows;
-        for (size_t k = 0; k < own; k++) {
-            scaled[k] = row[k] * front[k * rows + k];
-        }
-        for (size_t j = own; j <= i; j++) {
-            const double *other = front + j * rows;
-            double sum[4] = {0, 0, 0, 0};
-            size_t k = 0;
-            for (; k + 4 <= own; k += 4) {
-                for (size_t c = 0; c < 4; c++) {
-                    sum[c] += scaled[k + c] * other[k + c];
-                }
-            }
-            for (; k < own; k++) {
-                sum[0] += scaled[k] * other[k];
-            }
-            row[j] -= (sum[0] + sum[1]) + (sum[2] + sum[3]);
-        }
-        if (taut_pulse_beat(pulse, 2.0 * (double)own * (double)(i + 1 - own))) {
-            break;
+            front[p > q ? p * stride + q : q * stride + p] += child->update[i * count + j];
         }
     }
 }
@@ -413,36 +347,36 @@ static void leave(double *front, size_t rows, size_t own, double *scaled, taut_p
 static taut_status store(group *at, const double *front)
 {
     const size_t rows = (size_t)at->rows, own = (size_t)at->own_rows, left = rows - own;
+    const size_t stride = taut_front_stride(rows);
 
     for (size_t i = 0; i < rows; i++) {
-        memcpy(at->columns + i * own, front + i * rows, own * sizeof(double));
+        memcpy(at->columns + i * own, front + i * stride, own * sizeof(double));
     }
     at->update = taut_alloc(left * left + 1, sizeof(double));
     if (at->update == NULL) {
         return TAUT_NO_MEMORY;
     }
     for (size_t i = 0; i < left; i++) {
-        memcpy(at->update + i * left, front + (own + i) * rows + own, left * sizeof(double));
+        memcpy(at->update + i * left, front + (own + i) * stride + own, (i + 1) * sizeof(double));
     }
     return TAUT_OK;
 }
 
 static taut_status factor_group(taut_sparse *s, int k, taut_sparse_block *block,
-                                const void *context, double *front, int *scratch, double *column,
+                                const void *context, double *front, double *work, int *scratch,
                                 taut_pulse *pulse, int *negative)
 {
     group *at = &s->groups[k];
     const size_t rows = (size_t)at->rows, own = (size_t)at->own_rows;
 
-    memset(front, 0, rows * rows * sizeof(double));
+    taut_front_clear(rows, front);
     load_rows(s, at, block, context, front);
     for (int child = at->child; child >= 0; child = s->groups[child].next) {
-        add_update(s, &s->groups[child], scratch, front, rows);
+        add_update(s, &s->groups[child], scratch, front, taut_front_stride(rows));
         taut_free(s->groups[child].update);
         s->groups[child].update = NULL;
     }
-    *negative += reduce(front, rows, own, column, pulse);
-    leave(front, rows, own, column, pulse);
+    *negative += taut_front_factor(rows, own, front, work, pulse);
     for (int m = 0; m < at->own; m++) {
         s->place[at->nodes[m]] = -1;
     }
@@ -459,8 +393,8 @@ taut_status taut_sparse_factor(taut_sparse *sparse, taut_sparse_block *block, co
         const size_t rows = (size_t)sparse->groups[k].rows;
         most = rows > most ? rows : most;
     }
-    double *front = taut_arena_take_raw(arena, most * most + 1, sizeof(double));
-    double *column = taut_arena_take_raw(arena, 2 * most + 1, sizeof(double));
+    double *front = taut_arena_take_raw(arena, taut_front_size(most), sizeof(double));
+    double *work = taut_arena_take_raw(arena, taut_front_scratch(most), sizeof(double));
     int *scratch = taut_arena_take_raw(arena, most + 1, sizeof(int));
     taut_status status = taut_arena_status(arena);
     *negative = 0;
@@ -468,7 +402,7 @@ taut_status taut_sparse_factor(taut_sparse *sparse, taut_sparse_block *block, co
         sparse->place[a] = 0;
     }
     for (int k = 0; status == TAUT_OK && k < sparse->group_count; k++) {
-        status = factor_group(sparse, k, block, context, front, scratch, column, pulse, negative);
+        status = factor_group(sparse, k, block, context, front, work, scratch, pulse, negative);
     }
     drop_updates(sparse);
     taut_arena_free(arena);
