@@ -167,7 +167,8 @@ static taut_status begin_in(const taut_film_problem *coarse, double factor, taut
                             taut_arena *arena)
 {
     taut_film_space space;
-    taut_film_work cw = {.space = &space, .monitor = w->monitor, .region = w->region};
+    taut_film_work cw = {
+        .space = &space, .monitor = w->monitor, .threads = w->threads, .region = w->region};
     int better = 0;
     taut_status status = taut_film_space_new(coarse, arena, &space, NULL);
 

@@ -191,6 +191,7 @@ taut_status taut_film_take_nodes(taut_film_work *w, int extra, double factor)
             ring == TAUT_FILM_RING_V ? around : NULL, extra, &w->functional) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
+    w->functional->threads = w->threads;
     w->functional->cables = w->cables;
     w->functional->cable_count = found;
     watch(w);

@@ -16,6 +16,7 @@ typedef struct taut_film_pull {
 typedef struct taut_film_work {
     const taut_film_space *space;
     const taut_monitor *monitor;
+    int threads;
     taut_pulse pulse;  /* tells it of factors, outside of minimisations, which have their own */
     taut_arena *arena; /* of a solve */
     taut_dirichlet_form form;

@@ -507,7 +507,7 @@ static taut_status add_net(const taut_film_space *space, const taut_film_solutio
 /* What a make is given. */
 typedef struct request {
     const taut_film_problem *problem;
-    const taut_monitor *monitor;
+    const taut_make_options *options;
 } request;
 
 /* The witness speaks of the surface as the model has it. */
@@ -526,13 +526,13 @@ static taut_status add_details(const request *r, const taut_film_space *space,
     taut_status status = TAUT_OK;
     if (r->problem->refine > 0) {
         status =
-            taut_film_refine(r->problem, surface, solution->energy, r->monitor, details, error);
+            taut_film_refine(r->problem, surface, solution->energy, r->options, details, error);
     }
     if (status != TAUT_OK) {
         taut_record_free(details);
         return status;
     }
-    status = taut_film_witness_add(r->problem, surface, radii, r->monitor, details);
+    status = taut_film_witness_add(r->problem, surface, radii, &r->options->monitor, details);
     if (status == TAUT_OK) {
         return taut_construct_set_details(model, details, error);
     }
@@ -556,7 +556,7 @@ static taut_status build(void *context, taut_arena *arena, taut_model *model, ta
                                       : taut_film_flat_check(&space, error);
     }
     if (status == TAUT_OK) {
-        status = taut_film_solve(&space, r->monitor, arena, &solution, error);
+        status = taut_film_solve(&space, r->options, arena, &solution, error);
     }
     if (status == TAUT_OK) {
         status = add_net(&space, &solution, arena, model, error);
@@ -571,8 +571,7 @@ taut_status taut_film_make(const taut_film_problem *problem, const taut_make_opt
                            taut_model **model, taut_error *error)
 {
     static const taut_make_options none;
-    request r = {.problem = problem,
-                 .monitor = options != NULL ? &options->monitor : &none.monitor};
+    request r = {.problem = problem, .options = options != NULL ? options : &none};
     if (problem != NULL && taut_film_is_complex(problem)) {
         return taut_film_complex_make(problem, options, model, error);
     }

@@ -41,7 +41,7 @@ static void forget_curves(const taut_film_problem *problem, int nu, int nv, doub
 
 /* The film that begins as `halved`; *surface: what it becomes. */
 static taut_status solve_halved(const taut_film_problem *problem, const taut_surface *halved,
-                                const taut_surface *reference, const taut_monitor *monitor,
+                                const taut_surface *reference, const taut_make_options *options,
                                 taut_surface **surface, double *energy, taut_error *error)
 {
     taut_film_problem finer = *problem;
@@ -62,7 +62,7 @@ static taut_status solve_halved(const taut_film_problem *problem, const taut_sur
         status = taut_film_space_new(&finer, arena, &space, error);
     }
     if (status == TAUT_OK) {
-        status = taut_film_solve(&space, monitor, arena, &solution, error);
+        status = taut_film_solve(&space, options, arena, &solution, error);
     }
     if (status == TAUT_OK) {
         *energy = solution.energy;
@@ -80,7 +80,7 @@ static void take_size(const taut_surface *surface, taut_film_stage *stage)
 }
 
 /* One round more: *surface and *reference become finer. */
-static taut_status add_round(const taut_film_problem *problem, const taut_monitor *monitor,
+static taut_status add_round(const taut_film_problem *problem, const taut_make_options *options,
                              taut_surface **surface, taut_surface **reference,
                              taut_film_stage *found, taut_error *error)
 {
@@ -91,7 +91,7 @@ static taut_status add_round(const taut_film_problem *problem, const taut_monito
         status = halve_spans(*reference, &other, error);
     }
     if (status == TAUT_OK) {
-        status = solve_halved(problem, halved, other, monitor, &made, &found->energy, error);
+        status = solve_halved(problem, halved, other, options, &made, &found->energy, error);
     }
     if (status == TAUT_OK) {
         taut_surface_free(*surface);
@@ -107,7 +107,7 @@ static taut_status add_round(const taut_film_problem *problem, const taut_monito
 }
 
 taut_status taut_film_refine(const taut_film_problem *problem, const taut_surface *surface,
-                             double energy, const taut_monitor *monitor, taut_record *details,
+                             double energy, const taut_make_options *options, taut_record *details,
                              taut_error *error)
 {
     taut_film_stage rounds[ROUNDS] = {{.energy = energy}};
@@ -123,7 +123,7 @@ taut_status taut_film_refine(const taut_film_problem *problem, const taut_surfac
         return taut_fail_memory(error);
     }
     for (int k = 1; status == TAUT_OK && k <= problem->refine; k++) {
-        status = add_round(problem, monitor, &now, &reference, &rounds[k], error);
+        status = add_round(problem, options, &now, &reference, &rounds[k], error);
     }
     if (status == TAUT_OK) {
         taut_film_refinement(rounds, problem->refine + 1, details);

@@ -340,11 +340,14 @@ static taut_status find_film(taut_film_work *w, taut_film_space *plain, taut_fil
     return taut_film_pass_on(&first, error);
 }
 
-taut_status taut_film_solve(const taut_film_space *space, const taut_monitor *monitor,
+taut_status taut_film_solve(const taut_film_space *space, const taut_make_options *options,
                             taut_arena *arena, taut_film_solution *solution, taut_error *error)
 {
     const taut_film_problem *problem = space->problem;
-    taut_film_work w = {.space = space, .monitor = monitor, .method = "none"};
+    taut_film_work w = {.space = space,
+                        .monitor = &options->monitor,
+                        .threads = options->threads,
+                        .method = "none"};
     taut_film_space plain;
     taut_film_problem normal;
     taut_status status = TAUT_OK;

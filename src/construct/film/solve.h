@@ -3,7 +3,7 @@
 #define TAUT_CONSTRUCT_FILM_SOLVE_H
 
 #include "construct/film/equilibrium.h"
-#include "taut/monitor.h"
+#include "taut/construct.h"
 
 typedef struct taut_film_solution {
     double *points;    /* [nu][nv][3], in the arena: held ones bit for bit */
@@ -23,7 +23,7 @@ typedef struct taut_film_solution {
 
 /* TAUT_NO_SOLUTION: no-area, cable-too-weak; TAUT_NOT_CONVERGED: folds, not-converged;
  * TAUT_INTERRUPTED, TAUT_NO_MEMORY. */
-taut_status taut_film_solve(const taut_film_space *space, const taut_monitor *monitor,
+taut_status taut_film_solve(const taut_film_space *space, const taut_make_options *options,
                             taut_arena *arena, taut_film_solution *solution, taut_error *error);
 
 /* All but `changes` from w->net. TAUT_NO_SOLUTION: overflow; TAUT_NO_MEMORY. */

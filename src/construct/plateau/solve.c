@@ -245,6 +245,7 @@ static taut_status make_functional(work *w, int rule, taut_area_functional **fun
         return taut_fail_memory(error);
     }
     made->pulse = &w->pulse;
+    made->threads = w->options->threads;
     points = points_of(made);
     *is_last = rule + 1 >= RULES || points_after(w, made, rule) > limits.points_next;
     if (points > points_allowed(w)) {

@@ -416,7 +416,7 @@ static taut_record *details_of(const taut_film_layout *l, const taut_film_rest *
 
 typedef struct request {
     const taut_film_problem *problem;
-    const taut_monitor *monitor;
+    const taut_make_options *options;
 } request;
 
 static taut_status build(void *context, taut_arena *arena, taut_model *model, taut_error *error)
@@ -434,10 +434,10 @@ static taut_status build(void *context, taut_arena *arena, taut_model *model, ta
         status = taut_film_complex_flat_check(&layout, arena, error);
     }
     if (status == TAUT_OK) {
-        status = taut_film_rest_find(&layout, r->monitor, arena, &rest, error);
+        status = taut_film_rest_find(&layout, r->options, arena, &rest, error);
     }
     if (status == TAUT_OK) {
-        status = taut_film_complex_update(&layout, &rest, r->monitor, changes, arena, error);
+        status = taut_film_complex_update(&layout, &rest, r->options, changes, arena, error);
     }
     for (int p = 0; status == TAUT_OK && p < r->problem->patch_count; p++) {
         status = add_patch(&layout.complex, p, rest.points, arena, model, error);
@@ -453,11 +453,11 @@ static taut_status build(void *context, taut_arena *arena, taut_model *model, ta
     }
     taut_record *details = details_of(&layout, &rest, changes, arena);
     if (details != NULL && !r->problem->without_least) {
-        status = taut_complex_witness_add(&layout, &rest, r->monitor, details);
+        status = taut_complex_witness_add(&layout, &rest, &r->options->monitor, details);
         status = status == TAUT_OK ? TAUT_OK : taut_plateau_witness_fail(status, error);
     }
     if (status == TAUT_OK && details != NULL && r->problem->refine > 0) {
-        status = taut_film_complex_refine(&layout, &rest, r->monitor, details, error);
+        status = taut_film_complex_refine(&layout, &rest, r->options, details, error);
     }
     if (status != TAUT_OK) {
         taut_record_free(details);
@@ -473,7 +473,7 @@ taut_status taut_film_complex_make(const taut_film_problem *problem,
     static const taut_make_options none;
     taut_film_lone room;
     request r = {.problem = taut_film_complex_of(problem, &room),
-                 .monitor = options != NULL ? &options->monitor : &none.monitor};
+                 .options = options != NULL ? options : &none};
     taut_status status = check_problem(r.problem, error);
 
     if (status == TAUT_OK && model == NULL) {

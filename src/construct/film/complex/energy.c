@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LOCAL_MAX = 11 /* of degree 10 */, ELEMENT = 10 };
+enum { LOCAL_MAX = 11 /* of degree 10 */ };
 
 static const double blend_least = 1e-3;
 
@@ -252,7 +252,7 @@ static taut_status make_parts(taut_film_energy *e, int extra)
     return status;
 }
 
-taut_status taut_film_energy_new(const taut_film_layout *layout, int extra, taut_pulse *pulse,
+taut_status taut_film_energy_new(const taut_film_layout *layout, int extra, const taut_crew *crew,
                                  taut_film_energy **energy)
 {
     const taut_film_complex *c = &layout->complex;
@@ -263,9 +263,10 @@ taut_status taut_film_energy_new(const taut_film_layout *layout, int extra, taut
         return TAUT_NO_MEMORY;
     }
     e->layout = layout;
-    e->pulse = pulse;
+    e->pulse = crew->pulse;
     e->arena = taut_arena_new();
     e->areas = taut_arena_take(e->arena, patches, sizeof *e->areas);
+    e->seen = taut_arena_take(e->arena, patches, sizeof *e->seen);
     e->densities = taut_arena_take(e->arena, patches, sizeof *e->densities);
     e->threads = taut_arena_take(e->arena, (size_t)c->nodes, 1);
     e->shares = taut_arena_take(e->arena, patches, sizeof(double));
@@ -293,7 +294,6 @@ taut_status taut_film_energy_new(const taut_film_layout *layout, int extra, taut
     e->rows = taut_arena_take(e->arena, (size_t)wide, 6 * sizeof(double));
     e->in_cells = taut_arena_take(e->arena, patches, 1);
     e->moments = taut_arena_take(e->arena, (size_t)c->nodes, 3 * sizeof(double));
-    e->element = taut_arena_take(e->arena, layout->pairs, ELEMENT * sizeof(double));
     e->net = taut_arena_take(e->arena, (size_t)c->points, 3 * sizeof(double));
     e->slopes = taut_arena_take(e->arena, (size_t)c->points, 3 * sizeof(double));
     e->bulge = taut_arena_take(e->arena, (size_t)c->points, 3 * sizeof(double));
@@ -304,6 +304,12 @@ taut_status taut_film_energy_new(const taut_film_layout *layout, int extra, taut
     taut_status status = taut_arena_status(e->arena);
     if (status == TAUT_OK) {
         status = make_parts(e, extra);
+    }
+    for (size_t p = 0; status == TAUT_OK && p < patches; p++) {
+        e->seen[p] = e->areas[p];
+    }
+    if (status == TAUT_OK) {
+        status = taut_area_elements_new((int)patches, e->seen, crew->threads, &e->elements);
     }
     if (status == TAUT_OK) {
         status = connect(e);
@@ -325,6 +331,7 @@ void taut_film_energy_free(taut_film_energy *energy)
          p++) {
         taut_area_functional_free(energy->areas[p]);
     }
+    taut_area_elements_free(energy->elements);
     taut_sparse_free(energy->all_sparse);
     taut_sparse_free(energy->seen_sparse);
     taut_arena_free(energy->arena);
@@ -526,121 +533,83 @@ static void add_block(taut_film_energy *e, int a, int b, int same, const double 
     e->metric[at] += twice ? 2 * metric : metric;
 }
 
-/* What - p V adds to element, in the place of t n. */
-static void add_pressure(const taut_film_energy *e, int p, int line, int k, double *element)
+/* Functions and slopes of a cell at a node. */
+typedef struct functions {
+    double value[LOCAL_MAX * LOCAL_MAX], u[LOCAL_MAX * LOCAL_MAX], v[LOCAL_MAX * LOCAL_MAX];
+} functions;
+
+static void find_functions(const taut_area_functional *area, int line, int k, functions *of)
 {
+    const taut_area_axis *u = &area->u, *v = &area->v;
+
+    for (int i = 0, at = 0; i < u->local; i++) {
+        for (int j = 0; j < v->local; j++, at++) {
+            const int a = line * u->local + i, b = k * v->local + j;
+            of->value[at] = u->value[a] * v->value[b];
+            of->u[at] = u->slope[a] * v->value[b];
+            of->v[at] = u->value[a] * v->slope[b];
+        }
+    }
+}
+
+/* row += the t of pairs (a, b), volume.h, for b up to a: along x_v, along x_u and along y. */
+static void add_turns(int a, const functions *of, double along[3][3], double *restrict row0,
+                      double *restrict row1, double *restrict row2)
+{
+    const double value = of->value[a], u = of->u[a], v = of->v[a];
+
+    for (int b = 0; b <= a; b++) {
+        const double x = value * of->u[b] - u * of->value[b];
+        const double y = v * of->value[b] - value * of->v[b];
+        const double z = u * of->v[b] - v * of->u[b];
+        row0[b] += x * along[0][0] + y * along[1][0] + z * along[2][0];
+        row1[b] += x * along[0][1] + y * along[1][1] + z * along[2][1];
+        row2[b] += x * along[0][2] + y * along[1][2] + z * along[2][2];
+    }
+}
+
+/* What - p V adds to the element of a side of cells, in the place of t n. */
+static void add_pressure(const void *context, int p, int line, int k, double *element)
+{
+    const taut_film_energy *e = context;
     const taut_area_functional *area = e->areas[p];
-    const taut_area_axis *u = &area->u, *v = &area->v;
-    const int local = u->local * v->local;
-    const double weight = u->weights[line] * v->weights[k];
+    const size_t wide = (size_t)taut_area_wide(area);
+    const double weight = area->u.weights[line] * area->v.weights[k] / 3;
     const double *place =
-        e->places[p] + ((size_t)line * (size_t)v->count + (size_t)k) * TAUT_VOLUME_PLACE;
-    const double lever[3] = {weight * e->lever[3 * p], weight * e->lever[3 * p + 1],
-                             weight * e->lever[3 * p + 2]};
-    taut_volume_pair of[LOCAL_MAX * LOCAL_MAX];
+        e->places[p] + ((size_t)line * (size_t)area->v.count + (size_t)k) * TAUT_VOLUME_PLACE;
+    double along[3][3];
+    functions of;
 
-    for (int i = 0; i < local; i++) {
-        const int a = line * u->local + i / v->local, b = k * v->local + i % v->local;
-        of[i] = (taut_volume_pair){u->value[a] * v->value[b], u->slope[a] * v->value[b],
-                                   u->value[a] * v->slope[b]};
-    }
-    for (int a = 0; a < local; a++) {
-        for (int b = 0; b <= a; b++, element += ELEMENT) {
-            double t[3] = {0, 0, 0};
-            taut_volume_pair_add(place, weight * e->pull[p], lever, &of[a], &of[b], t);
-            taut_add_scaled(-1, t, element + 6); /* - p (- [t]) against - [t n] */
-        }
-    }
-}
-
-/* The same of threads: s in every direction. */
-static void add_threads(const taut_film_energy *energy, int patch, int line, int k, double *element)
-{
-    const taut_area_functional *area = energy->areas[patch];
-    const taut_area_axis *u = &area->u, *v = &area->v;
-    const int local = u->local * v->local;
-    const size_t at = (size_t)line * (size_t)v->count + (size_t)k;
-    const double weight = u->weights[line] * v->weights[k];
-    const double along_u = weight * area->density->along_u[at],
-                 along_v = weight * area->density->along_v[at];
-    double pu[LOCAL_MAX * LOCAL_MAX], pv[LOCAL_MAX * LOCAL_MAX];
-    double *const first = element;
-
-    for (int i = 0; i < local; i++) {
-        const int a = line * u->local + i / v->local, b = k * v->local + i % v->local;
-        pu[i] = u->slope[a] * v->value[b];
-        pv[i] = u->value[a] * v->slope[b];
-    }
-    for (int p = 0; p < local; p++) {
-        for (int q = 0; q <= p; q++, element += ELEMENT) {
-            const double s = along_u * pu[p] * pu[q] + along_v * pv[p] * pv[q];
-            element[0] += s;
-            element[3] += s;
-            element[5] += s;
-            element[9] += s;
-        }
-    }
-    if (energy->in_cells[patch]) {
-        add_pressure(energy, patch, line, k, first);
-    }
-}
-
-/* element[pair][ELEMENT]: s n n^T in six numbers, t n in three, s; pairs (p, q), q <= p. */
-static void add_node(const taut_film_energy *energy, int patch, int line, int k, double *element)
-{
-    const taut_area_functional *area = energy->areas[patch];
-    const taut_area_axis *u = &area->u, *v = &area->v;
-    const int local = u->local * v->local;
-    double state[TAUT_AREA_STATE], pu[LOCAL_MAX * LOCAL_MAX], pv[LOCAL_MAX * LOCAL_MAX];
-
-    double *const first = element;
-    if (area->density != NULL) {
-        add_threads(energy, patch, line, k, element);
+    if (!e->in_cells[p]) {
         return;
     }
-    taut_area_functional_state(area, line, k, state);
-    const double *n = state, e = state[3], f = state[4], g = state[5], w = state[6];
-    for (int i = 0; i < u->local; i++) {
-        for (int j = 0; j < v->local; j++) {
-            pu[i * v->local + j] = u->slope[line * u->local + i] * v->value[k * v->local + j];
-            pv[i * v->local + j] = u->value[line * u->local + i] * v->slope[k * v->local + j];
-        }
+    for (int c = 0; c < 3; c++) {
+        along[0][c] = weight * e->pull[p] * place[6 + c];
+        along[1][c] = weight * e->pull[p] * place[3 + c];
+        along[2][c] = weight * (e->pull[p] * place[c] - e->lever[3 * p + c]);
     }
-    for (int p = 0; p < local; p++) {
-        const double fu = g * pu[p] - f * pv[p], fv = e * pv[p] - f * pu[p];
-        const double nu = w * pu[p], nv = w * pv[p];
-        for (int q = 0; q <= p; q++, element += ELEMENT) {
-            const double s = fu * pu[q] + fv * pv[q], t = nu * pv[q] - nv * pu[q];
-            element[0] += s * n[0] * n[0];
-            element[1] += s * n[0] * n[1];
-            element[2] += s * n[0] * n[2];
-            element[3] += s * n[1] * n[1];
-            element[4] += s * n[1] * n[2];
-            element[5] += s * n[2] * n[2];
-            element[6] += t * n[0];
-            element[7] += t * n[1];
-            element[8] += t * n[2];
-            element[9] += s;
-        }
-    }
-    if (energy->in_cells[patch]) {
-        add_pressure(energy, patch, line, k, first);
+    find_functions(area, line, k, &of);
+    for (int a = 0; a < area->u.local * area->v.local; a++, element += TAUT_AREA_BLOCK * wide) {
+        add_turns(a, &of, along, element + 6 * wide, element + 7 * wide, element + 8 * wide);
     }
 }
 
-/* H d = s n (n . d) - t n x d. */
+/* H d = s n (n . d) + t n x d, with the t of an element: n n^T row by row to the diagonal, t n, s. */
 static void scatter(taut_film_energy *e, int p, const int *nodes, int count, const double *element)
 {
+    const size_t wide = (size_t)taut_area_wide(e->areas[p]);
     const double share = e->shares[p];
 
-    for (int a = 0; a < count; a++) {
-        for (int b = 0; b <= a; b++, element += ELEMENT) {
-            const double *m = element, *t = element + 6;
-            const double h[9] = {
-                share * m[0],          share * (m[1] + t[2]), share * (m[2] - t[1]),
-                share * (m[1] - t[2]), share * m[3],          share * (m[4] + t[0]),
-                share * (m[2] + t[1]), share * (m[4] - t[0]), share * m[5]};
-            add_block(e, nodes[a], nodes[b], a == b, h, share * m[9]);
+    for (int a = 0; a < count; a++, element += TAUT_AREA_BLOCK * wide) {
+        for (int b = 0; b <= a; b++) {
+            double m[TAUT_AREA_BLOCK];
+            for (size_t c = 0; c < TAUT_AREA_BLOCK; c++) {
+                m[c] = share * element[c * wide + (size_t)b];
+            }
+            const double *t = m + 6;
+            const double h[9] = {m[0],        m[1] - t[2], m[3] + t[1], m[1] + t[2], m[2],
+                                 m[4] - t[0], m[3] - t[1], m[4] + t[0], m[5]};
+            add_block(e, nodes[a], nodes[b], a == b, h, m[9]);
         }
     }
 }
@@ -694,21 +663,14 @@ taut_status taut_film_energy_second(taut_film_energy *energy)
     memset(energy->second, 0, blocks * 9 * sizeof(double));
     memset(energy->metric, 0, blocks * sizeof(double));
     find_pulls(energy);
+    taut_area_elements_begin(energy->elements, energy->seen, add_pressure, energy);
     for (int p = 0; p < c->problem->patch_count; p++) {
         const taut_area_functional *area = energy->areas[p];
         const int cu = cells_of(&area->u), cv = cells_of(&area->v);
         const double of_pair = OF_PAIR + (energy->in_cells[p] ? OF_PRESSURE : 0);
         for (int cell = 0; cell < cu * cv; cell++) {
             const int count = alive(energy, p, cell / cv, cell % cv, nodes);
-            memset(energy->element, 0,
-                   (size_t)count * (size_t)(count + 1) / 2 * ELEMENT * sizeof(double));
-            for (int i = 0; i < area->u.nodes; i++) {
-                for (int j = 0; j < area->v.nodes; j++) {
-                    add_node(energy, p, cell / cv * area->u.nodes + i,
-                             cell % cv * area->v.nodes + j, energy->element);
-                }
-            }
-            scatter(energy, p, nodes, count, energy->element);
+            scatter(energy, p, nodes, count, taut_area_elements_next(energy->elements));
             if (taut_pulse_beat(energy->pulse,
                                 of_pair * count * count / 2 * (area->u.nodes * area->v.nodes))) {
                 return TAUT_INTERRUPTED;

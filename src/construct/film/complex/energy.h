@@ -10,14 +10,17 @@
 
 #include "construct/film/complex/layout.h"
 #include "construct/plateau/density.h"
-#include "core/pulse.h"
+#include "construct/plateau/elements.h"
+#include "core/crew.h"
 #include "numeric/sparse.h"
 
 typedef struct taut_film_energy {
     const taut_film_layout *layout;
-    taut_pulse *pulse;            /* or NULL */
-    taut_arena *arena;            /* of one rule */
-    taut_area_functional **areas; /* [patch_count] */
+    taut_pulse *pulse;                 /* or NULL */
+    taut_arena *arena;                 /* of one rule */
+    taut_area_functional **areas;      /* [patch_count] */
+    const taut_area_functional **seen; /* the same, to be read */
+    taut_area_elements *elements;
     taut_area_density *densities; /* [patch_count]: of patches of threads */
     unsigned char *threads;       /* [nodes]: is it one of such a patch? All its moves are seen */
     double *shares;               /* [patch_count]: s_i / s */
@@ -44,14 +47,13 @@ typedef struct taut_film_energy {
     taut_sparse *all_sparse, *seen_sparse;
     int *start, *column;     /* blocks (a, b), b <= a, of row a: column[start[a]] .. */
     double *second, *metric; /* [blocks][9], [blocks] */
-    double *element;         /* scratch: of the pairs of a cell */
     taut_sparse *sparse;
     double theta;
     double least; /* of the last value: smallest W over its mean, of all patches */
 } taut_film_energy;
 
-/* extra nodes a span. The energy's arena is its own. pulse: NULL is fine. TAUT_NO_MEMORY. */
-taut_status taut_film_energy_new(const taut_film_layout *layout, int extra, taut_pulse *pulse,
+/* extra nodes a span. The energy's arena is its own. TAUT_NO_MEMORY. */
+taut_status taut_film_energy_new(const taut_film_layout *layout, int extra, const taut_crew *crew,
                                  taut_film_energy **energy);
 void taut_film_energy_free(taut_film_energy *energy); /* NULL is fine */
 

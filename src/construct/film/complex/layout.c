@@ -597,10 +597,6 @@ taut_status taut_film_layout_new(const taut_film_problem *problem, taut_arena *a
         status = bow_edges(l, arena, error);
     }
     for (int p = 0; status == TAUT_OK && p < problem->patch_count; p++) {
-        const taut_film_problem *patch = &problem->patches[p];
-        const size_t local =
-            (size_t)taut_basis_local(patch->u) * (size_t)taut_basis_local(patch->v);
-        l->pairs = local * (local + 1) / 2 > l->pairs ? local * (local + 1) / 2 : l->pairs;
         status = fill_patch(l, p, arena, error);
     }
     if (status == TAUT_OK) {

@@ -28,7 +28,6 @@ typedef struct taut_film_layout {
     double *from;     /* [cell_count][3], scaled */
     double deviation; /* of fitted curves */
     int fitted;       /* how many of these */
-    size_t pairs;     /* of functions of a cell, at most */
 } taut_film_layout;
 
 /* class[2 p + d], of the edges of patch p along v (d = 0) or u: of one number are those that lie opposite to each other or in a seam. */

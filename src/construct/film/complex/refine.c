@@ -101,7 +101,7 @@ static taut_film_stage stage_of(const taut_film_complex *c, const taut_film_rest
 }
 
 taut_status taut_film_complex_refine(const taut_film_layout *layout, const taut_film_rest *rest,
-                                     const taut_monitor *monitor, taut_record *details,
+                                     const taut_make_options *options, taut_record *details,
                                      taut_error *error)
 {
     const int rounds = layout->complex.problem->refine;
@@ -118,7 +118,7 @@ taut_status taut_film_complex_refine(const taut_film_layout *layout, const taut_
             status = taut_film_layout_new(&finer[k], arena, &now, error);
         }
         if (status == TAUT_OK) {
-            status = taut_film_rest_find(&now, monitor, arena, &found, error);
+            status = taut_film_rest_find(&now, options, arena, &found, error);
             stages[k + 1] = stage_of(&now.complex, &found);
         }
     }

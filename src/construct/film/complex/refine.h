@@ -7,7 +7,7 @@
 /* Finds the film problem->refine times more, each time with all spans of the one before halved, and adds the member `refinement` to
  * the details. Statuses as those of a film; TAUT_BAD_INPUT: size. */
 taut_status taut_film_complex_refine(const taut_film_layout *layout, const taut_film_rest *rest,
-                                     const taut_monitor *monitor, taut_record *details,
+                                     const taut_make_options *options, taut_record *details,
                                      taut_error *error);
 
 #endif /* TAUT_CONSTRUCT_FILM_COMPLEX_REFINE_H */

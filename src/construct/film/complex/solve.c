@@ -85,6 +85,7 @@ typedef struct work {
     const taut_film_layout *layout;
     taut_film_layout own; /* what layout points to: with cables as they are led */
     taut_pulse pulse;
+    taut_crew crew;
     taut_error *error;
     taut_film_energy *energy;
     taut_film_border border;
@@ -444,7 +445,7 @@ static taut_status settle(work *w)
         w->energy = NULL;
         status = report(w);
         if (status == TAUT_OK) {
-            status = taut_film_energy_new(w->layout, extra_nodes[rule], &w->pulse, &w->energy);
+            status = taut_film_energy_new(w->layout, extra_nodes[rule], &w->crew, &w->energy);
         }
         if (status == TAUT_OK) {
             status = look(w);
@@ -538,7 +539,7 @@ static taut_status begin_again(work *w)
     w->is_fresh = 1;
     taut_film_energy_free(w->energy);
     w->energy = NULL;
-    return taut_film_energy_new(w->layout, extra_nodes[0], &w->pulse, &w->energy);
+    return taut_film_energy_new(w->layout, extra_nodes[0], &w->crew, &w->energy);
 }
 
 /* From no pressure on; TAUT_OK: x is a film under all of it. */
@@ -1085,7 +1086,7 @@ static taut_status even_out(work *w)
     return status == TAUT_OK && made ? settle(w) : status;
 }
 
-taut_status taut_film_rest_find(const taut_film_layout *layout, const taut_monitor *monitor,
+taut_status taut_film_rest_find(const taut_film_layout *layout, const taut_make_options *options,
                                 taut_arena *arena, taut_film_rest *rest, taut_error *error)
 {
     const taut_film_problem *problem = layout->complex.problem;
@@ -1093,7 +1094,8 @@ taut_status taut_film_rest_find(const taut_film_layout *layout, const taut_monit
     const double tolerance = problem->tolerance > 0 ? problem->tolerance : 1e-10;
     work w = {.own = *layout,
               .given = layout->drawn,
-              .pulse = {.monitor = monitor, .what = "film", .done = taut_none},
+              .pulse = {.monitor = &options->monitor, .what = "film", .done = taut_none},
+              .crew = {.threads = options->threads, .pulse = &w.pulse},
               .error = error,
               .nodes = nodes,
               .x = taut_arena_copy(arena, layout->start, nodes, bytes),

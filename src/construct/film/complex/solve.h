@@ -3,7 +3,7 @@
 #define TAUT_CONSTRUCT_FILM_COMPLEX_SOLVE_H
 
 #include "construct/film/complex/layout.h"
-#include "taut/monitor.h"
+#include "taut/construct.h"
 
 typedef struct taut_film_rest {
     double *points; /* [nodes][3], in the user's unit */
@@ -19,7 +19,7 @@ typedef struct taut_film_rest {
 } taut_film_rest;
 
 /* TAUT_NO_SOLUTION: unstable, cable-too-weak, overflow; TAUT_NOT_CONVERGED: folds, not-converged; TAUT_INTERRUPTED, TAUT_NO_MEMORY. */
-taut_status taut_film_rest_find(const taut_film_layout *layout, const taut_monitor *monitor,
+taut_status taut_film_rest_find(const taut_film_layout *layout, const taut_make_options *options,
                                 taut_arena *arena, taut_film_rest *rest, taut_error *error);
 
 #endif /* TAUT_CONSTRUCT_FILM_COMPLEX_SOLVE_H */

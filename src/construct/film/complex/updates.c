@@ -54,7 +54,7 @@ static taut_status update_patch(const taut_film_complex *c, int p, int round, co
 }
 
 taut_status taut_film_complex_update(taut_film_layout *layout, taut_film_rest *rest,
-                                     const taut_monitor *monitor, double *changes,
+                                     const taut_make_options *options, double *changes,
                                      taut_arena *arena, taut_error *error)
 {
     const taut_film_problem *problem = layout->complex.problem;
@@ -81,7 +81,7 @@ taut_status taut_film_complex_update(taut_film_layout *layout, taut_film_rest *r
         next->patches = patches;
         status = taut_film_layout_new(next, arena, layout, error);
         if (status == TAUT_OK) {
-            status = taut_film_rest_find(layout, monitor, arena, rest, error);
+            status = taut_film_rest_find(layout, options, arena, rest, error);
         }
         changes[round - 1] = 0;
         for (int a = 0; status == TAUT_OK && a < layout->complex.nodes; a++) {

@@ -11,7 +11,7 @@ int taut_film_complex_updates(const taut_film_problem *problem);
  * again from there: layout and rest are those of the last. changes[updates]: how far each round moved a point, over the size. All of it
  * in the arena. Statuses as those of a film. */
 taut_status taut_film_complex_update(taut_film_layout *layout, taut_film_rest *rest,
-                                     const taut_monitor *monitor, double *changes,
+                                     const taut_make_options *options, double *changes,
                                      taut_arena *arena, taut_error *error);
 
 #endif /* TAUT_CONSTRUCT_FILM_COMPLEX_UPDATES_H */

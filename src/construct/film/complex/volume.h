@@ -21,24 +21,4 @@ void taut_volume_places(const taut_area_functional *area, const double *net, dou
 double taut_volume_patch(const taut_area_functional *area, const double *places,
                          const double from[3], double share, double *gradient);
 
-/* Functions and slopes of a cell at a node. */
-typedef struct taut_volume_pair {
-    double value, u, v;
-} taut_volume_pair;
-
-/* pull x - lever in place of y, pull x_u, pull x_v: t of a pair (a, b), without the weight, is added to t[3]. */
-static inline void taut_volume_pair_add(const double *place, double pull, const double lever[3],
-                                        const taut_volume_pair *a, const taut_volume_pair *b,
-                                        double t[3])
-{
-    const double along_v = pull / 3 * (a->value * b->u - a->u * b->value);
-    const double along_u = pull / 3 * (a->v * b->value - a->value * b->v);
-    const double both = (a->u * b->v - a->v * b->u) / 3;
-
-    for (int k = 0; k < 3; k++) {
-        t[k] +=
-            along_v * place[6 + k] + along_u * place[3 + k] + both * (pull * place[k] - lever[k]);
-    }
-}
-
 #endif /* TAUT_CONSTRUCT_FILM_COMPLEX_VOLUME_H */
