@@ -253,12 +253,12 @@ taut_status taut_film_complex_make(const taut_film_problem *problem,
 }
 
 taut_status taut_film_complex_certify(const taut_model *model, const taut_film_problem *problem,
-                                      taut_pulse *pulse, taut_certificate *certificate,
+                                      const taut_crew *crew, taut_certificate *certificate,
                                       taut_error *error)
 {
     (void)model;
     (void)problem;
-    (void)pulse;
+    (void)crew;
     (void)certificate;
     return taut_fail(error, TAUT_IO, "not-installed", NULL, taut_none, taut_none, "%s", no_patches);
 }

@@ -847,7 +847,7 @@ static taut_status certify(const taut_model *model, const void *data, const taut
     request r;
 
     if (problem != NULL && taut_film_is_complex(problem)) {
-        return taut_film_complex_certify(model, problem, audit->crew.pulse, certificate, error);
+        return taut_film_complex_certify(model, problem, &audit->crew, certificate, error);
     }
     taut_status status = read_request(model, data, &r, error);
 

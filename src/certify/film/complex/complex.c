@@ -60,7 +60,7 @@ typedef struct request {
     double area, area_apart; /* by the last rule, and from the one before */
     double lowest, lowest_user;
     int below;
-    taut_pulse *pulse;
+    taut_crew crew;
 } request;
 
 static taut_status find_surfaces(request *r, taut_error *error)
@@ -546,11 +546,42 @@ static taut_status find_stability(request *r)
                         r->problem->cell_count > 0 ? SECOND_CELLS : SECOND_EXTRA, arena, &s);
 
     if (status == TAUT_OK) {
-        status = taut_sheets_lowest(&s, stable_limit, r->pulse, &r->lowest, &r->below);
+        status = taut_sheets_lowest(&s, stable_limit, r->crew.pulse, &r->lowest, &r->below);
         r->lowest_user = r->lowest * s.tension / r->size / r->size;
     }
     taut_arena_free(arena);
     return status == TAUT_NOT_CONVERGED ? TAUT_OK : status;
+}
+
+/* Two searches that fill members of their own: stability, which takes longer and is watched, and the rest. */
+typedef struct searches {
+    request *r;
+    taut_status stability, rest;
+} searches;
+
+static void search(void *context, int part, int from, int to)
+{
+    searches *s = context;
+
+    (void)part;
+    for (; from < to; from++) {
+        if (from == 0) {
+            s->stability = find_stability(s->r);
+        } else {
+            s->rest = settle(s->r);
+        }
+    }
+}
+
+static taut_status find_all(request *r, taut_error *error)
+{
+    searches s = {.r = r};
+
+    taut_parallel_for(2, r->crew.threads, search, &s);
+    if (taut_pulse_report(r->crew.pulse)) {
+        return TAUT_INTERRUPTED;
+    }
+    return s.stability != TAUT_OK || s.rest != TAUT_OK ? taut_fail_memory(error) : TAUT_OK;
 }
 
 static taut_status add_stable(const request *r, taut_certificate *certificate, taut_error *error)
@@ -642,7 +673,7 @@ static taut_status add_least(const request *r, double tension, taut_record *figu
 
     if (!r->problem->without_least) {
         const taut_status status = taut_complex_least_of(
-            &r->complex, r->surfaces, taut_record_get(details, "least"), r->pulse, &found);
+            &r->complex, r->surfaces, taut_record_get(details, "least"), r->crew.pulse, &found);
         if (status != TAUT_OK) {
             return status == TAUT_NO_MEMORY ? taut_fail_memory(error) : status;
         }
@@ -793,14 +824,8 @@ static taut_status prove(request *r, taut_certificate *certificate, taut_error *
     if (status == TAUT_OK) {
         status = add_cables(r, certificate, error);
     }
-    if (status == TAUT_OK && settle(r) != TAUT_OK) {
-        status = taut_fail_memory(error);
-    }
-    if (status == TAUT_OK && (taut_pulse_report(r->pulse) || find_stability(r) != TAUT_OK)) {
-        status = taut_fail_memory(error); /* stopped or not, as the pulse says */
-    }
-    if (status == TAUT_OK && taut_pulse_report(r->pulse)) {
-        status = TAUT_INTERRUPTED;
+    if (status == TAUT_OK) {
+        status = find_all(r, error);
     }
     if (status == TAUT_OK) {
         status = add_volume(r, certificate, error);
@@ -818,7 +843,7 @@ static taut_status prove(request *r, taut_certificate *certificate, taut_error *
 }
 
 taut_status taut_film_complex_certify(const taut_model *model, const taut_film_problem *problem,
-                                      taut_pulse *pulse, taut_certificate *certificate,
+                                      const taut_crew *crew, taut_certificate *certificate,
                                       taut_error *error)
 {
     taut_film_lone room;
@@ -830,7 +855,7 @@ taut_status taut_film_complex_certify(const taut_model *model, const taut_film_p
                  .lowest = NAN,
                  .lowest_user = NAN,
                  .below = -1,
-                 .pulse = pulse};
+                 .crew = *crew};
     const char *method = taut_record_text(taut_record_get(taut_model_details(model), "method"));
     r.all = problem->method == TAUT_FILM_FULL && !(method != NULL && strcmp(method, "normal") == 0);
     taut_status status = taut_film_complex_new(whole, r.arena, &r.complex, error);
