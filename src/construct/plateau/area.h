@@ -65,7 +65,7 @@ typedef struct taut_area_functional {
     double work;          /* about so many flops were spent on it, its factors included */
     taut_area_cable *cables; /* [cable_count], borrowed: they count beside the area, everywhere */
     int cable_count;         /* 0 at first */
-    int threads;       /* for matrices made of it; 0, at first: 1 */
+    int threads;             /* for matrices made of it; 0, at first: 1 */
     taut_pulse *pulse; /* borrowed: is told of what is done here and of factors; NULL at first */
     taut_area_density
         *density; /* borrowed: its energy counts in place of the area (density.h); NULL at first */
