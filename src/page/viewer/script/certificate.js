@@ -28,9 +28,9 @@ const SHOWN_MOST = 60; /* entries of one list or claims: more are counted */
 
 /* What numbers of records are measured in: powers of the model's unit, as in src/cli/unit.c. */
 const POWERS = new Map(Object.entries({
-    '1': 'length lengths unstressed total_length seam_length radius bend_radius least_bend_radius wall distance ' +
+    '1': 'length lengths curve_length unstressed total_length seam_length radius bend_radius least_bend_radius wall distance ' +
         'boundary_gap max_gap gap_bound bounding_box largest_radius point du dv duu duv dvv d1 d2 d3',
-    '2': 'area areas area_error dirichlet_area flat_area lower_bound gap',
+    '2': 'area areas area_error dirichlet_area flat_area surface_area lower_bound gap',
     '3': 'volume volumes wall_volume',
     '-1': 'curvature torsion max_curvature mean_curvature max_torsion max_abs_normal_curvature mean_abs_mean_curvature ' +
         'rms_mean_curvature max_abs_mean_curvature',
