@@ -11,18 +11,21 @@
 /* How many surfaces may meet at a corner that a curve passes. */
 enum {
     CORNER = 8,
-    SHORT_STEPS = 1000 /* in a row, of the least length or little more: no way on */
+    SHORT_STEPS = 1000, /* in a row, of the least length or little more: no way on */
+    MANY_STEPS =
+        4096 /* that together come no farther than `slow` of the size a step: none either */
 };
 
 static const struct {
     double first, largest, least; /* steps over the size */
-    double turn;                  /* least cosine between tangents within a step */
-    double corner;                /* over the size: two borders at once */
-    double closing;               /* over the size: the seed again */
-    double crease;                /* angle of normals */
-    double along;                 /* over a range: it runs on a break */
-    double entering;              /* sine: the way into a cell */
-    double rounding;              /* over the size: of the place of an event */
+    double slow;
+    double turn;         /* least cosine between tangents within a step */
+    double corner;       /* over the size: two borders at once */
+    double closing;      /* over the size: the seed again */
+    double crease;       /* angle of normals */
+    double along;        /* over a range: it runs on a break */
+    double entering;     /* sine: the way into a cell */
+    double rounding;     /* over the size: of the place of an event */
     double near, nearer; /* over the size: a step of Newton, and the next one, in its last rounds */
     double measure; /* its error counts so much: near R = 0 and K = 0 estimates are too small */
     /* Where R is round, over its largest value, it may change by this factor in a step that is not the least. */
@@ -33,6 +36,7 @@ static const struct {
 } limits = {.first = 1e-2,
             .largest = 0.1,
             .least = 1e-12,
+            .slow = 1e-8,
             .turn = 0.5,
             .corner = 1e-9,
             .closing = 1e-9,
@@ -337,6 +341,8 @@ typedef struct follower {
     double h;
     double seed_x[3], seed_tangent[3];
     int short_steps; /* the last ones */
+    int steps;       /* since the curve was at `milestone` */
+    double milestone;
 } follower;
 
 static void end_at(follower *f, taut_walk_end end, const taut_walk_state *state)
@@ -870,6 +876,21 @@ static taut_status advance_straight(follower *f, const double *way)
     return status;
 }
 
+/* Do steps lead nowhere? */
+static int creeps(follower *f, double step)
+{
+    const double size = f->carrier->size;
+    int is_slow = 0;
+
+    f->short_steps = step < 4 * limits.least * size ? f->short_steps + 1 : 0;
+    if (++f->steps == MANY_STEPS) {
+        is_slow = f->state.s - f->milestone < MANY_STEPS * limits.slow * size;
+        f->milestone = f->state.s;
+        f->steps = 0;
+    }
+    return is_slow || f->short_steps > SHORT_STEPS;
+}
+
 /* One step and what comes of it; f->walk->end says whether it was the last. */
 static taut_status advance(follower *f)
 {
@@ -902,14 +923,14 @@ static taut_status advance(follower *f)
         return status;
     }
     f->state = end;
-    f->short_steps = step < 4 * limits.least * f->carrier->size ? f->short_steps + 1 : 0;
+    const int creeping = creeps(f, step);
     if (closed) {
         end_at(f, TAUT_END_CLOSED, &end);
     } else if (crosses) {
         cross_border(f, border.d, &f->state);
     } else if (end.s >= f->options->max_length) {
         end_at(f, TAUT_END_LENGTH, &end);
-    } else if (f->short_steps > SHORT_STEPS) {
+    } else if (creeping) {
         end_at(f, TAUT_END_STALLED, &end);
     }
     return TAUT_OK;

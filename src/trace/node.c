@@ -330,6 +330,17 @@ static int is_flat(const double points[TAUT_QUINTIC][2])
     return 1;
 }
 
+/* Is the part not larger than the room around it, so that its halves would meet whatever it meets? */
+static int is_speck(const taut_carrier *carrier, const box *b)
+{
+    for (int d = 0; d < 2; d++) {
+        if (!(b->high[d] - b->low[d] <= 4 * margin * (carrier->hi[d] - carrier->lo[d]))) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
 /* Two parts [from, to] of the segments, while their boxes meet. */
 static void bisect(search *w, const double p[TAUT_QUINTIC][2], const double q[TAUT_QUINTIC][2],
                    const double from[2], const double to[2], int depth)
@@ -340,7 +351,8 @@ static void bisect(search *w, const double p[TAUT_QUINTIC][2], const double q[TA
     if (w->status != TAUT_OK || !overlap(&a, &b)) {
         return;
     }
-    if (depth == 0 || (is_flat(p) && is_flat(q) && depth < DEPTH - 2)) {
+    if (depth == 0 || (is_flat(p) && is_flat(q) && depth < DEPTH - 2) ||
+        (is_speck(w->carrier, &a) && is_speck(w->carrier, &b))) {
         polish(w, (from[0] + to[0]) / 2, (from[1] + to[1]) / 2);
         return;
     }

@@ -192,6 +192,10 @@ END
 refused 4 'elliptic' make rim.json --quiet -o none.json
 run 0 make rims.json --quiet -o rims-made.json
 contains rims-made.json '"reason": "elliptic"'
+# the same where steps are a little longer: from a place 4e-14 beside a circle with K = 0, on top of it to 1e-14
+python3 -c 'import json; net = json.load(open("torus.json")); json.dump(dict(net, trace="asymptotic", seeds=[{"line": [[0.05, 0.1], [0.95, 0.9]], "count": 9}]), open("slanted.json", "w"))'
+run 0 make slanted.json --quiet -o rims-made.json
+contains rims-made.json '"reason": "elliptic"'
 # lines that close at the seam they are seeded on end on the side that they come to
 for seed in '"edge": "u0", "count": 3' '"cells": 8'; do
     python3 -c 'import json, sys; net = json.load(open("torus.json")); json.dump(dict(net, trace="principal", seeds=[json.loads("{" + sys.argv[1] + "}")]), open("rings.json", "w"))' "$seed"
