@@ -54,7 +54,8 @@ typedef struct planned {
     int both;
     int seed;      /* whose curve must be there, or -1: the place may be left out */
     int may_touch; /* its curve is no lath if it only touches the window */
-    int is_known;  /* a lath goes through it already */
+    int may_turn; /* on a seam of a surface that closes it may be on either side, and is where the curve goes on inside */
+    int is_known; /* a lath goes through it already */
     double x[3], along[3], tangent[3];
     taut_linefield_fault fault;
     taut_status status;
@@ -133,6 +134,23 @@ static taut_status too_many(double count, taut_error *error)
                      TAUT_TRACE_LATHS_MAX);
 }
 
+/* Where a curve leaves the window over a seam at its very place, the place on the other side of the seam. */
+static void turn_inside(planned *p, const double x[TAUT_CARRIER_VECTORS][3])
+{
+    const taut_carrier *on = p->on;
+    const double e = taut_dot(x[1], x[1]), f = taut_dot(x[1], x[2]), g = taut_dot(x[2], x[2]);
+    const double a = taut_dot(x[1], p->tangent), b = taut_dot(x[2], p->tangent);
+    const double way[2] = {g * a - f * b, e * b - f * a}; /* times a positive number */
+
+    for (int d = 0; d < 2 && p->may_turn; d++) {
+        if (on->wraps[d] && p->at[d] == on->lo[d] && way[d] < 0) {
+            p->at[d] = on->hi[d];
+        } else if (on->wraps[d] && p->at[d] == on->hi[d] && way[d] > 0) {
+            p->at[d] = on->lo[d];
+        }
+    }
+}
+
 /* What is known of place k of a list before it is followed. */
 static void plan(const taut_net *net, planned *list, int k)
 {
@@ -160,6 +178,7 @@ static void plan(const taut_net *net, planned *list, int k)
     }
     p->fault = taut_walk_start(p->on, kind, p->at, span, p->along, &state);
     memcpy(p->tangent, state.tangent, sizeof p->tangent);
+    turn_inside(p, (const double(*)[3])x);
 }
 
 /* The threads that follow places of a list. */
@@ -584,11 +603,42 @@ static void take_last(double t, double from, double to, double *last)
     }
 }
 
+/* The same of where a lath passes the seam of a carrier that closes, on both sides of it. */
+static void take_turn(const taut_carrier *carrier, const taut_station *a, const taut_station *b,
+                      double from, double to, double *last)
+{
+    for (int edge = 0; edge < 4; edge++) {
+        const int d = edge / 2;
+        const double border = edge % 2 == 0 ? carrier->lo[d] : carrier->hi[d];
+        const double other = edge % 2 == 0 ? carrier->hi[d] : carrier->lo[d];
+        if (carrier->wraps[d] && a->at[d] == border && b->at[d] == other) {
+            take_last(border_of(carrier, a->at, edge), from, to, last);
+            take_last(border_of(carrier, b->at, edge ^ 1), from, to, last);
+        }
+    }
+}
+
+/* The same of a lath that closes there. */
+static void take_closing(const taut_carrier *carrier, const taut_lath *lath, double from, double to,
+                         double *last)
+{
+    const taut_station *at = &lath->segments[0].from;
+    for (int d = 0; d < 2 && at->on == carrier; d++) {
+        if (carrier->wraps[d] && (at->at[d] == carrier->lo[d] || at->at[d] == carrier->hi[d])) {
+            take_last(border_of(carrier, at->at, 2 * d), from, to, last);
+            take_last(border_of(carrier, at->at, 2 * d + 1), from, to, last);
+        }
+    }
+}
+
 /* The same of where a lath passes the border of a carrier, from there or to there. */
 static void take_passing(const taut_carrier *carrier, const taut_station *a, const taut_station *b,
                          double from, double to, double *last)
 {
     const taut_station *here = a->on == carrier ? a : b;
+    if (a->on == carrier && b->on == carrier) {
+        take_turn(carrier, a, b, from, to, last);
+    }
     for (int edge = 0; a->on != b->on && here->on == carrier && edge < 4; edge++) {
         const double border = edge % 2 == 0 ? carrier->lo[edge / 2] : carrier->hi[edge / 2];
         if (here->at[edge / 2] == border) {
@@ -614,6 +664,9 @@ static double last_end(const taut_net *net, int family, double from, double to)
         for (int i = 1; lath->family == family && i < lath->count; i++) {
             take_passing(net->carrier, &lath->segments[i - 1].to, &lath->segments[i].from, from, to,
                          &last);
+        }
+        if (lath->family == family && lath->ended[1] == TAUT_END_CLOSED && lath->count > 0) {
+            take_closing(net->carrier, lath, from, to, &last);
         }
     }
     return last;
@@ -760,11 +813,12 @@ static taut_status seed_border(taut_net *net, int family, taut_trace_by by, doub
             const double at = reach(&w, t - turn, to - turn, part - fabs(sum)) + turn;
             border_measure(&w, t - turn, at - turn);
             const double ahead = end_ahead(w, at, 4.0 / pieces, part / 2);
-            if (ahead < 0 && !ends_near(net, family, at)) {
+            if (ahead < 0 && !ends_near(net, family, at) &&
+                next_end(net, family, at - same_end, at + same_end) < 0) {
                 double place[2], way[2];
                 border_at(net->carrier, wrapped(at), place, way);
                 *one = place_of(net->carrier, family, place);
-                one->may_touch = 1;
+                one->may_touch = one->may_turn = 1;
                 const taut_status status = add_laths(net, one, 1, error);
                 if (status != TAUT_OK) {
                     return status;

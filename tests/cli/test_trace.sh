@@ -201,6 +201,12 @@ for seed in '"edge": "u0", "count": 3' '"cells": 8'; do
     python3 -c 'import json, sys; net = json.load(open("torus.json")); json.dump(dict(net, trace="principal", seeds=[json.loads("{" + sys.argv[1] + "}")]), open("rings.json", "w"))' "$seed"
     run 0 make rings.json --quiet -o rims-made.json
 done
+# a lattice goes on round a surface that closes, where what is opposite of its node is farther than a part: a torus, a pipe
+python3 -c 'import json; net = json.load(open("torus.json")); json.dump(dict(net, trace="asymptotic", seeds=[{"cells": 6, "at": [0.1, 0.05]}]), open("round.json", "w"))'
+run 0 make round.json --quiet -o rims-made.json
+"$TAUT" example pipe-paper > pipe.json
+run 0 make pipe.json --quiet -o pipe-made.json
+run 0 trace pipe-made.json --surface blend --net isoparametric --cells 6 --quiet -o rims-made.json
 # what a document says is not said twice
 refused 2 'option' trace torus.json --strip standing --width 0.05 -o none.json
 refused 2 'option' trace torus.json --seed 0,0 -o none.json
