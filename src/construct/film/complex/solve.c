@@ -760,10 +760,11 @@ static taut_status check_saddle(work *w, taut_film_rest *rest)
 
     if (status == TAUT_OK && rest->negative != 0 &&
         !w->layout->complex.problem->accepts_stationary) {
+        const int is_one = rest->negative == 1;
         return taut_fail(w->error, TAUT_NO_SOLUTION, "unstable", "/patches", rest->negative, 0,
-                         "the film is at rest, and %d ways lead down from it: begin elsewhere, or "
-                         "accept what is stationary",
-                         rest->negative);
+                         "the film is at rest, and %d %s down from it: begin elsewhere, or accept "
+                         "what is stationary",
+                         rest->negative, is_one ? "way leads" : "ways lead");
     }
     return status;
 }
@@ -958,11 +959,13 @@ static taut_status refuse_pressures(const work *w, const taut_film_rest *rest)
     }
     snprintf(where, sizeof where, "/cells/%d/pressure", k);
     const double volume = ldexp(w->energy->volumes[k], 3 * (l->scaling.outer + l->scaling.inner));
-    return taut_fail(w->error, TAUT_NO_SOLUTION, "unstable", where, rest->negative, 0,
-                     "under a pressure of %.6g the film rests with a volume of %.6g, and %d ways "
-                     "lead down from there: with less volume it shrinks, with more it grows; give "
-                     "the volume, or accept what is stationary",
-                     problem->cells[k].pressure, volume, rest->negative);
+    return taut_fail(
+        w->error, TAUT_NO_SOLUTION, "unstable", where, rest->negative, 0,
+        "under a pressure of %.6g the film rests with a volume of %.6g, and %d %s down "
+        "from there: with less volume it shrinks, with more it grows; give the "
+        "volume, or accept what is stationary",
+        problem->cells[k].pressure, volume, rest->negative,
+        rest->negative == 1 ? "way leads" : "ways lead");
 }
 
 static int has_start(const taut_film_problem *problem)
