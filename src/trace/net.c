@@ -672,30 +672,6 @@ static double last_end(const taut_net *net, int family, double from, double to)
     return last;
 }
 
-/* Is there an end of the family as near to t as rounding explains? */
-static int ends_near(const taut_net *net, int family, double t)
-{
-    double at[2], way[2], x[2][TAUT_CARRIER_VECTORS][3];
-    int span[2];
-    border_at(net->carrier, t >= 4 ? t - 4 : t, at, way);
-    taut_carrier_cell(net->carrier, at, NULL, span);
-    taut_carrier_at(net->carrier, span, at, 0, x[0]);
-    for (int k = 0; k < net->count; k++) {
-        const taut_lath *lath = &net->laths[k];
-        for (int end = 0; lath->family == family && end < 2; end++) {
-            if (lath->edges[end][0] < 0) {
-                continue;
-            }
-            taut_carrier_cell(lath->end_on[end], lath->ends[end], NULL, span);
-            taut_carrier_at(lath->end_on[end], span, lath->ends[end], 0, x[1]);
-            if (taut_length_between(x[0][0], x[1][0]) <= same_end * net->carrier->size) {
-                return 1;
-            }
-        }
-    }
-    return 0;
-}
-
 /* Where in [low, high] the measure from low reaches the rest. */
 static double reach(border_walk *w, double low, double high, double rest)
 {
@@ -758,6 +734,33 @@ static double next_end(const taut_net *net, int family, double from, double to)
     return first;
 }
 
+/* Is there an end of the family as near to t as rounding explains? */
+static int ends_near(const taut_net *net, int family, double t)
+{
+    double at[2], way[2], x[2][TAUT_CARRIER_VECTORS][3];
+    int span[2];
+    if (next_end(net, family, t - same_end, t + same_end) >= 0) {
+        return 1;
+    }
+    border_at(net->carrier, t >= 4 ? t - 4 : t, at, way);
+    taut_carrier_cell(net->carrier, at, NULL, span);
+    taut_carrier_at(net->carrier, span, at, 0, x[0]);
+    for (int k = 0; k < net->count; k++) {
+        const taut_lath *lath = &net->laths[k];
+        for (int end = 0; lath->family == family && end < 2; end++) {
+            if (lath->edges[end][0] < 0) {
+                continue;
+            }
+            taut_carrier_cell(lath->end_on[end], lath->ends[end], NULL, span);
+            taut_carrier_at(lath->end_on[end], span, lath->ends[end], 0, x[1]);
+            if (taut_length_between(x[0][0], x[1][0]) <= same_end * net->carrier->size) {
+                return 1;
+            }
+        }
+    }
+    return 0;
+}
+
 /* Where a lath of the family ends behind t, nearer than `most` on the way: one at t would be the same once more but for
  * that. -1: none does. */
 static double end_ahead(border_walk w, double t, double piece, double most)
@@ -813,8 +816,7 @@ static taut_status seed_border(taut_net *net, int family, taut_trace_by by, doub
             const double at = reach(&w, t - turn, to - turn, part - fabs(sum)) + turn;
             border_measure(&w, t - turn, at - turn);
             const double ahead = end_ahead(w, at, 4.0 / pieces, part / 2);
-            if (ahead < 0 && !ends_near(net, family, at) &&
-                next_end(net, family, at - same_end, at + same_end) < 0) {
+            if (ahead < 0 && !ends_near(net, family, at)) {
                 double place[2], way[2];
                 border_at(net->carrier, wrapped(at), place, way);
                 *one = place_of(net->carrier, family, place);
