@@ -12,7 +12,7 @@ else()
 endif()
 add_executable(taut_web ${web_sources})
 target_link_libraries(taut_web PRIVATE taut_flags)
-target_compile_options(taut_web PRIVATE -D_WASI_EMULATED_SIGNAL -DTAUT_SMALL_KERNEL -DTAUT_UNWATCHED # no page has a monitor
+target_compile_options(taut_web PRIVATE -D_WASI_EMULATED_SIGNAL -DTAUT_SMALL_KERNEL -DTAUT_UNWATCHED -DTAUT_NO_MODULES # no page has a monitor, or modules on demand
   $<$<NOT:$<BOOL:${TAUT_WEB_NETS}>>:-DTAUT_WHOLE_FACES>)
 file(STRINGS ${CMAKE_SOURCE_DIR}/src/web/web.c exported REGEX "^[a-z].*[ *]taut_web_[a-z]+\\(.*\\);$")
 list(TRANSFORM exported REPLACE ".*[ *](taut_web_[a-z]+)\\(.*" "-Wl,--export=\\1")

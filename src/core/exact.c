@@ -1,7 +1,6 @@
 #include "core/exact.h"
 
 #include "core/fail.h"
-#include "platform/module.h"
 
 static void *take_from_arena(void *context, size_t count, size_t size)
 {
@@ -13,6 +12,7 @@ taut_exact_memory taut_exact_memory_of(taut_arena *arena)
     return (taut_exact_memory){arena, take_from_arena};
 }
 
+#ifndef TAUT_NO_MODULES
 taut_status taut_exact_load(const taut_exact_ops **ops, taut_error *error)
 {
     const void *table = NULL;
@@ -29,3 +29,4 @@ taut_status taut_exact_load(const taut_exact_ops **ops, taut_error *error)
     *ops = found;
     return TAUT_OK;
 }
+#endif

@@ -38,7 +38,11 @@ typedef struct taut_format_row {
     const taut_format_ops *ops;
     const char *ending, *text;
 } taut_format_row;
+#ifdef TAUT_NO_MODULES /* nobody asks a page what formats hold */
+#define TAUT_FORMAT_ROW(identifier, ending, text) {&taut_format_##identifier, ending, ""},
+#else
 #define TAUT_FORMAT_ROW(identifier, ending, text) {&taut_format_##identifier, ending, text},
+#endif
 
 /* A list of another library. What the rows are is known to the library of the same version alone. */
 struct taut_formats {
