@@ -165,6 +165,28 @@ static void test_broken(void)
     taut_model_free(model);
 }
 
+/* Wide pipes in sharp bends: the ways around the outside of an elbow are up to five times as long as those around the
+ * inside, and so is what rounding of the axis does at a joint. */
+static void test_wide(void)
+{
+    for (int trial = 0; trial < random_trials(60); trial++) {
+        pipe_random r;
+        pipe_random_run(0, &r);
+        r.problem.elbow = TAUT_PIPE_ELBOW_ARC;
+        r.problem.joint = TAUT_PIPE_G1;
+        r.problem.radius = r.problem.bend_radius / random_in(1.5, 2.5);
+        taut_model *model = pipe_random_made(&r, 1e-6);
+        taut_certificate *certificate = pipe_run_proved(model, &r.problem, 1e-6);
+        const taut_claim *claim = claim_of(certificate, "joints");
+        CHECK(claim->holds == TAUT_TRUE, "trial %d: %g of %g, %s", trial, claim->residual,
+              claim->limit, claim->where);
+        CHECK(claim->where[0] != 0 && claim->where[strlen(claim->where) - 1] == '0', "%s",
+              claim->where);
+        taut_certificate_free(certificate);
+        taut_model_free(model);
+    }
+}
+
 /* Inside and outside of random runs, arcs or blends; an inside that is broken or missing is seen. */
 static void test_walls(void)
 {
@@ -247,6 +269,7 @@ int main(void)
     random_seed(20261126);
     test_closed_forms();
     test_broken();
+    test_wide();
     test_walls();
     test_refused();
     return check_failures != 0;

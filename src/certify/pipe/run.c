@@ -51,12 +51,9 @@ static int is_blend(const taut_pipe_run_parts *run, int piece)
 
 static void find_tangent(const taut_pipe_run_parts *run, int piece, double t, double tangent[3])
 {
-    double d[2][3], speed = 0;
+    double d[2][3];
     taut_pipe_piece_eval(&run->parts.line.pieces[piece], t, 1, d);
-    speed = taut_norm(d[1]);
-    for (int k = 0; k < 3; k++) {
-        tangent[k] = speed > 0 ? d[1][k] / speed : 0;
-    }
+    taut_pipe_unit(d[1], tangent);
 }
 
 /* Surfaces and their axes, by their names. */
@@ -149,28 +146,18 @@ static int is_closed(const taut_pipe_run_parts *run)
                                                            : comes_round(run);
 }
 
-/* The joint after piece i, as that of a blend with what is beside it. */
-static taut_pipe_parts joint_of(const taut_pipe_run_parts *run, int i, int *side)
+/* The joint after piece i, as that of a blend, at its end `side`, with what is beside it. The tangent
+ * is that of what is beside it: of a straight pipe it is exact, of the polynomial near an arc it is
+ * off by rounding, times the longest way along the flow over the least. */
+static taut_status measure_joint(const taut_pipe_run_parts *run, int i, int side, int curved,
+                                 taut_pipe_meeting *m)
 {
-    const int next = (i + 1) % run->count;
+    const int next = (i + 1) % run->count, blend = side ? i : next, other = side ? next : i;
     taut_pipe_parts joint = run->parts;
-    *side = is_blend(run, i);
-    joint.blend = run->surfaces[*side ? i : next];
-    joint.pipes[*side] = run->surfaces[*side ? next : i];
-    find_tangent(run, i, 1, joint.line.tangent[*side]);
-    return joint;
-}
-
-/* What rounding of blend `next` adds to the jump of curvatures from blend i. */
-static double noise_of_other(const taut_pipe_run_parts *run, int i, int next)
-{
-    taut_pipe_parts joint = run->parts;
-    taut_pipe_meeting m;
-    joint.blend = run->surfaces[next];
-    joint.pipes[0] = run->surfaces[i];
-    find_tangent(run, next, 0, joint.line.tangent[0]);
-    (void)taut_pipe_measure_curvatures(&joint, 0, &m);
-    return m.noise;
+    joint.blend = run->surfaces[blend];
+    joint.pipes[side] = run->surfaces[other];
+    find_tangent(run, other, 1 - side, joint.line.tangent[side]);
+    return (curved ? taut_pipe_measure_curvatures : taut_pipe_measure_joint)(&joint, side, m);
 }
 
 /* The joint that is worst against its limit: where rounding explains everything, that is no more
@@ -188,16 +175,16 @@ static taut_status claim_joints(const taut_pipe_run_parts *run, int curved,
         const double gap =
             taut_distance(piece->points[piece->degree], line->pieces[next].points[0]);
         taut_pipe_meeting m;
-        int side = 0;
-        const taut_pipe_parts joint = joint_of(run, i, &side);
-        const taut_status status =
-            (curved ? taut_pipe_measure_curvatures : taut_pipe_measure_joint)(&joint, side, &m);
+        const int side = is_blend(run, i);
+        const taut_status status = measure_joint(run, i, side, curved, &m);
         if (status != TAUT_OK) {
             return status;
         }
         kind = m.kind == TAUT_CHECK ? TAUT_CHECK : kind;
-        if (curved && side == 1 && is_blend(run, next)) { /* both are rounded */
-            m.noise += noise_of_other(run, i, next);
+        if (curved && side && is_blend(run, next)) { /* both are rounded */
+            taut_pipe_meeting other;
+            (void)measure_joint(run, i, 0, 1, &other);
+            m.noise += other.noise;
         }
         if (!curved) {
             m.residual = taut_certify_max(m.residual, gap * line->scale / run->parts.radius);
@@ -205,9 +192,9 @@ static taut_status claim_joints(const taut_pipe_run_parts *run, int curved,
         if (i == 0 || (!isnan(worst.residual) && !(m.residual * taut_pipe_held(worst.noise) <=
                                                    worst.residual * taut_pipe_held(m.noise)))) {
             worst = m;
-            snprintf(where, sizeof where, "%.32s.u1, %.32s.u0, %s",
+            snprintf(where, sizeof where, "%.32s.u1, %.32s.u0%s%s",
                      taut_surface_name(run->surfaces[i]), taut_surface_name(run->surfaces[next]),
-                     m.where);
+                     m.where[0] != 0 ? ", " : "", m.where);
         }
     }
     char name[32];
