@@ -11,8 +11,6 @@ enum { DEGREE = TAUT_QUINTIC - 1 };
 static const double shortest = 2e-9;
 /* Jumps, over what they are of, below which the curve counts as continuous there. */
 static const double same_tangent = 1e-10, same_bend = 1e-8;
-/* A jump of the parameters over the window's width is a seam. */
-static const double seam = 0.5;
 
 typedef struct stretch {
     taut_station from, to;
@@ -26,17 +24,6 @@ static double jump(int dim, const double *a, const double *b)
         largest = fmax(largest, fabs(a[c] - b[c]));
     }
     return largest;
-}
-
-static int passes_seam(const taut_station *a, const taut_station *b)
-{
-    const taut_carrier *carrier = a->on;
-    for (int d = 0; a->on == b->on && d < 2; d++) {
-        if (fabs(a->at[d] - b->at[d]) > seam * (carrier->hi[d] - carrier->lo[d])) {
-            return 1;
-        }
-    }
-    return a->on != b->on;
 }
 
 /* How often the knot between two stretches has to stand there. */
@@ -143,9 +130,10 @@ static int collect(const taut_carrier *carrier, const taut_lath *lath, stretch *
         const taut_segment *segment = &lath->segments[k];
         from = from != NULL ? from : &segment->from;
         const int is_last = k == lath->count - 1;
-        const int parts = !is_last && passes_seam(&segment->to, &lath->segments[k + 1].from);
+        const int parts =
+            !is_last && taut_station_passes_seam(&segment->to, &lath->segments[k + 1].from);
         if (segment->to.s - from->s < room && parts) { /* what goes on is on another one */
-            if (count > 0 && !passes_seam(&stretches[count - 1].to, &segment->from)) {
+            if (count > 0 && !taut_station_passes_seam(&stretches[count - 1].to, &segment->from)) {
                 stretches[count - 1].to = segment->to;
             }
             from = NULL;
@@ -155,7 +143,7 @@ static int collect(const taut_carrier *carrier, const taut_lath *lath, stretch *
             continue;
         }
         if (segment->to.s - from->s < room && count > 0 &&
-            !passes_seam(&stretches[count - 1].to, &segment->from)) {
+            !taut_station_passes_seam(&stretches[count - 1].to, &segment->from)) {
             stretches[count - 1].to = segment->to;
             from = NULL;
             continue;
@@ -185,7 +173,7 @@ taut_status taut_lath_parts(const taut_carrier *carrier, const taut_lath *lath, 
     }
     const int pieces = collect(carrier, lath, stretches);
     for (int k = 1; k < pieces; k++) {
-        seams += passes_seam(&stretches[k - 1].to, &stretches[k].from);
+        seams += taut_station_passes_seam(&stretches[k - 1].to, &stretches[k].from);
     }
     *parts = taut_arena_take(arena, (size_t)seams + 2, sizeof **parts);
     if (*parts == NULL) {
@@ -194,7 +182,7 @@ taut_status taut_lath_parts(const taut_carrier *carrier, const taut_lath *lath, 
     taut_status status =
         make_part(carrier, stretches, 0, pieces, seams == 0, arena, &(*parts)[made++], error);
     for (int k = 1, first = 0; status == TAUT_OK && seams > 0 && k <= pieces; k++) {
-        if (k == pieces || passes_seam(&stretches[k - 1].to, &stretches[k].from)) {
+        if (k == pieces || taut_station_passes_seam(&stretches[k - 1].to, &stretches[k].from)) {
             status = make_part(carrier, stretches, first, k, 1, arena, &(*parts)[made++], error);
             first = k;
         }

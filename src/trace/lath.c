@@ -19,6 +19,10 @@ static const double uneven = 1e-9;
 static const double rounding = 1e-15;
 /* Below this angle with a border (sine), a curve that starts on it runs along it. */
 static const double along_border = 1e-9;
+/* Pieces shorter than this, over the size, become part of their neighbour; and those in another cell. */
+static const double shortest = 2e-9, short_beside = 1e-7;
+/* A corner that need not be told. */
+static const double no_corner = 9.5e-7;
 /* Over the window's side: a corner of a curve that is its end. */
 static const double same_end = 1e-9;
 
@@ -78,6 +82,20 @@ void taut_quintic_at(int dim, const double *points, double t, double *value, dou
         }
     }
     memcpy(value, work, (size_t)dim * sizeof(double));
+}
+
+/* A jump of the parameters over the window's width is a seam. */
+static const double seam = 0.5;
+
+int taut_station_passes_seam(const taut_station *a, const taut_station *b)
+{
+    const taut_carrier *carrier = a->on;
+    for (int d = 0; a->on == b->on && d < 2; d++) {
+        if (fabs(a->at[d] - b->at[d]) > seam * (carrier->hi[d] - carrier->lo[d])) {
+            return 1;
+        }
+    }
+    return a->on != b->on;
 }
 
 /* ---- pieces that are good enough ---- */
@@ -413,6 +431,64 @@ static taut_status take_kinks(taut_lath *lath, const taut_carrier *carrier, cons
     return TAUT_OK;
 }
 
+static int is_same_cell(const taut_segment *a, const taut_segment *b)
+{
+    return a->start.on == b->start.on &&
+           memcmp(a->start.span, b->start.span, sizeof a->start.span) == 0;
+}
+
+/* A station that goes on and bends as another one of its curve, where that lies in another cell. */
+static taut_station bent_as(const taut_segment *from, const taut_segment *to,
+                            const taut_station *bent, const taut_station *at)
+{
+    taut_station bends = *at;
+    if (!is_same_cell(from, to)) {
+        memcpy(bends.tangent, bent->tangent, sizeof bends.tangent);
+        memcpy(bends.ab, bent->ab, sizeof bends.ab);
+        memcpy(bends.acceleration, bent->acceleration, sizeof bends.acceleration);
+        memcpy(bends.bend, bent->bend, sizeof bends.bend);
+        bends.k_g = bent->k_g;
+    }
+    return bends;
+}
+
+/* May a piece be part of its neighbour, as they meet in `a` and `b`? A short one in any case; a longer one in another
+ * cell where the corner that it leaves is next to nothing. */
+static int is_part(const taut_carrier *carrier, const taut_segment *here, const taut_segment *next,
+                   const taut_station *a, const taut_station *b)
+{
+    const double length = here->to.s - here->from.s;
+    if (taut_station_passes_seam(a, b) || here->near_parabolic) {
+        return 0;
+    }
+    return length < shortest * carrier->size ||
+           (length < short_beside * carrier->size && !is_same_cell(here, next) &&
+            taut_length_between(here->from.tangent, here->to.tangent) +
+                    taut_length_between(a->tangent, b->tangent) <
+                no_corner);
+}
+
+/* A curve that passes close by where two breaks cross has a piece in the cell beside, too short to bend by the
+ * curvature of that cell; what it told there, and its quintic, would be rounding. So it becomes part of the next one,
+ * the last one of that before. */
+static void drop_short(const taut_carrier *carrier, taut_lath *lath)
+{
+    int count = 0;
+    for (int k = 0; k < lath->count; k++) {
+        const taut_segment here = lath->segments[k];
+        taut_segment *next = k + 1 < lath->count ? &lath->segments[k + 1] : NULL;
+        taut_segment *before = count > 0 ? &lath->segments[count - 1] : NULL;
+        if (next != NULL && is_part(carrier, &here, next, &here.to, &next->from)) {
+            next->from = bent_as(&here, next, &next->from, &here.from);
+        } else if (before != NULL && is_part(carrier, &here, before, &here.from, &before->to)) {
+            before->to = bent_as(&here, before, &before->to, &here.to);
+        } else {
+            lath->segments[count++] = here;
+        }
+    }
+    lath->count = count;
+}
+
 taut_status taut_lath_trace(const taut_carrier *carrier, taut_linefield_kind kind,
                             const double at[2], const double along[3], int both,
                             const taut_lath_options *options, taut_arena *arena, taut_lath *lath,
@@ -456,7 +532,9 @@ taut_status taut_lath_trace(const taut_carrier *carrier, taut_linefield_kind kin
     memcpy(lath->seed_tangent, state.tangent, sizeof lath->seed_tangent);
     taut_walk_station(kind, &state, &lath->at_seed);
     lath->at_seed.s = lath->seed_s;
-    return take_kinks(lath, carrier, &walks[0], behind.count, &walks[1], arena);
+    status = take_kinks(lath, carrier, &walks[0], behind.count, &walks[1], arena);
+    drop_short(carrier, lath);
+    return status;
 }
 
 void taut_segment_station(taut_linefield_kind kind, const taut_segment *segment,

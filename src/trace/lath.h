@@ -50,6 +50,8 @@ taut_status taut_lath_trace(const taut_carrier *carrier, taut_linefield_kind kin
                             const taut_lath_options *options, taut_arena *arena, taut_lath *lath,
                             taut_linefield_fault *fault);
 
+/* Does the curve go on across a seam of the window, or on another surface, between them? */
+int taut_station_passes_seam(const taut_station *a, const taut_station *b);
 /* The quintics of a segment, as the lath runs. */
 void taut_segment_space(const taut_segment *segment, double points[TAUT_QUINTIC][3]);
 void taut_segment_window(const taut_segment *segment, double points[TAUT_QUINTIC][2]);

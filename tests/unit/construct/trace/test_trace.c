@@ -516,6 +516,38 @@ static void test_straight(void)
 }
 
 /* How far curves may be off: nothing where they are straight in the window, and no more than lengths are. */
+/* A translation surface f(u) - f(v) has straight asymptotic curves along its diagonals, through all crossings of its
+ * knot lines, where curvatures change their slope: its cells beside the diagonal bend others. Curves that pass close by
+ * are as straight as that. */
+static void test_beside_knots(void)
+{
+    enum { N = 8 };
+    static const double moved[] = {0, 1e-11, 1e-9, 3e-9, 1e-8, 3e-8, 1e-6};
+    const int degree[2] = {3, 3}, counts[2] = {N, N};
+    double heights[N * N];
+    char surface[6000], seeds[100];
+
+    for (int i = 0; i < N; i++) {
+        for (int j = 0; j < N; j++) {
+            const double a = 0.13 * i * i + 0.02 * (i == 3) - 0.03 * (i == 5);
+            const double b = 0.13 * j * j + 0.02 * (j == 3) - 0.03 * (j == 5);
+            heights[i * N + j] = a - b;
+        }
+    }
+    net_heights(degree, counts, heights, surface, sizeof surface);
+    for (size_t k = 0; k < sizeof moved / sizeof *moved; k++) {
+        snprintf(seeds, sizeof seeds,
+                 "\"families\": [\"-\"], \"seeds\": [{ \"at\": [%.17g, 0.45] }]", 0.45 + moved[k]);
+        made_net made = net_make("asymptotic", surface, seeds);
+        CHECK(taut_certificate_holds(made.proof) == TAUT_TRUE, "moved by %g", moved[k]);
+        CHECK_NEAR(net_number(&made, "B1", "length"), sqrt(8), 1e-9 + 10 * moved[k], "moved by %g",
+                   moved[k]);
+        CHECK_NEAR(net_number(&made, "B1", "turn"), 0, 1e-6 + 300 * moved[k], "moved by %g",
+                   moved[k]);
+        net_free(&made);
+    }
+}
+
 static void test_drift(void)
 {
     static const char *const surfaces[] = {BONNET("1.1"), BILINEAR, CUSPED};
@@ -584,6 +616,7 @@ int main(void)
     test_panels();
     test_crease();
     test_straight();
+    test_beside_knots();
     test_drift();
     test_refusals();
     return check_failures != 0;
