@@ -22,8 +22,9 @@ static const double aside = 0.137;
 static const double difference = 1e-6, settled = 1e-14, radius = 1e-3;
 /* Over the window's sides: two that are one. */
 static const double one_point = 1e-6;
-/* The mean curvature below which a point is flat, over the largest R. */
-static const double flat_enough = 1e-6;
+/* The mean curvature below which a point is flat, over the largest R; and over the largest on the circle, as beside a pole
+ * R is large without bound. */
+static const double flat_enough = 1e-6, flat_within = 1e-3;
 
 static void vector_at(const taut_carrier *carrier, const double at[2], double w[2], double *mean)
 {
@@ -109,9 +110,11 @@ static int solve(const taut_carrier *carrier, const double room[2], double at[2]
     return 1;
 }
 
-static double index_of(const taut_carrier *carrier, const double at[2])
+/* *largest: twice R on the circle. */
+static double index_of(const taut_carrier *carrier, const double at[2], double *largest)
 {
     double around = 0, before[2], here[2], w[2][2], mean = 0;
+    *largest = 0;
     for (int k = 0; k <= CIRCLE; k++) {
         const double angle = 2 * TAUT_PI * (k % CIRCLE) / CIRCLE;
         here[0] = at[0] + radius * (carrier->hi[0] - carrier->lo[0]) * taut_cos(angle);
@@ -120,6 +123,7 @@ static double index_of(const taut_carrier *carrier, const double at[2])
             here[d] = fmin(fmax(here[d], carrier->lo[d]), carrier->hi[d]);
         }
         vector_at(carrier, here, w[k % 2], &mean);
+        *largest = fmax(*largest, taut_hypot(w[k % 2][0], w[k % 2][1]));
         around += k > 0 ? turn_along(carrier, before, w[(k + 1) % 2], here, w[k % 2], DEPTH) : 0;
         memcpy(before, here, sizeof before);
     }
@@ -131,7 +135,7 @@ static void take(const taut_carrier *carrier, int flat, const double low[2], con
 {
     const double room[2] = {high[0] - low[0], high[1] - low[1]};
     taut_singular found = {.at = {(low[0] + high[0]) / 2, (low[1] + high[1]) / 2}};
-    double w[2], mean = 0;
+    double w[2], mean = 0, largest = 0;
 
     if (*count == TAUT_SINGULAR_MAX || !solve(carrier, room, found.at)) {
         return;
@@ -147,8 +151,9 @@ static void take(const taut_carrier *carrier, int flat, const double low[2], con
         }
     }
     vector_at(carrier, found.at, w, &mean);
-    found.index = index_of(carrier, found.at);
-    if (found.index != 0 && (!flat || fabs(mean) <= flat_enough * carrier->roundest)) {
+    found.index = index_of(carrier, found.at, &largest);
+    const double least = fmin(flat_enough * carrier->roundest, flat_within * largest);
+    if (found.index != 0 && (!flat || fabs(mean) <= least)) {
         list[(*count)++] = found;
     }
 }
