@@ -4,6 +4,9 @@
 #include <stdio.h>
 #include <string.h>
 
+/* Of a coefficient, and how much of a residual this may explain at most. */
+static const double roundings = 0x1p-50, most_blur = 1e-4;
+
 void taut_net_off_take(taut_net_off *off, double residual, const char *name, const char *member)
 {
     const double found = isnan(residual) ? INFINITY : residual;
@@ -25,6 +28,33 @@ int taut_net_is_on_knot(const taut_surface *surface, const double at[2])
         }
     }
     return is_on;
+}
+
+/* By the shape operator in the frame e1 = x_u/sqrt E, e2 = n x e1, which is
+ * (a b; b c) there, R^2 = (a - c)^2/4 + b^2 ([doCarmo1976] 3-3). */
+double taut_net_radius(const taut_forms *f)
+{
+    const double along = f->l / f->e, twist = (f->m - f->f * along) / f->w;
+    const double across = (f->e * f->n - 2 * f->f * f->m + f->f * f->f * along) / (f->w * f->w);
+    const double half = (along - across) / 2;
+    return sqrt(half * half + twist * twist);
+}
+
+/* Of a polynomial of degree n on a span of width h second derivatives are n (n - 1) / h^2 times differences of its
+ * coefficients, which are rounded. */
+double taut_net_blur(const taut_surface *surface, double size, const double at[2],
+                     const taut_forms *f)
+{
+    const double squares[2] = {f->e, f->g};
+    double sum = 0;
+    for (int d = 0; d < 2; d++) {
+        const taut_basis *basis = d == 0 ? taut_surface_u(surface) : taut_surface_v(surface);
+        const double degree = taut_basis_degree(basis);
+        const double *span = taut_basis_breaks(basis) + taut_basis_span(basis, at[d]);
+        const double width = span[1] - span[0];
+        sum += degree > 1 ? degree * (degree - 1) / (width * width * squares[d]) : 0;
+    }
+    return fmin(roundings * size * sum / taut_net_radius(f), most_blur);
 }
 
 double taut_net_number(const taut_record *at, const char *member)

@@ -34,6 +34,12 @@ typedef struct taut_net_audit {
     const taut_net_seams *seams;
 } taut_net_audit;
 
+/* R where H^2 and K agree to many digits. */
+double taut_net_radius(const taut_forms *forms);
+/* What rounding of the surface, of size `size`, may make of curvatures in a direction there, over R; at most 1e-4. */
+double taut_net_blur(const taut_surface *surface, double size, const double at[2],
+                     const taut_forms *forms);
+
 /* A member of a record of details; NaN, or "", where it is not there. */
 double taut_net_number(const taut_record *at, const char *member);
 const char *taut_net_text(const taut_record *at, const char *member);

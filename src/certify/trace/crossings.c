@@ -13,6 +13,8 @@
 #include <string.h>
 
 enum { HEIGHTS = 16 };
+/* Below, what an angle is off is good enough. */
+static const double angle_limit = 1e-6;
 /* Of slots, unless the document says otherwise, in mm. */
 static const double play_default = 0.2;
 
@@ -171,6 +173,24 @@ static double own_angle_off(const taut_net_audit *audit, const taut_record *node
     return least;
 }
 
+/* What an angle is off, from the limit on less what rounding may make of directions there. */
+static double less_blur(const taut_net_audit *audit, const taut_record *node, double away)
+{
+    const taut_record *place = taut_record_get(node, "at");
+    const int on = taut_net_surface_of(audit, node);
+    const double at[2] = {taut_record_number(taut_record_at(place, 0)),
+                          taut_record_number(taut_record_at(place, 1))};
+    const int has_radius =
+        audit->lines->net == TAUT_TRACE_ASYMPTOTIC || audit->lines->net == TAUT_TRACE_PRINCIPAL;
+    taut_forms f;
+
+    if (!has_radius || !(away > angle_limit) ||
+        !taut_net_cells_look(audit->cells, on, at, NULL, &f) || !f.regular) {
+        return away;
+    }
+    return fmax(away - taut_net_blur(audit->cells->surfaces[on], audit->size, at, &f), 0);
+}
+
 void taut_net_crossings_look(const taut_net_audit *audit, taut_net_off *off)
 {
     const taut_record *nodes = taut_net_nodes_of(audit);
@@ -188,7 +208,7 @@ void taut_net_crossings_look(const taut_net_audit *audit, taut_net_off *off)
         const double slot = taut_cos(told / 2) / taut_sin(told / 2);
         const double away = fabs(told - acute_angle(spots[0].tangent, spots[1].tangent));
         const double own = own_angle_off(audit, node, told);
-        taut_net_off_take(off, taut_certify_min(away, own), name, "angle");
+        taut_net_off_take(off, less_blur(audit, node, taut_certify_min(away, own)), name, "angle");
         taut_net_off_take(off, fabs(taut_net_number(node, "slot") - slot) / slot, name, "slot");
         look_at_forms(audit, node, name, off);
         const int is_told = taut_record_get(node, "slot_twisted") != NULL;

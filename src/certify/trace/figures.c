@@ -30,6 +30,9 @@ static const double sharp_share = 1e-3;
 static const double closer = 1.0 / 16;
 /* The largest curvature's share that the curvatures of a lath are held to, over the limit. */
 static const double bend_share = 0.1;
+/* Over 1 over the size: a lath that bends more somewhere passes a place where rounding turns directions, and is held to so
+ * much of that. */
+static const double tight_bend = 1e5, tight_share = 1e-3;
 /* Over the range: places nearer to a break are seen from beyond it too. And of k_g: below, it is not looked at closer. */
 static const double at_break = TAUT_NET_AT_KNOT, close_enough = 1e-7;
 
@@ -319,6 +322,7 @@ static void look_at_bends(const taut_net_audit *audit, const taut_net_line *line
         most[k] = taut_net_course_most(course, sizes[k], clear[0], clear[1], 0);
         scale = fmax(scale, most[k]);
     }
+    const double share = bend_share * (scale * audit->size > tight_bend ? tight_share : 1);
     for (int k = 0; k < TAUT_NET_BENDS; k++) {
         const taut_record *bend = taut_record_get(lath, names[k]);
         const double at = taut_net_number(bend, "max_at"),
@@ -331,7 +335,7 @@ static void look_at_bends(const taut_net_audit *audit, const taut_net_line *line
                                 is_clear ? bend_off(audit, line, course, k, at, largest, 1) : 0) /
                scale;
         away = taut_certify_max(away, (most[k] - largest) / scale);
-        taut_net_off_take(off, bend_share * away, name, names[k]);
+        taut_net_off_take(off, share * away, name, names[k]);
     }
 }
 

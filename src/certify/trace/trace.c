@@ -178,18 +178,8 @@ static double radius_of(const taut_forms *f)
     return sqrt(fmax(f->mean * f->mean - f->gaussian, 0));
 }
 
-/* The same where H^2 and K agree to many digits: by the shape operator in the frame e1 = x_u/sqrt E, e2 = n x e1, which is
- * (a b; b c) there, R^2 = (a - c)^2/4 + b^2 ([doCarmo1976] 3-3). */
-static double small_radius_of(const taut_forms *f)
-{
-    const double along = f->l / f->e, twist = (f->m - f->f * along) / f->w;
-    const double across = (f->e * f->n - 2 * f->f * f->m + f->f * f->f * along) / (f->w * f->w);
-    const double half = (along - across) / 2;
-    return sqrt(half * half + twist * twist);
-}
-
 /* What the net says of a direction; 0 is as it should be. */
-static double residual_of(const request *r, const taut_net_line *line, const place *p)
+static double net_residual(const request *r, const taut_net_line *line, const place *p)
 {
     const taut_forms *f = &p->forms;
     const double a = p->ab[0], b = p->ab[1], radius = radius_of(f);
@@ -223,6 +213,18 @@ static int is_soft(const request *r, const taut_net_line *line, double t)
     const double radius = radius_of(&p.forms);
     return radius < 1e-4 * r->roundest || (r->lines.net == TAUT_TRACE_ASYMPTOTIC &&
                                            fabs(p.forms.gaussian) < 1e-4 * radius * radius);
+}
+
+/* The same less what rounding of the surface may make of it, where R is little. */
+static double residual_of(const request *r, const taut_net_line *line, const place *p)
+{
+    const double residual = net_residual(r, line, p);
+    const int has_radius =
+        r->lines.net == TAUT_TRACE_ASYMPTOTIC || r->lines.net == TAUT_TRACE_PRINCIPAL;
+    const int is_blurred = has_radius && residual > net_limit && residual < 1;
+    return is_blurred
+               ? fmax(residual - taut_net_blur(r->surfaces[p->on], r->size, p->at, &p->forms), 0)
+               : residual;
 }
 
 /* ---- on-surface and the net's own claim ---- */
@@ -592,7 +594,7 @@ static double judge_end(const request *r, const taut_net_line *line, const doubl
     if (p.forms.regular &&
         (r->lines.net == TAUT_TRACE_ASYMPTOTIC || r->lines.net == TAUT_TRACE_PRINCIPAL)) {
         nearest = fmin(nearest, distance_to_zero(r, &p, 1));
-        nearest = small_radius_of(&p.forms) <= roundness * r->roundest ? 0 : nearest;
+        nearest = taut_net_radius(&p.forms) <= roundness * r->roundest ? 0 : nearest;
     }
     if (line->length >= longest(r) * (1 - 1e-9) ||
         (r->lines.net == TAUT_TRACE_GEODESIC && is_told(r, line, &p, end))) {
