@@ -5,6 +5,9 @@
 
 #include <string.h>
 
+static const double beside =
+    1e-6; /* of a span: where edges meet sharply, they may pass each other in the corner alone */
+
 /* Places along a direction, so many a span; how many. */
 static int count_places(const taut_basis *basis)
 {
@@ -18,16 +21,28 @@ static double *make_places(taut_arena *arena, const taut_basis *basis)
     double *at = taut_arena_take(arena, (size_t)count, sizeof *at);
 
     for (int k = 0; at != NULL && k < count; k++) {
-        const double share = (k % each + 0.5) / each;
+        const double share = k == 0           ? beside
+                             : k == count - 1 ? 1 - beside
+                                              : (k % each + 0.5) / each;
         at[k] = (1 - share) * breaks[k / each] + share * breaks[k / each + 1];
     }
     return at;
 }
 
-/* Of any length: signs alone matter. */
+static void make_unit(double x[3])
+{
+    const double size = taut_norm(x);
+    for (int c = 0; c < 3; c++) {
+        x[c] /= size;
+    }
+}
+
+/* Of lengths up to 1: of unit x_u and x_v, so that nothing leaves the range of doubles. */
 static void find_normals(double (*vectors)[TAUT_SURFACE_VECTORS(1)][3], int count, double *normals)
 {
     for (int k = 0; k < count; k++) {
+        make_unit(vectors[k][TAUT_XU]);
+        make_unit(vectors[k][TAUT_XV]);
         taut_cross(vectors[k][TAUT_XU], vectors[k][TAUT_XV], normals + (ptrdiff_t)3 * k);
     }
 }

@@ -25,7 +25,6 @@
 #include "construct/film/equilibrium.h"
 
 #include "construct/film/arc.h"
-#include "construct/film/fold.h"
 #include "construct/film/polish.h"
 #include "construct/film/threads.h"
 #include "construct/plateau/newton_step.h"
@@ -56,6 +55,8 @@ static const double residual_settled = 0.01;  /* of the tolerance: no step more 
 static const double residual_any = 1e-8;      /* of all coordinates: the certificate allows 1e-6 */
 static const double residual_held = 1e-7;     /* the same where no line slides along itself */
 static const double residual_rough = 1e-3;    /* of all coordinates, by the method `normal` */
+static const double turn_least =
+    1e-6; /* sine: of edges that run on into each other a fit leaves so much */
 /* Of given lengths: share. Rounding is 1e-15, the certificate's limit 1e-10. */
 static const double length_agreement = 1e-12;
 /* Stiffness of a cable at the start, over force / length. A film of a given length is stable where
@@ -224,20 +225,98 @@ static int is_folded(const taut_area_functional *functional)
     return 0;
 }
 
+/* The corner, or -1, at which the net looks to the other side than beside it, where two edges meet so sharply that they
+ * pass each other. */
+static int turned_corner(const taut_film_work *w)
+{
+    const taut_area_functional *f = w->functional;
+    const size_t nv = (size_t)w->space->nv, last = (size_t)w->space->nu - 1;
+
+    for (int c = 0; w->space->around == NULL && c < 4; c++) {
+        const int i = c % 2, j = c / 2;
+        const double *x = w->net + 3 * ((size_t)i * last * nv + (size_t)j * (nv - 1));
+        double n[TAUT_AREA_STATE], a[3], b[3], normal[3];
+        taut_area_functional_state(f, i * (f->u.count - 1), j * (f->v.count - 1), n);
+        taut_difference(i ? x - 3 * nv : x + 3 * nv, x, a);
+        taut_difference(j ? x - 3 : x + 3, x, b);
+        taut_cross(i == j ? a : b, i == j ? b : a, normal);
+        if (taut_dot(normal, n) < -turn_least * (taut_dot(a, a) + taut_dot(b, b))) {
+            return c;
+        }
+    }
+    return -1;
+}
+
+/* x, and x_u x x_v, at a Gauss point. */
+static void find_normal(const taut_film_work *w, int i, int j, double x[3], double normal[3])
+{
+    const taut_area_axis *u = &w->functional->u, *v = &w->functional->v;
+    double xu[3] = {0, 0, 0}, xv[3] = {0, 0, 0};
+
+    memset(x, 0, 3 * sizeof(double));
+    for (int k = 0; k < u->local * v->local; k++) {
+        const int a = i * u->local + k / v->local, b = j * v->local + k % v->local;
+        const int row = u->first[i] + k / v->local, column = v->first[j] + k % v->local;
+        const double *p = w->net + 3 * ((size_t)row * (size_t)w->space->nv + (size_t)column);
+        taut_add_scaled(u->value[a] * v->value[b], p, x);
+        taut_add_scaled(u->slope[a] * v->value[b], p, xu);
+        taut_add_scaled(u->value[a] * v->slope[b], p, xv);
+    }
+    taut_cross(xu, xv, normal);
+}
+
+/* The first Gauss point whose normal and that of one before look apart, or 0 and that of the least area element. */
+static int find_fold(const taut_film_work *w, int at[2])
+{
+    double least = INFINITY;
+
+    for (int i = 0; i < w->functional->u.count; i++) {
+        for (int j = 0; j < w->functional->v.count; j++) {
+            double x[3], n[3], before[3];
+            int folds = 0;
+            find_normal(w, i, j, x, n);
+            const double size = taut_length(n);
+            for (int d = 0; d < 2; d++) {
+                if ((d ? j : i) > 0) {
+                    find_normal(w, i - !d, j - d, x, before);
+                    folds |= !(taut_dot(n, before) > 0);
+                }
+            }
+            if (folds || size < least) {
+                least = size;
+                at[0] = i;
+                at[1] = j;
+            }
+            if (folds) {
+                return 1;
+            }
+        }
+    }
+    return 0;
+}
+
 static taut_status refuse_fold(const taut_film_work *w, taut_error *error)
 {
-    taut_film_fold fold;
+    const taut_area_functional *f = w->functional;
+    const unsigned char known = 0;
+    const int corner = turned_corner(w);
+    int at[2] = {0, 0};
+    double x[3], normal[3], point[3];
 
-    if (taut_film_fold_find(w->space, w->net, &fold) != TAUT_OK) {
-        return taut_fail_memory(error);
+    const int folds = find_fold(w, at) || corner >= 0;
+    if (corner >= 0) {
+        at[0] = corner % 2 * (f->u.count - 1);
+        at[1] = corner / 2 * (f->v.count - 1);
     }
-    const double *x = fold.point;
+    find_normal(w, at[0], at[1], x, normal);
+    /* beyond the range of doubles: as infinity, which is where it is */
+    (void)taut_scaling_undo(&w->space->scaling, 1, x, &known, x, point, NULL);
     return taut_fail(error, TAUT_NOT_CONVERGED, "folds", NULL, w->region.iterations, taut_none,
                      "the film folds after %d steps: its normal turns over from one point to the "
                      "next%s near u = %.3g, v = %.3g, at (%.6g, %.6g, %.6g); raise the forces of "
                      "the cables, shorten those of given length, or move the corners",
-                     w->region.iterations, fold.is_folded ? "" : ", or is about to,", fold.at[0],
-                     fold.at[1], x[0], x[1], x[2]);
+                     w->region.iterations, folds ? "" : ", or is about to,", f->u.at[at[0]],
+                     f->v.at[at[1]], point[0], point[1], point[2]);
 }
 
 /* What ended the trust region, in the words of films. */
@@ -381,7 +460,7 @@ static taut_status polish(taut_film_work *w, double *before, taut_error *error)
     w->any = found.any;
     w->region.residual = found.residual;
     w->region.area = found.area;
-    return is_folded(w->functional) ? refuse_fold(w, error) : TAUT_OK;
+    return is_folded(w->functional) || turned_corner(w) >= 0 ? refuse_fold(w, error) : TAUT_OK;
 }
 
 taut_status taut_film_polish_again(taut_film_work *w, taut_error *error)

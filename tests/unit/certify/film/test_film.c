@@ -8,6 +8,7 @@
 #include "taut/construct.h"
 #include "taut/read.h"
 
+#include <stdio.h>
 #include <string.h>
 
 /* The film with one coordinate of its surface moved, and its cables with it if they are to follow. */
@@ -430,10 +431,45 @@ static void test_fold(void)
     taut_problem_free(problem);
 }
 
+/* The same, turned over at its corner u0v0 alone, where the edge v0 begins backwards for 3e-5 of its length. */
+static void test_turned_corner(void)
+{
+    static const char text[] = "{\"taut\":1,\"construct\":\"film\",\"method\":\"normal\",\"u\":{"
+                               "\"type\":\"bspline\",\"degree\":3,"
+                               "\"count\":7},\"v\":{\"type\":\"bspline\",\"degree\":3,\"count\":7},"
+                               "\"corners\":{\"u0v0\":[0,0,0],"
+                               "\"u1v0\":[%g,0,0],\"u0v1\":[0,%g,0],\"u1v1\":[%g,%g,0]}}";
+    const double sizes[3] = {1, 1e-120, 1e120}, back[2] = {1e-4, -1e-4};
+
+    for (int k = 0; k < 6; k++) {
+        const double s = sizes[k / 2], by[3] = {-(1.0 / 12 + back[k % 2]) * s, 0, 0};
+        char filled[sizeof text + 100];
+        taut_problem *problem = NULL;
+        taut_model *model = NULL;
+        taut_certificate *certificate = NULL;
+
+        snprintf(filled, sizeof filled, text, s, s, s, s);
+        CHECK(taut_problem_read_text(filled, strlen(filled), "flat", &problem, NULL) == TAUT_OK,
+              "read");
+        CHECK(taut_make(problem, NULL, &model, NULL) == TAUT_OK, "made");
+        taut_model *other = model_moved(model, 0, 7, by);
+        CHECK(taut_certify(other, problem, NULL, &certificate, NULL) == TAUT_OK, "certificate");
+        const taut_claim *claim = claim_of(certificate, "stationary");
+        CHECK((claim->holds == TAUT_FALSE) == (k % 2 == 0) &&
+                  (strncmp(claim->where, "it folds over at ", 17) == 0) == (k % 2 == 0),
+              "size %g: %d, %s", s, (int)claim->holds, claim->where);
+        taut_certificate_free(certificate);
+        taut_model_free(other);
+        taut_model_free(model);
+        taut_problem_free(problem);
+    }
+}
+
 int main(void)
 {
     test_strong_cable();
     test_fold();
+    test_turned_corner();
     test_least();
     test_bound();
     test_laws();
