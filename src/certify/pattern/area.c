@@ -9,6 +9,7 @@
 #include "certify/pattern/area.h"
 
 #include "certify/pattern/worst.h"
+#include "core/vec3.h"
 #include "numeric/quadrature.h"
 #include "taut/measure.h"
 
@@ -20,6 +21,7 @@ static const double area_limit = 1e-10, area_error_most = 1e-6, area_doubt = 1e-
 static const double area_share = 4;
 /* Cells of a piece each way, at first and at the most; between knots. */
 enum { CELLS = 2, CELLS_MOST = 16, KNOT_CELLS_MOST = 8, NODES = 8 };
+enum { WHOLE_CELLS_MOST = 16384 }; /* of a surface */
 /* A line is looked at in so many parts, and has so many breaks at the most. */
 enum { PARTS = 16, BREAKS = 600, ROUNDS = 80 };
 
@@ -186,6 +188,58 @@ static double area_between_knots(const taut_cloth *cloth, const taut_cloth_piece
 
 /* ---- the whole ---- */
 
+/* Of a surface by so many cells between any two knots. */
+static double area_of_surface(const taut_surface *surface, int cells)
+{
+    const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
+    const double *a = taut_basis_breaks(u), *b = taut_basis_breaks(v);
+    const int rows = taut_basis_span_count(u) * cells * NODES;
+    const int columns = taut_basis_span_count(v) * cells * NODES;
+    rule r;
+    double sum = 0;
+    taut_gauss_rule(NODES, r.nodes, r.weights);
+    for (int i = 0; i < rows; i++) {
+        const int cell = i / NODES, span = cell / cells;
+        const double width = (a[span + 1] - a[span]) / cells;
+        const double at = a[span] + (cell % cells + (1 + r.nodes[i % NODES]) / 2) * width;
+        double row = 0;
+        for (int k = 0; k < columns; k++) {
+            const int part = k / NODES, knot = part / cells;
+            const double height = (b[knot + 1] - b[knot]) / cells;
+            const double y = b[knot] + (part % cells + (1 + r.nodes[k % NODES]) / 2) * height;
+            double x[3][3];
+            const int is_there = taut_surface_eval(surface, at, y, 1, x[0]) == TAUT_OK;
+            const double g[3] = {taut_dot(x[1], x[1]), taut_dot(x[1], x[2]), taut_dot(x[2], x[2])};
+            row += is_there ? r.weights[k % NODES] / 2 * height * element(g) : (double)NAN;
+        }
+        sum += r.weights[i % NODES] / 2 * width * row;
+    }
+    return sum;
+}
+
+/* That of taut_surface_area, unless control points that are far larger than the surface leave it less exact than pieces are: then by
+ * places of it, of which rounding is that of values. */
+static taut_status whole_of(const taut_surface *surface, double *area)
+{
+    const long spans = (long)taut_basis_span_count(taut_surface_u(surface)) *
+                       taut_basis_span_count(taut_surface_v(surface));
+    double error = 0;
+    if (taut_surface_area(surface, area, &error) != TAUT_OK) {
+        return TAUT_NO_MEMORY;
+    }
+    if (error > area_doubt * *area) {
+        double before = area_of_surface(surface, 1), apart = INFINITY;
+        for (int cells = 2; spans * cells * cells <= WHOLE_CELLS_MOST && apart > area_doubt;
+             cells *= 2) {
+            const double after = area_of_surface(surface, cells);
+            apart = fabs(after - before) / after;
+            before = after;
+        }
+        *area = apart * *area < error ? before : *area;
+    }
+    return TAUT_OK;
+}
+
 typedef double measure(const taut_cloth *cloth, const taut_cloth_piece *piece, int cells);
 
 /* Of all pieces, with twice as many cells until it hardly changes; *doubt: by how much it did, over the whole. */
@@ -208,12 +262,12 @@ static double sum_of(const taut_cloth *cloth, measure *of, int first, int most, 
 taut_status taut_cloth_add_exhausts(const taut_cloth *cloth, double *area,
                                     taut_certificate *certificate)
 {
-    double whole = 0, error = 0, doubt = 0;
+    double whole = 0, doubt = 0;
     taut_worst w = {0, "the whole"};
 
     for (int k = 0; k < cloth->surface_count; k++) {
         double one = 0;
-        if (taut_surface_area(cloth->surfaces[k], &one, &error) != TAUT_OK) {
+        if (whole_of(cloth->surfaces[k], &one) != TAUT_OK) {
             return TAUT_NO_MEMORY;
         }
         whole += one;

@@ -15,6 +15,7 @@
 #include "certify/pattern/energy.h"
 
 #include "certify/common/verdict.h"
+#include "certify/pattern/gauss_bonnet.h"
 #include "certify/pattern/skyline.h"
 #include "core/elementary/elementary.h"
 #include "core/vec3.h"
@@ -35,6 +36,8 @@ enum {
 /* The stiffness of what may not move, over the largest of the diagonal. */
 static const double stiff = 1e4;
 static const double corner = 0.05;
+/* Two values of iint K dA that are not one. */
+static const double uneven = 1e-4;
 
 /* ---- bases at places of quadrature ---- */
 
@@ -780,5 +783,12 @@ taut_status taut_cloth_look_at(const taut_cloth *cloth, const taut_cloth_piece *
     *state = (taut_cloth_state){.residual = 0, .torque = (double)NAN, .stiffness = (double)NAN};
     const taut_status status = w.arena != NULL ? look_in(&w, solved) : TAUT_NO_MEMORY;
     taut_arena_free(w.arena);
+    if (status == TAUT_OK && !piece->is_point[TAUT_CLOTH_START] &&
+        !piece->is_point[TAUT_CLOTH_END]) { /* K may be too uneven for the places that are looked at */
+        const double border = taut_cloth_gauss_bonnet(cloth, piece);
+        if (fabs(border - state->curvature) > uneven) {
+            state->curvature = border;
+        }
+    }
     return status;
 }

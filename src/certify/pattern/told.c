@@ -122,16 +122,17 @@ static double reach_of(const taut_cloth *cloth, const taut_curve *cut, int d, do
 {
     const taut_basis *basis = taut_curve_t(cut);
     const double *breaks = taut_basis_breaks(basis);
-    double best = -INFINITY, low = 0, high = 0, y[1][3];
+    double best = -INFINITY, low = 0, high = 0, y[1][3], before = taut_basis_lo(basis);
     for (int i = 0; i < taut_basis_span_count(basis) * LOOK; i++) {
         const double a = breaks[i / LOOK], b = breaks[i / LOOK + 1], step = (b - a) / LOOK;
         const double t = a + step * (i % LOOK);
         taut_cloth_line(cloth, cut, t, 0, y);
         if (sign * y[0][d] > best) {
             best = sign * y[0][d];
-            low = fmax(t - step, taut_basis_lo(basis));
+            low = before;
             high = fmin(t + step, taut_basis_hi(basis));
         }
+        before = t;
     }
     for (int round = 0; round < ROUNDS; round++) { /* one hill between its neighbours */
         const double third[2] = {low + (high - low) / 3, high - (high - low) / 3};

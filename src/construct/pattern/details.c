@@ -14,24 +14,43 @@ static const double usual[2] = {-0.01, 0.08};
 static const double mark_share = 1e-6;
 
 enum { NODES = 8, PARTS = 4 /* of a span, looked at for extremes */ };
+/* Of a length: what more cells of its spans change, so many at the most. */
+static const double settled = 1e-12;
+enum { CELLS_MOST = 64 };
 
 static const char *const edge_names[TAUT_FLAT_EDGES] = {"right", "end", "left", "start"};
 
 /* ---- lengths ---- */
 
-static double flat_length(const taut_curve *curve)
+/* By the rule of Gauss in so many cells of each span. */
+static double length_by(const taut_curve *curve, int cells)
 {
     const taut_basis *basis = taut_curve_t(curve);
     const double *breaks = taut_basis_breaks(basis);
     double nodes[NODES], weights[NODES], sum = 0;
     taut_gauss_rule(NODES, nodes, weights);
-    for (int i = 0; i < taut_basis_span_count(basis); i++) {
-        const double half = (breaks[i + 1] - breaks[i]) / 2;
+    for (int i = 0; i < taut_basis_span_count(basis) * cells; i++) {
+        const double *ends = breaks + i / cells;
+        const double half = (ends[1] - ends[0]) / 2 / cells;
         for (int k = 0; k < NODES; k++) {
             double y[2][3];
-            taut_curve_eval(curve, breaks[i] + half * (1 + nodes[k]), 1, y[0]);
+            taut_curve_eval(curve, ends[0] + half * (2 * (i % cells) + 1 + nodes[k]), 1, y[0]);
             sum += weights[k] * half * taut_hypot(y[1][0], y[1][1]);
         }
+    }
+    return sum;
+}
+
+/* Of a free edge that bends much within the few spans that it has, next to a corner say, by more of them. */
+static double flat_length(const taut_curve *curve)
+{
+    double sum = length_by(curve, 1);
+    for (int cells = 2; cells <= CELLS_MOST; cells *= 2) {
+        const double finer = length_by(curve, cells);
+        if (!(fabs(finer - sum) > settled * finer)) {
+            break;
+        }
+        sum = finer;
     }
     return sum;
 }

@@ -8,6 +8,9 @@
 enum {
     NODES = 8,
     LOOK = 24,
+    LOOK_AGAIN = 20, /* nodes that say the same where K is even */
+    LOOK_CELLS = 4,
+    BORDER_CELLS = 32,
     LEAST = 4 /* spans along, at first; across half as many, at last as many */,
     LEVELS = 5,
     HALVES = 2,
@@ -15,27 +18,80 @@ enum {
 };
 /* K times the area of a piece, up to rounding none; the strain that is no strain; and that of which it is claimed. */
 static const double flat_curvature = 1e-11, no_strain = 2e-12, claimed_strain = 8e-12;
+/* Of iint |K| dA: sums that are one. */
+static const double same_curvature = 1e-7, rough_curvature = 1e-5;
 
-void taut_pattern_look_at_curvature(taut_pattern_piece *piece)
+/* iint K dA, iint |K| dA, the area, and the largest |K| that was met. */
+typedef struct curvature_sums {
+    double gauss, size, area, most;
+} curvature_sums;
+
+/* By a rule of so many nodes in so many cells each way. */
+static void add_curvature(const taut_pattern_piece *piece, int count, int cells,
+                          curvature_sums *sums)
 {
-    double nodes[LOOK], weights[LOOK], sum = 0, most = 0, area = 0;
+    double nodes[LOOK], weights[LOOK];
     taut_pattern_kept kept = {.s = NAN};
     const taut_pattern_across across = {piece, &kept};
-    taut_gauss_rule(LOOK, nodes, weights);
-    for (int i = 0; i < LOOK; i++) {
-        for (int k = 0; k < LOOK; k++) {
-            const double s = (1 + nodes[i]) / 2, t = (1 + nodes[k]) / 2;
+    taut_gauss_rule(count, nodes, weights);
+    *sums = (curvature_sums){.gauss = 0};
+    for (int i = 0; i < cells * count; i++) {
+        for (int k = 0; k < cells * count; k++) {
+            const double s = (i / count + (1 + nodes[i % count]) / 2) / cells;
+            const double t = (k / count + (1 + nodes[k % count]) / 2) / cells;
             double g[3], bend[2], gauss;
             taut_pattern_across_metric(&across, s, t, g);
             taut_pattern_piece_bends(piece, s, t, bend, &gauss);
-            const double part = sqrt(g[0] * g[2] - g[1] * g[1]) * weights[i] * weights[k] / 4;
-            sum += gauss * part;
-            area += part;
-            most = fmax(most, fabs(gauss));
+            const double part = sqrt(g[0] * g[2] - g[1] * g[1]) * weights[i % count] *
+                                weights[k % count] / (4 * cells * cells);
+            sums->gauss += gauss * part;
+            sums->size += fabs(gauss) * part;
+            sums->area += part;
+            sums->most = fmax(sums->most, fabs(gauss));
         }
     }
-    piece->curvature = sum;
-    piece->is_developable = most * area < flat_curvature;
+}
+
+/* iint K dA by the border, after Gauss and Bonnet: the corners' angles less 2 pi less int k_g ds around it. */
+static double curvature_by_border(const taut_pattern_piece *piece)
+{
+    double nodes[LOOK], weights[LOOK], sum = 0;
+    taut_gauss_rule(LOOK, nodes, weights);
+    for (int edge = 0; edge < 4; edge++) {
+        const int across = edge / 2, is_far = edge % 2;
+        for (int k = 0; k < BORDER_CELLS * LOOK; k++) {
+            const double x = (k / LOOK + (1 + nodes[k % LOOK]) / 2) / BORDER_CELLS;
+            double bend[2], gauss;
+            taut_pattern_piece_bends(piece, across ? is_far : x, across ? x : is_far, bend, &gauss);
+            sum += (across == is_far ? -1 : 1) * weights[k % LOOK] / 2 / BORDER_CELLS * bend[across];
+        }
+        double g[3];
+        taut_pattern_piece_metric(piece, across, is_far, g);
+        sum += (across == is_far ? 1 : -1) * taut_atan2(sqrt(g[0] * g[2] - g[1] * g[1]), g[1]);
+    }
+    return sum;
+}
+
+void taut_pattern_look_at_curvature(taut_pattern_piece *piece)
+{
+    curvature_sums all, other;
+    add_curvature(piece, LOOK, 1, &all);
+    piece->curvature = all.gauss;
+    piece->is_developable = all.most * all.area < flat_curvature;
+    add_curvature(piece, LOOK_AGAIN, 1, &other);
+    int is_rough = 0;
+    for (int cells = 2; cells <= LOOK_CELLS && !piece->is_developable &&
+                        fabs(other.gauss - all.gauss) > same_curvature * all.size;
+         cells *= 2) { /* K that is uneven */
+        other = all;
+        add_curvature(piece, LOOK, cells, &all);
+        piece->curvature = all.gauss;
+        is_rough = fabs(other.gauss - all.gauss) > rough_curvature * all.size;
+    }
+    if (is_rough && !piece->bounds[TAUT_FLAT_START].is_point &&
+        !piece->bounds[TAUT_FLAT_END].is_point) {
+        piece->curvature = curvature_by_border(piece);
+    }
 }
 
 /* Where a walk in the plane is. */

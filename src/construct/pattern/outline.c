@@ -15,6 +15,9 @@ enum {
 };
 /* How uneven the speed may be, and a step of Newton's that is rounding. */
 static const double even = 5e-11, settled = 1e-15;
+/* Of a coordinate: rounding, and how much higher than the places that are looked at the curve may be between them. */
+static const double rounding = 1e-13, higher = 1e-3;
+enum { THIRDS = 60 };
 
 /* ---- the curve of exact speed ---- */
 
@@ -113,6 +116,52 @@ static taut_status close_edges(const taut_curve *const edges[TAUT_FLAT_EDGES], t
     return taut_pattern_join(TAUT_FLAT_EDGES, parts, arena, cut);
 }
 
+/* Of places t[0] to t[2] that are looked at, the one in the middle not below the others: the top of the hill between them, by thirds. */
+static double climb(const taut_curve *curve, int axis, double sign, const double t[3])
+{
+    double lo = t[0], hi = t[2], top = -INFINITY;
+    for (int round = 0; round < THIRDS; round++) {
+        const double at[2] = {lo + (hi - lo) / 3, hi - (hi - lo) / 3};
+        double value[2];
+        for (int k = 0; k < 2; k++) {
+            double y[1][3];
+            taut_curve_eval(curve, at[k], 0, y[0]);
+            value[k] = sign * y[0][axis];
+            top = fmax(top, value[k]);
+        }
+        *(value[0] < value[1] ? &lo : &hi) = at[value[0] < value[1] ? 0 : 1];
+    }
+    return top;
+}
+
+/* The top of any hill that is higher than all that was found, which Newton's method may have missed. */
+static double highest(const taut_curve *curve, int axis, double sign, double best)
+{
+    const taut_basis *basis = taut_curve_t(curve);
+    const double *breaks = taut_basis_breaks(basis);
+    const int places = taut_basis_span_count(basis) * LOOK;
+    const double found = best;
+    double t[3] = {breaks[0], breaks[0], breaks[0]}, value[3] = {0};
+    for (int i = 0; i <= places + 1; i++) {
+        const int at = i < places ? i : places;
+        const int span = at < places ? at / LOOK : at / LOOK - 1;
+        double y[1][3];
+        t[0] = t[1];
+        t[1] = t[2];
+        t[2] = breaks[span] + (breaks[span + 1] - breaks[span]) * (at - span * LOOK) / LOOK;
+        taut_curve_eval(curve, t[2], 0, y[0]);
+        value[0] = value[1];
+        value[1] = value[2];
+        value[2] = sign * y[0][axis];
+        if (i > 0 && (i == 1 || value[1] >= value[0]) && value[1] >= value[2] &&
+            value[1] > found - higher) {
+            const double top = climb(curve, axis, sign, t);
+            best = top > best + rounding ? top : best;
+        }
+    }
+    return best;
+}
+
 /* Where a curve reaches farthest along an axis (sign 1) or against it (-1): from the best of many places on by Newton's method. */
 static double reach(const taut_curve *curve, int axis, double sign)
 {
@@ -148,7 +197,7 @@ static double reach(const taut_curve *curve, int axis, double sign)
         best = sign * y[0][axis];
         at = next;
     }
-    return sign * best;
+    return sign * highest(curve, axis, sign, best);
 }
 
 /* What a closed line goes around. */
