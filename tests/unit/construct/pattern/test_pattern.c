@@ -101,8 +101,8 @@ static void test_uneven(void)
         const taut_claim *details = claim_of(made.proof, "details");
         CHECK(details->holds == TAUT_TRUE, "%s: %g at %s", names[k], details->residual,
               details->where);
-        if (k == 1) { /* 24 x 24 places of Gauss in each of 8 x 8 cells */
-            CHECK_NEAR(cloth_number(&made, "pieces", "P1", "curvature"), -4.96624074761, 1e-9,
+        if (k == 1) { /* 24 x 24 places of Gauss in each of 8 x 8 cells; to 1e-7 of iint |K| dA */
+            CHECK_NEAR(cloth_number(&made, "pieces", "P1", "curvature"), -4.96624074761, 1.1e-6,
                        "iint K dA");
         }
         cloth_free(&made);
