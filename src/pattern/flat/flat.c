@@ -67,6 +67,7 @@ typedef struct work {
     taut_flat_law law;
     double residual;
     int is_stable, steps;
+    double shift; /* of the diagonal, that the last step which needed one took; the next one looks from below it on */
 } work;
 
 static int unknown(const work *w, int i, int j, int k)
@@ -331,6 +332,75 @@ static double most_of(const work *w)
     return most;
 }
 
+/* So many right-hand sides are carried at once, in registers; the last ones by themselves. */
+enum { ABREAST = 8 };
+
+/* Of `count` <= ABREAST of the columns, of which row i begins at x + i ld: sums in the order of the rows, as of each alone. */
+static inline void solve_abreast(const taut_band *factor, int first, size_t ld, size_t count,
+                                 double *x)
+{
+    const int n = factor->n, w = factor->width;
+    for (int i = first; i < n; i++) {
+        const double *row = taut_band_row(factor, i);
+        double *xi = x + (size_t)i * ld, sum[ABREAST];
+        const int reach = i - first < w ? i - first : w;
+        for (size_t r = 0; r < count; r++) {
+            sum[r] = xi[r];
+        }
+        for (int d = 1; d <= reach; d++) {
+            const double *above = xi - (size_t)d * ld;
+            for (size_t r = 0; r < count; r++) {
+                sum[r] -= row[d] * above[r];
+            }
+        }
+        for (size_t r = 0; r < count; r++) {
+            xi[r] = sum[r];
+        }
+    }
+    for (int i = n - 1; i >= 0; i--) {
+        double *xi = x + (size_t)i * ld, sum[ABREAST];
+        const double pivot = taut_band_row(factor, i)[0];
+        for (size_t r = 0; r < count; r++) {
+            sum[r] = xi[r] / pivot;
+        }
+        for (int d = 1; d <= w && i + d < n; d++) {
+            const double l = taut_band_row(factor, i + d)[d];
+            const double *below = xi + (size_t)d * ld;
+            for (size_t r = 0; r < count; r++) {
+                sum[r] -= l * below[r];
+            }
+        }
+        for (size_t r = 0; r < count; r++) {
+            xi[r] = sum[r];
+        }
+    }
+}
+
+/* The first row that is not zero: those before it stay so. */
+static int first_row(int n, size_t ld, size_t count, const double *x)
+{
+    int i = 0;
+    for (int is_zero = 1; i < n && is_zero; i += is_zero) {
+        for (size_t r = 0; r < count; r++) {
+            is_zero &= x[(size_t)i * ld + r] == 0;
+        }
+    }
+    return i;
+}
+
+/* As taut_band_solve, bit for bit, which reads and writes every column once a row of the band. */
+static void solve_columns(const taut_band *factor, int count, double *x)
+{
+    const size_t ld = (size_t)count;
+    size_t r = 0;
+    for (; r + ABREAST <= ld; r += ABREAST) {
+        solve_abreast(factor, first_row(factor->n, ld, ABREAST, x + r), ld, ABREAST, x + r);
+    }
+    for (; r < ld; r++) {
+        solve_abreast(factor, first_row(factor->n, ld, 1, x + r), ld, 1, x + r);
+    }
+}
+
 /* The factor of the Hessian with `shift` on its diagonal; where rotation is free a stiffness `hold` on
  * one unknown, which the last row takes off again. 1: solved, step and multipliers are there, and the Hessian is positive
  * on the constraints. */
@@ -359,7 +429,7 @@ static int try_step(work *w, const double *matrix, double shift, double hold, in
         }
         w->solved[i * columns + rows] = -w->slope[i];
     }
-    taut_band_solve(&w->hessian, columns, w->solved);
+    solve_columns(&w->hessian, columns, w->solved);
     memset(w->schur, 0, sizeof(double) * (size_t)w->room * (size_t)w->room);
     for (int k = 0; k < rows; k++) {
         const double *a = row_of(w, k);
@@ -419,7 +489,10 @@ static int newton_step(work *w, double *matrix, double *trial, double *length)
     for (int k = 0; !done && k < SHIFTS_MAX; k++) {
         done = try_step(w, matrix, shift, diagonal, held);
         w->is_stable = done && shift == 0;
-        shift = shift > 0 ? 4 * shift : 1e-8 * diagonal;
+        if (done && shift > 0) {
+            w->shift = shift;
+        }
+        shift = shift > 0 ? 4 * shift : fmax(1e-8 * diagonal, w->shift / 16);
     }
     if (!done) {
         return 0;
@@ -452,6 +525,7 @@ static int newton(work *w, double *matrix, double *trial)
     double length = INFINITY, before;
     const double of_step = 2.0 * w->n * w->width * w->width; /* operations, about, its factor's */
     w->energy = energy_of(w, w->y);
+    w->shift = 0;
     memset(w->multiplier, 0, sizeof(double) * (size_t)w->room);
     for (int k = 0; k < STEPS_MAX && w->energy < INFINITY; k++) {
         before = length;
