@@ -1,6 +1,7 @@
 #include "cloths.h"
 
 #include "check.h"
+#include "cli/embedded_files.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -26,6 +27,19 @@ made_cloth cloth_make(const char *surface, const char *members)
         made.status = taut_certify(made.model, made.problem, NULL, &made.proof, &made.error);
     }
     free(text);
+    return made;
+}
+
+made_cloth cloth_of_example(const char *name, const char *members)
+{
+    const taut_embedded *file = taut_examples;
+    char wanted[128];
+    snprintf(wanted, sizeof wanted, "%s.json", name);
+    while (file->name != NULL && strcmp(file->name, wanted) != 0) {
+        file++;
+    }
+    const made_cloth made = cloth_make(file->name != NULL ? file->text : "{}", members);
+    CHECK(made.status == TAUT_OK, "%s: %s", name, made.error.message);
     return made;
 }
 

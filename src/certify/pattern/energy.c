@@ -784,7 +784,8 @@ taut_status taut_cloth_look_at(const taut_cloth *cloth, const taut_cloth_piece *
     const taut_status status = w.arena != NULL ? look_in(&w, solved) : TAUT_NO_MEMORY;
     taut_arena_free(w.arena);
     if (status == TAUT_OK && !piece->is_point[TAUT_CLOTH_START] &&
-        !piece->is_point[TAUT_CLOTH_END]) { /* K may be too uneven for the places that are looked at */
+        !piece->is_point
+             [TAUT_CLOTH_END]) { /* K may be too uneven for the places that are looked at */
         const double border = taut_cloth_gauss_bonnet(cloth, piece);
         if (fabs(border - state->curvature) > uneven) {
             state->curvature = border;

@@ -63,7 +63,8 @@ static double curvature_by_border(const taut_pattern_piece *piece)
             const double x = (k / LOOK + (1 + nodes[k % LOOK]) / 2) / BORDER_CELLS;
             double bend[2], gauss;
             taut_pattern_piece_bends(piece, across ? is_far : x, across ? x : is_far, bend, &gauss);
-            sum += (across == is_far ? -1 : 1) * weights[k % LOOK] / 2 / BORDER_CELLS * bend[across];
+            sum +=
+                (across == is_far ? -1 : 1) * weights[k % LOOK] / 2 / BORDER_CELLS * bend[across];
         }
         double g[3];
         taut_pattern_piece_metric(piece, across, is_far, g);

@@ -67,7 +67,8 @@ typedef struct work {
     taut_flat_law law;
     double residual;
     int is_stable, steps;
-    double shift; /* of the diagonal, that the last step which needed one took; the next one looks from below it on */
+    double
+        shift; /* of the diagonal, that the last step which needed one took; the next one looks from below it on */
 } work;
 
 static int unknown(const work *w, int i, int j, int k)

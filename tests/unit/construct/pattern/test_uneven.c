@@ -1,0 +1,43 @@
+/* test_uneven.c -- pieces that usual places do not measure: large control points, free edges of few spans, K that is uneven. */
+#include "certificates.h"
+#include "check.h"
+#include "cloths.h"
+
+/* Control points of a patch of size 1 that are as large as 200: the area by products of their bounds is 8e-10 off 1.5436892865126284
+ * (Gauss' rule with 20 nodes in 32 x 32 cells). */
+static void test_large_control_points(void)
+{
+    made_cloth made = cloth_of_example(
+        "asymptotic-4", "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 1 }]");
+    CHECK(claim_of(made.proof, "exhausts")->holds == TAUT_TRUE, "pieces have the area: %g",
+          claim_of(made.proof, "exhausts")->residual);
+    CHECK_NEAR(figure_of(made.proof, "area"), 1.5436892865126284, 3e-10, "of one strip");
+    cloth_free(&made);
+}
+
+/* Strips whose free edges, outlines, or curvatures are uneven between the places that usual pieces are measured by: free edges of one
+ * span in four that bend by half a turn, an outline whose farthest place is next to a short span, K 40 times its mean beside a mast. */
+static void test_uneven(void)
+{
+    static const char *const names[] = {"asymptotic-1-in", "asymptotic-4-in", "dirichlet-mast",
+                                        "bonnet-figure-4"};
+    for (int k = 0; k < 4; k++) {
+        made_cloth made = cloth_of_example(
+            names[k], "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 1 }]");
+        const taut_claim *details = claim_of(made.proof, "details");
+        CHECK(details->holds == TAUT_TRUE, "%s: %g at %s", names[k], details->residual,
+              details->where);
+        if (k == 1) { /* 24 x 24 places of Gauss in each of 8 x 8 cells; to 1e-7 of iint |K| dA */
+            CHECK_NEAR(cloth_number(&made, "pieces", "P1", "curvature"), -4.96624074761, 1.1e-6,
+                       "iint K dA");
+        }
+        cloth_free(&made);
+    }
+}
+
+int main(void)
+{
+    test_large_control_points();
+    test_uneven();
+    return check_failures != 0;
+}
