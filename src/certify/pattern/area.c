@@ -221,8 +221,8 @@ static double area_of_surface(const taut_surface *surface, int cells)
  * places of it, of which rounding is that of values. */
 static taut_status whole_of(const taut_surface *surface, double *area)
 {
-    const long spans = (long)taut_basis_span_count(taut_surface_u(surface)) *
-                       taut_basis_span_count(taut_surface_v(surface));
+    const double spans = (double)taut_basis_span_count(taut_surface_u(surface)) *
+                         taut_basis_span_count(taut_surface_v(surface));
     double error = 0;
     if (taut_surface_area(surface, area, &error) != TAUT_OK) {
         return TAUT_NO_MEMORY;
