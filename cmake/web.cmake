@@ -45,6 +45,8 @@ set_property(SOURCE ${loop_sources} APPEND PROPERTY COMPILE_OPTIONS -fno-unroll-
 set(vector_sources ${web_sources})
 list(FILTER vector_sources INCLUDE REGEX "/src/(numeric|geometry/grid)/|/plateau/(area_baseline|draft)\\.c|/(eight_baseline|gradient_baseline|integrate/cell)\\.c")
 set_property(SOURCE ${vector_sources} APPEND PROPERTY COMPILE_OPTIONS -msimd128 -fno-slp-vectorize)
+# clang 14 breaks down on -mbulk-memory elsewhere.
+set_source_files_properties(${CMAKE_SOURCE_DIR}/src/web/bytes.c PROPERTIES COMPILE_OPTIONS "-mbulk-memory;-fno-builtin")
 # Sums and products of two doubles (core/twice.h) take less time where they are, and less room, than called.
 set(twice_sources ${web_sources})
 list(FILTER twice_sources INCLUDE REGEX "/src/construct/(bi)?harmonic/")
