@@ -109,7 +109,8 @@ static taut_status read_request(const taut_model *model, const taut_film_problem
                          "%d without weights: they do not belong together",
                          r->nu, r->nv, taut_basis_count(problem->u), taut_basis_count(problem->v));
     }
-    r->tolerance = problem->tolerance > 0 ? problem->tolerance : tolerance_default;
+    r->tolerance =
+        fmin(problem->tolerance > 0 ? problem->tolerance : tolerance_default, largest_limit);
     r->half = taut_half_size(taut_point_count(r->surface), taut_surface_points(r->surface));
     return TAUT_OK;
 }
@@ -403,7 +404,7 @@ static taut_status find_rest(const request *r, int rule, taut_arena *arena, find
 /* Nodes are raised until what is found stays, to a quarter of what is allowed. */
 static taut_status settle_rest(const request *r, finding *found)
 {
-    const double limit = fmin(r->tolerance, largest_limit);
+    const double limit = r->tolerance;
     double before = INFINITY;
 
     for (int rule = 0; rule < RULES && !found->settled; rule++) {
@@ -542,7 +543,7 @@ static taut_status add_stationary(const request *r, const finding *found,
     taut_claim claim = {.claim = "stationary",
                         .kind = TAUT_CHECK,
                         .residual = found->residual,
-                        .limit = fmin(r->tolerance, largest_limit),
+                        .limit = r->tolerance,
                         .where = where};
 
     snprintf(where, sizeof where, "/surfaces/0/points/%d/%d", found->at / r->nv, found->at % r->nv);

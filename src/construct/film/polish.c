@@ -19,6 +19,8 @@ static const double falls =
     0.25; /* of a step's length: the least share of the residual that it has to take */
 static const double falls_again = 0.1; /* of the residual: what a step by older factors may leave */
 static const double gauge_most = 0.1;
+static const double strong =
+    32; /* over the film: more that cables draw with hides nothing inside */
 static const double gauge = 1e-6; /* of the metric, in steps in all coordinates */
 static const double gauge_enough = 1e-9,
                     residual_near = 1e-8; /* residuals: of all coordinates; along the moves */
@@ -37,6 +39,7 @@ typedef struct work {
     double *moments;                                       /* [nu][nv][3] */
     double *rows;                                          /* [3][nv][3] */
     double any, all, area;                                 /* of the last look */
+    double alone; /* the largest derivative of the film without cables, or 0 */
     const taut_basis *bases[2];
     double *greville[2];
 } work;
@@ -263,6 +266,15 @@ static void find_directions(work *w)
     }
 }
 
+/* Is point i on a cable? */
+static int is_drawn(const work *w, size_t i)
+{
+    const double *ratios = w->space->ratios;
+    const size_t nv = (size_t)w->mask->nv, row = i / nv, column = i % nv;
+    return (ratios[0] > 0 && row == 0) || (ratios[1] > 0 && row == (size_t)w->mask->nu - 1) ||
+           (ratios[2] > 0 && column == 0) || (ratios[3] > 0 && column == nv - 1);
+}
+
 /* The gradient of the net, its part along the directions in `step`, and what that is of all; `any`: what the largest
  * derivative is of all, in whatever way is allowed. */
 static double look(work *w)
@@ -275,13 +287,14 @@ static double look(work *w)
         all = fmax(all, taut_largest_coordinate(w->gradient + 3 * i));
     }
     taut_mask_reduce(w->mask, w->gradient);
+    const double inner = w->alone > 0 ? fmax(1, all / (strong * w->alone)) : 1;
     for (size_t i = 0; i < w->count; i++) {
         const double *g = w->gradient + 3 * i;
         any = fmax(any, taut_largest_coordinate(g));
         for (int k = 0; k < 3 && !w->mask->known[i]; k++) {
             const double *p = w->directions + 9 * i + 3 * k;
             const double size = taut_dot(g, p);
-            along = fmax(along, fabs(size));
+            along = fmax(along, fabs(size) * (is_drawn(w, i) ? 1 : inner));
             taut_add_scaled(size, p, w->step + 3 * i);
         }
     }
@@ -517,6 +530,7 @@ taut_status taut_film_polish(taut_area_functional *functional, const taut_film_s
     if (status == TAUT_OK && is_new) {
         memory->scale = film_alone(&w);
     }
+    w.alone = memory->scale;
     if (status == TAUT_OK) {
         status = polish(&w, memory, least, found, is_definite);
     }

@@ -24,6 +24,7 @@
 enum { ITERATIONS_DEFAULT = 200, PATIENCE = 40, SEEKS = 40, SEEKS_NEAR = 8 };
 
 static const double tolerance_default = 1e-10;
+static const double tolerance_search = 1e-8; /* farther from rest no two rules agree */
 static const double gain_enough =
     3e-10; /* of all coordinates: points that slide along themselves creep */
 static const double residual_enough = 1e3,       /* of the tolerance: all coordinates there */
@@ -353,7 +354,8 @@ taut_status taut_film_solve(const taut_film_space *space, const taut_make_option
     taut_status status = TAUT_OK;
 
     *solution = (taut_film_solution){.points = NULL};
-    w.region.tolerance = problem->tolerance > 0 ? problem->tolerance : tolerance_default;
+    w.region.tolerance =
+        problem->tolerance > 0 ? fmin(problem->tolerance, tolerance_search) : tolerance_default;
     w.region.max_iterations =
         problem->max_iterations > 0 ? problem->max_iterations : ITERATIONS_DEFAULT;
     w.region.work_max = work_most;

@@ -451,7 +451,7 @@ static void judge_area(request *r, const taut_sheets *s)
 
 static taut_status settle(request *r)
 {
-    const double limit = fmin(r->tolerance, largest_limit);
+    const double limit = r->tolerance;
     double before = INFINITY;
 
     for (int rule = 0; rule < RULES && !r->settled; rule++) {
@@ -494,7 +494,7 @@ static taut_status add_stationary(const request *r, taut_certificate *certificat
     taut_claim claim = {.claim = "stationary",
                         .kind = TAUT_CHECK,
                         .residual = r->residual,
-                        .limit = fmin(r->tolerance, largest_limit),
+                        .limit = r->tolerance,
                         .where = where};
     int k = 0, p = 0;
 
@@ -851,7 +851,8 @@ taut_status taut_film_complex_certify(const taut_model *model, const taut_film_p
     request r = {.model = model,
                  .problem = whole,
                  .arena = taut_arena_new(),
-                 .tolerance = problem->tolerance > 0 ? problem->tolerance : tolerance_default,
+                 .tolerance = fmin(problem->tolerance > 0 ? problem->tolerance : tolerance_default,
+                                   largest_limit),
                  .lowest = NAN,
                  .lowest_user = NAN,
                  .below = -1,

@@ -43,6 +43,8 @@
 
 enum { RULES = 5, ITERATIONS = 200, STALLS = 4, HALVINGS = 6, LED = 100 };
 static const int extra_nodes[RULES] = {2, 4, 8, 15, 27};
+static const double tolerance_search =
+    1e-8; /* farther from rest rules do not agree on the energy */
 static const double theta_least = 1e-9;
 static const double theta_rounding =
     1e-6; /* where energies tell nothing any more: moves within sheets are let be */
@@ -1094,7 +1096,8 @@ taut_status taut_film_rest_find(const taut_film_layout *layout, const taut_make_
 {
     const taut_film_problem *problem = layout->complex.problem;
     const size_t nodes = (size_t)layout->complex.nodes, bytes = 3 * sizeof(double);
-    const double tolerance = problem->tolerance > 0 ? problem->tolerance : 1e-10;
+    const double tolerance =
+        problem->tolerance > 0 ? fmin(problem->tolerance, tolerance_search) : 1e-10;
     work w = {.own = *layout,
               .given = layout->drawn,
               .pulse = {.monitor = &options->monitor, .what = "film", .done = taut_none},

@@ -175,6 +175,43 @@ static void test_strong(void)
     sail_free(&drawn);
 }
 
+/* The film inside comes to rest beside cables of any force. */
+static void test_forces(void)
+{
+    static const double forces[] = {100, 300, 1000, 3000, 3e4, 1e6};
+
+    for (size_t k = 0; k < sizeof forces / sizeof *forces; k++) {
+        sail s = sail_new(4, 12, sail_saddle, forces[k]);
+        taut_certificate *proof = NULL;
+        s.problem.without_least = 1;
+        taut_model *model = sail_make(&s, &proof);
+        const double rest = claim_of(proof, "stationary")->residual;
+        CHECK(rest < 1e-11, "force %g: %g", forces[k], rest);
+        taut_certificate_free(proof);
+        taut_model_free(model);
+        sail_free(&s);
+    }
+}
+
+/* A loose tolerance asks for no less than the search needs: the same film, as near to its energy as ever. */
+static void test_loose(void)
+{
+    static const double tolerances[] = {1e-6, 1e-5, 1e-4, 1e-3};
+    const double energy = 21.260143123; /* on finer spaces, too */
+
+    for (size_t k = 0; k < sizeof tolerances / sizeof *tolerances; k++) {
+        sail s = sail_new(4, 12, sail_saddle, 2);
+        taut_certificate *proof = NULL;
+        s.problem.without_least = 1;
+        s.problem.tolerance = tolerances[k];
+        taut_model *model = sail_make(&s, &proof);
+        CHECK_NEAR(figure_of(proof, "energy"), energy, 1e-8, "tolerance %g", tolerances[k]);
+        taut_certificate_free(proof);
+        taut_model_free(model);
+        sail_free(&s);
+    }
+}
+
 /* With rigid cables the flat square is a membrane on a frame: its lowest eigenvalue is that of the
  * Laplacian, 2 pi^2 / c^2, raised by no more than the space's fourth power, lowered by c / T. */
 static void test_eigenvalue(void)
@@ -219,6 +256,8 @@ int main(void)
     test_derivative();
     test_maps();
     test_strong();
+    test_forces();
+    test_loose();
     test_tension();
     test_eigenvalue();
     return check_failures != 0;
