@@ -437,53 +437,45 @@ static int is_same_cell(const taut_segment *a, const taut_segment *b)
            memcmp(a->start.span, b->start.span, sizeof a->start.span) == 0;
 }
 
-/* A station that goes on and bends as another one of its curve, where that lies in another cell. */
-static taut_station bent_as(const taut_segment *from, const taut_segment *to,
-                            const taut_station *bent, const taut_station *at)
+/* A station that goes on and bends as another one of its curve. */
+static taut_station bent_as(const taut_station *bent, const taut_station *at)
 {
     taut_station bends = *at;
-    if (!is_same_cell(from, to)) {
-        memcpy(bends.tangent, bent->tangent, sizeof bends.tangent);
-        memcpy(bends.ab, bent->ab, sizeof bends.ab);
-        memcpy(bends.acceleration, bent->acceleration, sizeof bends.acceleration);
-        memcpy(bends.bend, bent->bend, sizeof bends.bend);
-        bends.k_g = bent->k_g;
-    }
+    memcpy(bends.tangent, bent->tangent, sizeof bends.tangent);
+    memcpy(bends.ab, bent->ab, sizeof bends.ab);
+    memcpy(bends.acceleration, bent->acceleration, sizeof bends.acceleration);
+    memcpy(bends.bend, bent->bend, sizeof bends.bend);
+    bends.k_g = bent->k_g;
     return bends;
-}
-
-/* May a piece be part of its neighbour, as they meet in `a` and `b`? A short one in any case; a longer one in another
- * cell where the corner that it leaves is next to nothing. */
-static int is_part(const taut_carrier *carrier, const taut_segment *here, const taut_segment *next,
-                   const taut_station *a, const taut_station *b)
-{
-    const double length = here->to.s - here->from.s;
-    if (taut_station_passes_seam(a, b) || here->near_parabolic) {
-        return 0;
-    }
-    return length < shortest * carrier->size ||
-           (length < short_beside * carrier->size && !is_same_cell(here, next) &&
-            taut_length_between(here->from.tangent, here->to.tangent) +
-                    taut_length_between(a->tangent, b->tangent) <
-                no_corner);
 }
 
 /* A curve that passes close by where two breaks cross has a piece in the cell beside, too short to bend by the
  * curvature of that cell; what it told there, and its quintic, would be rounding. So it becomes part of the next one,
- * the last one of that before. */
+ * the last one of that before, and these bend as they do, where the corner that it leaves is next to nothing. Others
+ * become part of them as they are, if they are as short as rounding. */
 static void drop_short(const taut_carrier *carrier, taut_lath *lath)
 {
     int count = 0;
     for (int k = 0; k < lath->count; k++) {
         const taut_segment here = lath->segments[k];
+        const double length = (here.to.s - here.from.s) / carrier->size;
         taut_segment *next = k + 1 < lath->count ? &lath->segments[k + 1] : NULL;
         taut_segment *before = count > 0 ? &lath->segments[count - 1] : NULL;
-        if (next != NULL && is_part(carrier, &here, next, &here.to, &next->from)) {
-            next->from = bent_as(&here, next, &next->from, &here.from);
-        } else if (before != NULL && is_part(carrier, &here, before, &here.from, &before->to)) {
-            before->to = bent_as(&here, before, &before->to, &here.to);
-        } else {
+        next = next != NULL && taut_station_passes_seam(&here.to, &next->from) ? NULL : next;
+        before =
+            before != NULL && taut_station_passes_seam(&before->to, &here.from) ? NULL : before;
+        const taut_segment *into = next != NULL ? next : before;
+        const double *one = before != NULL ? before->to.tangent : here.from.tangent;
+        const double *other = next != NULL ? next->from.tangent : here.to.tangent;
+        const int is_beside = into != NULL && !is_same_cell(&here, into) &&
+                              taut_length_between(one, other) < no_corner;
+        if (into == NULL || here.near_parabolic ||
+            !(length < (is_beside ? short_beside : shortest))) {
             lath->segments[count++] = here;
+        } else if (next != NULL) {
+            next->from = is_beside ? bent_as(&next->from, &here.from) : here.from;
+        } else {
+            before->to = is_beside ? bent_as(&before->to, &here.to) : here.to;
         }
     }
     lath->count = count;
