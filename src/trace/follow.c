@@ -914,6 +914,7 @@ static taut_status advance(follower *f)
     if (crosses) {
         end = border.at;
         step = border.h;
+        hold_on_breaks(f, &end);
     }
     const int closed = closes(f, step, &end) || (crosses && is_back(f, &end));
     if (end.s - f->state.s > limits.least * f->carrier->size) {

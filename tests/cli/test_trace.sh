@@ -207,6 +207,12 @@ run 0 make round.json --quiet -o rims-made.json
 "$TAUT" example pipe-paper > pipe.json
 run 0 make pipe.json --quiet -o pipe-made.json
 run 0 trace pipe-made.json --surface blend --net isoparametric --cells 6 --quiet -o rims-made.json
+# blends whose curvatures jump at the knot line that a middle curve runs on, and one that is parted against its own way
+for pipe in pipe-cubic pipe-canal; do
+    "$TAUT" example "$pipe" > pipe.json
+    run 0 make pipe.json --quiet -o pipe-made.json
+    run 0 trace pipe-made.json --surface blend --net principal --cells 6 --quiet -o rims-made.json
+done
 # what a document says is not said twice
 refused 2 'option' trace torus.json --strip standing --width 0.05 -o none.json
 refused 2 'option' trace torus.json --seed 0,0 -o none.json

@@ -31,6 +31,8 @@ static const double short_place = 1e-6;
 static const double bare_border = 0.1;
 /* K over H^2 that no rounding makes; and of the line, how far it is seen beside a place. */
 static const double plainly = 1e-6, beside_it = 1e-4;
+/* Over a part: no curve is measured again. */
+static const double enough = 1e-9;
 static const taut_trace_seed as_default = {.kind = TAUT_TRACE_CELLS, .count = 8};
 
 typedef struct line {
@@ -43,6 +45,8 @@ typedef struct line {
     double from[2], way[2];
     double *t, *sum; /* [count + 1] */
     int count;
+    int sides
+        [2]; /* of a break that a curve of the net runs on, up to its node and on: 0 below, 1 above; -1: not asked */
 } line;
 
 static void place_on(const line *l, double t, double at[2])
@@ -418,6 +422,8 @@ static line line_of(const taut_net_lines *lines, taut_net_cells *cells, double f
 typedef struct parted {
     const line *l; /* surface, net, by */
     const taut_net_line *curve;
+    double turn; /* where its node is */
+    int closes;  /* its ends are one place */
     double *sum; /* [spans + 1]: the measure at its breaks */
     double whole;
     double *crossings; /* measures */
@@ -434,9 +440,18 @@ static int forms_on(const parted *p, double t, taut_forms *f)
         return 0;
     }
     const taut_surface *surface = p->l->cells->surfaces[on];
+    const int side = p->l->sides[t >= p->turn];
+    int span[2], is_on = 0;
     for (int d = 0; d < 2; d++) {
         const taut_basis *basis = d == 0 ? taut_surface_u(surface) : taut_surface_v(surface);
         at[d] = fmin(fmax(at[d], taut_basis_lo(basis)), taut_basis_hi(basis));
+        const int is_break = taut_net_on_break(surface, d, at, &span[d]);
+        span[d] -= is_break && side == 0;
+        is_on |= is_break;
+    }
+    if (is_on && side >= 0) {
+        taut_net_side_forms(surface, span, at, f);
+        return f->regular;
     }
     return taut_net_cells_look(p->l->cells, on, at, NULL, f);
 }
@@ -482,8 +497,17 @@ static int is_of(const char *node, const char *curve, int side)
            !(side == 0 && node[length] >= '0' && node[length] <= '9');
 }
 
+static int ends_meet(const taut_net_line *curve)
+{
+    const taut_basis *basis = taut_curve_t(curve->space);
+    double x[2][3];
+    return taut_curve_eval(curve->space, taut_basis_lo(basis), 0, x[0]) == TAUT_OK &&
+           taut_curve_eval(curve->space, taut_basis_hi(basis), 0, x[1]) == TAUT_OK &&
+           taut_distance(x[0], x[1]) <= at_end * curve->length;
+}
+
 static taut_status part_curve(const taut_net_lines *lines, const line *l,
-                              const taut_net_line *curve, taut_arena *arena, parted *p)
+                              const taut_net_line *curve, double turn, taut_arena *arena, parted *p)
 {
     const taut_record *nodes = taut_record_get(taut_model_details(lines->model), "nodes");
     const taut_basis *basis = taut_curve_t(curve->space);
@@ -492,6 +516,7 @@ static taut_status part_curve(const taut_net_lines *lines, const line *l,
 
     *p = (parted){.l = l,
                   .curve = curve,
+                  .turn = turn,
                   .left_out = taut_record_get(taut_model_details(lines->model), "left_out")};
     p->sum = taut_arena_take(arena, (size_t)spans + 1, sizeof *p->sum);
     p->crossings = taut_arena_take(arena, taut_record_count(nodes) + 1, sizeof *p->crossings);
@@ -502,6 +527,7 @@ static taut_status part_curve(const taut_net_lines *lines, const line *l,
         p->sum[k + 1] = p->sum[k] + measure_on(p, breaks[k], breaks[k + 1]);
     }
     p->whole = p->sum[spans];
+    p->closes = ends_meet(curve);
     for (size_t k = 0; k < taut_record_count(nodes); k++) {
         const taut_record *node = taut_record_at(nodes, k);
         if (is_of(taut_record_text(taut_record_get(node, "node")), taut_curve_name(curve->space),
@@ -591,7 +617,7 @@ static taut_status judge_lath(const taut_net_lines *lines, const line *l,
     if (curve == NULL) {
         return TAUT_OK;
     }
-    if (part_curve(lines, l, curve, arena, &p) != TAUT_OK) {
+    if (part_curve(lines, l, curve, INFINITY, arena, &p) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
     const double part = p.whole / (seed->count + 1);
@@ -656,6 +682,19 @@ static taut_status judge_border(const taut_net_lines *lines, const line *l, int 
     return TAUT_OK;
 }
 
+/* The worst of all multiples of a part from a place of a curve. */
+static double miss_any(const parted *p, double middle, double part)
+{
+    const double room = 1e-9 * part;
+    const double first = ceil((-middle - room) / part),
+                 last = floor((p->whole - middle + room) / part);
+    double worst = 0;
+    for (double k = first; k <= last && last - first < TAUT_TRACE_LATHS_MAX; k++) {
+        worst = fmax(worst, miss(p, middle + k * part, part));
+    }
+    return worst;
+}
+
 /* The lattice of `cells` on the two curves through its node; -1 where only one family was asked for. */
 static taut_status judge_cells(const taut_net_lines *lines, const line *l, int unit,
                                const taut_trace_seed *seed, int families, taut_arena *arena,
@@ -679,7 +718,7 @@ static taut_status judge_cells(const taut_net_lines *lines, const line *l, int u
         return TAUT_OK;
     }
     for (int f = 0; f < 2; f++) {
-        if (part_curve(lines, l, through[f], arena, &p[f]) != TAUT_OK) {
+        if (part_curve(lines, l, through[f], s[f], arena, &p[f]) != TAUT_OK) {
             return TAUT_NO_MEMORY;
         }
     }
@@ -687,12 +726,12 @@ static taut_status judge_cells(const taut_net_lines *lines, const line *l, int u
                                                        : seed->cell * rate_on(&p[0], s[0]);
     *worst = 0;
     for (int f = 0; f < 2; f++) {
-        const double middle = measure_up_to(&p[f], s[f]), room = 1e-9 * part;
-        const double first = ceil((-middle - room) / part),
-                     last = floor((p[f].whole - middle + room) / part);
-        for (double k = first; k <= last && last - first < TAUT_TRACE_LATHS_MAX; k++) {
-            *worst = fmax(*worst, miss(&p[f], middle + k * part, part));
+        const double middle = measure_up_to(&p[f], s[f]);
+        double here = miss_any(&p[f], middle, part);
+        if (here > enough && p[f].closes) { /* it may be parted against its own way */
+            here = fmin(here, miss_any(&p[f], middle > 0.5 * p[f].whole ? 0 : p[f].whole, part));
         }
+        *worst = fmax(*worst, here);
     }
     return judge_border(lines, l, unit, part, arena, worst);
 }
@@ -809,6 +848,29 @@ static double judge_at(const taut_net_lines *lines, const line *l, int unit, int
     return best;
 }
 
+/* Of parts of curves of the net. A curve that runs on a break is measured beside it, where curvatures jump there: on one
+ * side or on the other, and each way from its node anew. */
+static taut_status judge_parts(const taut_net_lines *lines, line *l, int unit,
+                               const taut_trace_seed *seed, int families, taut_arena *arena,
+                               double *worst)
+{
+    const int is_lath = seed->kind == TAUT_TRACE_LATH;
+    *worst = INFINITY;
+    for (int k = -1; k < 4 && *worst > enough; k++) {
+        double here = 0;
+        l->sides[0] = k < 0 ? -1 : k % 2;
+        l->sides[1] = k < 0 ? -1 : k / 2;
+        const taut_status status = is_lath
+                                       ? judge_lath(lines, l, seed, arena, &here)
+                                       : judge_cells(lines, l, unit, seed, families, arena, &here);
+        if (status != TAUT_OK) {
+            return status;
+        }
+        *worst = fmin(*worst, here);
+    }
+    return TAUT_OK;
+}
+
 /* How far a seed is from being met: the worst of its families; -1 where that is not known. */
 static taut_status judge_seed(const taut_net_lines *lines, taut_net_cells *cells, int unit,
                               double fit, const taut_trace_problem *problem,
@@ -823,11 +885,9 @@ static taut_status judge_seed(const taut_net_lines *lines, taut_net_cells *cells
     if (problem->net == TAUT_TRACE_GEODESIC && seed->kind != TAUT_TRACE_AT) {
         return TAUT_OK;
     }
-    if (seed->kind == TAUT_TRACE_LATH) {
-        return judge_lath(lines, &l, seed, arena, worst);
-    }
-    if (seed->kind == TAUT_TRACE_CELL || seed->kind == TAUT_TRACE_CELLS) {
-        return judge_cells(lines, &l, unit, seed, families, arena, worst);
+    if (seed->kind == TAUT_TRACE_LATH || seed->kind == TAUT_TRACE_CELL ||
+        seed->kind == TAUT_TRACE_CELLS) {
+        return judge_parts(lines, &l, unit, seed, families, arena, worst);
     }
     if (seed->kind != TAUT_TRACE_AT && measure_line(arena, &l) != TAUT_OK) {
         return TAUT_NO_MEMORY;
