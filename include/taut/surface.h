@@ -50,8 +50,9 @@ typedef struct taut_surface taut_surface;
     X("not-in-family", "the surface is no minimal surface with planar curvature lines",            \
       "give a net on the bases that hold the family")                                              \
     X("parameter", "a parameter is not inside the open range", "give one between the ends")        \
-    X("sheet", "surfaces meet so that they have no two sides to give a thickness to",              \
-      "part them, or write them one by one: --surface")                                            \
+    X("sheet",                                                                                     \
+      "surfaces meet so that they have no two sides to give a thickness to, or none so near",      \
+      "part them, raise --tolerance, or write them one by one: --surface")                         \
     X("tolerance", "a tolerance is below what rounding leaves", "ask for the limit at least")      \
     X("too-fine", "a mesh would have too many vertices", "ask for a coarser one")                  \
     X("too-large", "coordinates are too large to prove a distance", "scale them")                  \

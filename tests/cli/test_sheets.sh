@@ -39,6 +39,22 @@ contains d.step "^#[0-9]*=MANIFOLD_SOLID_BREP"
 contains ring.step "^#[0-9]*=BREP_WITH_VOIDS"
 contains d.step "^#[0-9]*=ADVANCED_FACE.'film.top'"
 contains d.step "^#[0-9]*=ADVANCED_FACE.'film.[uv][01]'"
+# the tolerance is of the diagonal, 1.732 here: splines come so near, unless quads meet at angles that are too large
+within() { # within FILE: what taut says of it
+    sed -n "s/.*proved to lie within \([0-9.e-]*\) mm of both sides'.*/\1/p" "$1"
+}
+sed '/"[uv]":/s/"degree": 5, "count": 10/"degree": 6, "count": 12/' "$SOURCE/examples/film-schwarz-p.json" > fine.problem.json
+run 0 make fine.problem.json --quiet -o fine.json -o fine.step --thickness 0.05
+awk "BEGIN { exit !($(within fine.step) < 1.7321e-6) }" || complain "fine.step is within $(within fine.step)"
+run 0 make "$SOURCE/examples/film-neovius.json" --quiet -o neovius.json
+sheet neovius 0.05
+awk "BEGIN { exit !($(within neovius.step) < 3e-6) }" || complain "neovius.step is within $(within neovius.step)"
+rm neovius.step
+refused 4 'sheet neovius\.step found 2\.[0-9e-]* expected 1\.732[0-9]*e-6' convert neovius.json -o neovius.step --thickness 0.05 --tolerance 1e-6
+absent neovius.step
+sed '/"[uv]":/s/"count": 10/"count": 20/' "$SOURCE/examples/film-neovius.json" > finer.problem.json
+run 0 make finer.problem.json --quiet -o finer.step --thickness 0.05 --tolerance 1e-6
+awk "BEGIN { exit !($(within finer.step) < 1.7321e-6) }" || complain "finer.step is within $(within finer.step)"
 d=$(steiner 0.1 7.675569427026036 -4)
 p=$(steiner 0.02 2.345102884044167 -8)
 g=$(steiner 0.02 3.091443798778584 -16)

@@ -205,11 +205,11 @@ static taut_status eval_net(const taut_thick_sides *fit, const double *net,
     return status;
 }
 
-/* How far the splines are from a grid: off[nu][nv] from what they interpolate; returns in *distance the largest from the sides
- * themselves. */
+/* How far the splines are from a grid: off[nu][nv] from what they interpolate; in *most the largest from the sides themselves, and
+ * what joining them to their neighbours takes of that. */
 static taut_status compare(const taut_thick_work *work, const taut_thick_sides *fit,
                            const taut_thick_grid *grid, taut_arena *arena, double *off,
-                           double *distance, taut_error *error)
+                           taut_thick *most, taut_error *error)
 {
     const size_t count = (size_t)grid->nu * (size_t)grid->nv;
     double *x = taut_arena_take(arena, count, 3 * sizeof *x);
@@ -227,7 +227,11 @@ static taut_status compare(const taut_thick_work *work, const taut_thick_sides *
             taut_difference(x + 3 * i, grid->surface + 3 * i, from);
             taut_add_scaled(side * work->half, n + 3 * i, from);
             taut_add_scaled(-side * work->half, grid->normals + 3 * i, from);
-            *distance = fmax(*distance, taut_length(from));
+            most->distance = fmax(most->distance, taut_length(from));
+            taut_difference(grid->places + 3 * i, grid->surface + 3 * i, from);
+            taut_add_scaled(side * work->half, grid->moves + 3 * i, from);
+            taut_add_scaled(-side * work->half, grid->normals + 3 * i, from);
+            most->parted = fmax(most->parted, taut_length(from));
         }
     }
     return status;
@@ -273,7 +277,7 @@ static void mark_spans(taut_thick_work *work, int face, int along, const taut_th
 
 /* Looks along u (0), along v (1), or everywhere (2), which marks nothing. */
 static taut_status look(taut_thick_work *work, int face, const taut_thick_sides *fit, int along,
-                        double tolerance, taut_arena *arena, double *distance, taut_error *error)
+                        double tolerance, taut_arena *arena, taut_thick *most, taut_error *error)
 {
     double *u = NULL, *v = NULL;
     taut_thick_grid grid = {
@@ -286,23 +290,24 @@ static taut_status look(taut_thick_work *work, int face, const taut_thick_sides 
     grid.u = u;
     grid.v = v;
     taut_status status = taut_thick_fill_grid(work, face, arena, &grid, error);
-    status = status == TAUT_OK ? compare(work, fit, &grid, arena, off, distance, error) : status;
+    status = status == TAUT_OK ? compare(work, fit, &grid, arena, off, most, error) : status;
     if (status == TAUT_OK && along < 2) {
         mark_spans(work, face, along, &grid, off, tolerance);
     }
     return status;
 }
 
-/* One round over a surface: marks, or in the last one the distance. */
-static taut_status judge_face(taut_thick_work *work, int face, double tolerance, int last,
-                              double *distance, taut_error *error)
+/* One round over a surface: marks, or where there is a sheet its distance. */
+static taut_status judge_face(taut_thick_work *work, int face, double tolerance, taut_thick *sheet,
+                              taut_error *error)
 {
     taut_thick_sides fit = {NULL, NULL, NULL, NULL};
-    double ignored = 0;
+    const int last = sheet != NULL;
+    taut_thick ignored = {.distance = 0};
     taut_arena *arena = taut_arena_new();
     taut_status status = fit_face(work, face, arena, &fit, error);
     for (int along = last ? 2 : 0; along < (last ? 3 : 2) && status == TAUT_OK; along++) {
-        status = look(work, face, &fit, along, tolerance, arena, last ? distance : &ignored, error);
+        status = look(work, face, &fit, along, tolerance, arena, last ? sheet : &ignored, error);
     }
     free_fit(&fit);
     taut_arena_free(arena);
@@ -313,7 +318,7 @@ static taut_status refine(taut_thick_work *work, double tolerance, taut_error *e
 {
     for (int round = 0, halved = 1; halved > 0 && round < ROUNDS_MAX; round++) {
         for (int f = 0; f < work->count; f++) {
-            const taut_status status = judge_face(work, f, tolerance, 0, NULL, error);
+            const taut_status status = judge_face(work, f, tolerance, NULL, error);
             if (status != TAUT_OK) {
                 return status;
             }
@@ -414,7 +419,7 @@ static taut_status add_faces(taut_thick_work *work, double tolerance, taut_thick
         taut_thick_sides fit = {NULL, NULL, NULL, NULL};
         double bound = 0;
         taut_arena *arena = taut_arena_new();
-        status = judge_face(work, f, 0, 1, &sheet->distance, error);
+        status = judge_face(work, f, 0, sheet, error);
         status = status == TAUT_OK ? fit_face(work, f, arena, &fit, error) : status;
         if (status == TAUT_OK &&
             taut_thick_prove(work, f, &fit, tolerance, sheet->distance, &bound) != TAUT_OK) {

@@ -26,7 +26,8 @@ typedef struct taut_thick {
     int *from; /* [its surfaces], in the arena: the surface that each comes from */
     double
         distance; /* the largest from a side that was met, at points between those interpolated: a check */
-    double bound; /* the largest from a side anywhere, proved; infinite where nothing is */
+    double bound;  /* the largest from a side anywhere, proved; infinite where nothing is */
+    double parted; /* what angles between surfaces take of it: finer splines do not lower that */
 } taut_thick;
 
 /* The sheets of all surfaces of a model of polynomial and rational surfaces; curves are left out.

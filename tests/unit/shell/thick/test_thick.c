@@ -128,7 +128,7 @@ static double volume_of(const taut_model *thin, double thickness, double toleran
     const taut_thick_request request = {.thickness = thickness, .tolerance = tolerance};
     taut_arena *arena = taut_arena_new();
     const taut_surface *surfaces[400];
-    taut_thick sheet = {NULL, NULL, 0, 0};
+    taut_thick sheet = {NULL, NULL, 0, 0, 0};
     taut_shells shells;
     taut_error error = {.status = TAUT_OK};
     sums sum = {0, 0, 0};
@@ -228,7 +228,7 @@ static void check_refused(taut_model *model, double thickness, const char *reaso
 {
     const taut_thick_request request = {.thickness = thickness, .tolerance = 1e-6};
     taut_arena *arena = taut_arena_new();
-    taut_thick sheet = {NULL, NULL, 0, 0};
+    taut_thick sheet = {NULL, NULL, 0, 0, 0};
     taut_error error = {.status = TAUT_OK};
     CHECK(taut_thick_new(model, &request, arena, &sheet, &error) == TAUT_NO_SOLUTION, "%s", reason);
     CHECK(strcmp(error.reason, reason) == 0, "%s, expected %s: %s", error.reason, reason,
@@ -270,7 +270,7 @@ static void test_nearly_smooth(void)
     taut_model *model = book(2, pi - bend);
     const taut_thick_request request = {.thickness = t, .tolerance = 1e-8};
     taut_arena *arena = taut_arena_new();
-    taut_thick sheet = {NULL, NULL, 0, 0};
+    taut_thick sheet = {NULL, NULL, 0, 0, 0};
     CHECK(taut_thick_new(model, &request, arena, &sheet, NULL) == TAUT_OK, "nearly smooth");
     CHECK(sheet.distance < t / 2 * bend, "moved by %g", sheet.distance);
     CHECK(sheet.distance > t / 2 * bend / 4, "moved by %g", sheet.distance);
