@@ -2,6 +2,7 @@
 
 #include "core/fail.h"
 #include "core/unit.h"
+#include "core/vec3.h"
 #include "geometry/keep.h"
 #include "io/problem/member.h"
 #include "io/problem/net_document.h"
@@ -10,14 +11,24 @@
 #include "taut/operations.h"
 #include "taut/read.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-enum { PATH_ROOM = 4096, HALVINGS_MAX = 16, NOTE_ROOM = 400, PICKS_MAX = 1000, NOTES_MAX = 20 };
+enum {
+    PATH_ROOM = 4096,
+    HALVINGS_MAX = 16,
+    NOTE_ROOM = 400,
+    PICKS_MAX = 1000,
+    NOTES_MAX = 20,
+    SAMPLES = 64
+};
 /* What a net gets that would have nothing inside: 11 x 11 points between straight lines. */
 enum { CHOSEN_DEGREE = 3, CHOSEN_SPANS = 8 };
 
 static const double closed = 1e-6; /* the widest gap at a corner, of the size */
+
+static const double alike = 1e-3; /* of its length: an edge so near to another one lies on it */
 
 /* The file's path: beside the document, unless it begins at the root. */
 static taut_status find_path(const taut_json *at, const taut_problem *problem, char path[PATH_ROOM],
@@ -61,12 +72,14 @@ typedef struct boundary_source {
     const taut_json *at;
     taut_json file, edges;
     int picks; /* there are edges */
+    int faces; /* without them, and without curves, those around the faces are meant; then: they were read */
 } boundary_source;
 
 static taut_status find_source(const taut_json *at, boundary_source *source, taut_error *error)
 {
     static const char *const members[] = {"file", "edges", NULL};
-    *source = (boundary_source){.at = at, .file = *at};
+    source->at = at;
+    source->file = *at;
     if (taut_json_kind_at(at) != TAUT_JSON_OBJECT) {
         return TAUT_OK;
     }
@@ -288,6 +301,25 @@ static taut_status keep_notes(const taut_json *at, taut_problem *problem, const 
     return TAUT_OK;
 }
 
+static taut_status read_file(const char *path, boundary_source *source, taut_model **model,
+                             taut_error *error)
+{
+    /* without picks no faces are asked for */
+    const taut_read_options chosen = {.untrim = !source->picks, .edges = source->picks},
+                            faces = {.edges = 1};
+    taut_status status = taut_model_read_with(path, &chosen, model, error);
+    if (status == TAUT_OK && source->faces) {
+        source->faces = !source->picks && taut_model_curve_count(*model) == 0 &&
+                        taut_model_surface_count(*model) > 0;
+    }
+    if (status == TAUT_OK && source->faces) {
+        taut_model_free(*model);
+        *model = NULL;
+        status = taut_model_read_with(path, &faces, model, error);
+    }
+    return status;
+}
+
 /* The model of the file that "boundary" names (any that taut reads, beside the problem's own document), in the document's unit; the
  * caller's. */
 static taut_status open_source(const taut_json *at, taut_problem *problem, boundary_source *source,
@@ -303,9 +335,7 @@ static taut_status open_source(const taut_json *at, taut_problem *problem, bound
     if (status != TAUT_OK) {
         return status;
     }
-    /* without picks no faces are asked for */
-    const taut_read_options chosen = {.untrim = !source->picks, .edges = source->picks};
-    status = taut_model_read_with(path, &chosen, model, &found);
+    status = read_file(path, source, model, &found);
     if (status != TAUT_OK) {
         return blame_file(at, &found, status, error);
     }
@@ -318,7 +348,7 @@ static taut_status read_sides(const taut_json *at, taut_problem *problem,
                               taut_curve *sides[TAUT_SIDES], taut_error *error)
 {
     taut_model *model = NULL;
-    boundary_source source;
+    boundary_source source = {.faces = 0};
     taut_status status = open_source(at, problem, &source, &model, error);
 
     if (status == TAUT_OK) {
@@ -342,24 +372,99 @@ static taut_status keep_all(const loop *all, taut_arena *arena, const taut_curve
     return TAUT_OK;
 }
 
+/* A polyline of a curve, to see whether another lies on it. */
+typedef struct trace {
+    double x[SAMPLES + 1][3], length;
+} trace;
+
+static void trace_curve(const taut_curve *curve, trace *line)
+{
+    const taut_basis *t = taut_curve_t(curve);
+    const double lo = taut_basis_lo(t), width = taut_basis_hi(t) - lo;
+    line->length = 0;
+    for (int k = 0; k <= SAMPLES; k++) {
+        taut_curve_eval(curve, k == SAMPLES ? taut_basis_hi(t) : lo + width * k / SAMPLES, 0,
+                        line->x[k]);
+        line->length += k > 0 ? taut_distance(line->x[k], line->x[k - 1]) : 0;
+    }
+}
+
+/* How far x is from the polyline. */
+static double distance_from(const trace *line, const double x[3])
+{
+    double least = INFINITY;
+    for (int k = 0; k < SAMPLES; k++) {
+        double along[3], from[3];
+        taut_difference(line->x[k + 1], line->x[k], along);
+        taut_difference(x, line->x[k], from);
+        const double square = taut_dot(along, along);
+        const double part = square > 0 ? taut_dot(along, from) / square : 0;
+        taut_add_scaled(-fmin(fmax(part, 0), 1), along, from);
+        least = fmin(least, taut_length(from));
+    }
+    return least;
+}
+
+/* Do both run between the same ends along the same way? */
+static int lie_on_each_other(const trace *a, const trace *b)
+{
+    const double near = alike * fmax(a->length, b->length);
+    const double(*x)[3] = a->x, (*y)[3] = b->x;
+    return ((taut_distance(x[0], y[0]) <= near && taut_distance(x[SAMPLES], y[SAMPLES]) <= near) ||
+            (taut_distance(x[0], y[SAMPLES]) <= near && taut_distance(x[SAMPLES], y[0]) <= near)) &&
+           distance_from(b, x[SAMPLES / 2]) <= near;
+}
+
+/* The edges of a file's faces on which no other lies. */
+static taut_status take_outline(const taut_json *at, const taut_model *listed, taut_arena *arena,
+                                loop *all, taut_error *error)
+{
+    const int count = taut_model_curve_count(listed);
+    if (count > PICKS_MAX) {
+        return taut_json_fail(at, error, "size", count, PICKS_MAX,
+                              "found %d edges of faces in that file, expected at most %d: `taut "
+                              "boundary` lists what \"edges\" may pick",
+                              count, PICKS_MAX);
+    }
+    trace *lines = taut_arena_take(arena, (size_t)count, sizeof *lines);
+    taut_status status = take_room(arena, count, all, error);
+    if (status != TAUT_OK || lines == NULL) {
+        return taut_fail_memory(error);
+    }
+    for (int i = 0; i < count; i++) {
+        trace_curve(taut_model_curve(listed, i), &lines[i]);
+    }
+    all->count = 0;
+    for (int i = 0; i < count && status == TAUT_OK; i++) {
+        int alone = 1;
+        for (int k = 0; k < count && alone; k++) {
+            alone = k == i || !lie_on_each_other(&lines[i], &lines[k]);
+        }
+        status = alone ? pick(at, listed, i, all, error) : TAUT_OK;
+    }
+    return status;
+}
+
 void taut_boundary_file_curves(taut_reader *document, taut_problem *problem, int least, int most,
                                const taut_curve **curves, int *numbers, int *count)
 {
     const taut_json at = taut_json_member(document->object, "boundary");
     taut_error found = {.status = TAUT_OK}, *const error = document->error;
     taut_model *model = NULL, *listed = NULL;
-    boundary_source source;
+    boundary_source source = {.faces = 1};
     loop all = {.count = 0};
 
     if (document->status != TAUT_OK) {
         return;
     }
     taut_status status = open_source(&at, problem, &source, &model, error);
-    if (status == TAUT_OK && source.picks) {
+    if (status == TAUT_OK && (source.picks || source.faces)) {
         status = blame_file(&at, &found, taut_model_boundary(model, &listed, &found), error);
-        status = status == TAUT_OK
-                     ? take_picked(&source.edges, listed, least, problem->arena, &all, error)
-                     : status;
+    }
+    if (status == TAUT_OK && source.picks) {
+        status = take_picked(&source.edges, listed, least, problem->arena, &all, error);
+    } else if (status == TAUT_OK && source.faces) {
+        status = take_outline(&at, listed, problem->arena, &all, error);
     } else if (status == TAUT_OK) {
         status = take_all(&at, model, problem->arena, &all, error);
     }
