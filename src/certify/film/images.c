@@ -116,7 +116,8 @@ typedef struct worst {
 } worst;
 
 /* film and copy: NULL where the model has none of that name. */
-static void judge(const taut_surface *film, const taut_surface *copy, const motion *m, worst *w)
+static void judge(const taut_surface *film, const taut_surface *copy, const char *name,
+                  const motion *m, worst *w)
 {
     const int same = film != NULL && copy != NULL && taut_surface_weights(copy) == NULL &&
                      taut_basis_equal(taut_surface_u(film), taut_surface_u(copy)) &&
@@ -137,7 +138,7 @@ static void judge(const taut_surface *film, const taut_surface *copy, const moti
     if (!(residual / limit <= w->residual / w->limit)) {
         w->residual = residual;
         w->limit = limit;
-        snprintf(w->where, sizeof w->where, "%s", copy != NULL ? taut_surface_name(copy) : "");
+        snprintf(w->where, sizeof w->where, "%s", name);
     }
 }
 
@@ -158,8 +159,8 @@ taut_status taut_film_images_certify(const taut_model *model, const taut_film_pr
         for (int p = 0; p < patches; p++) {
             char name[TAUT_FILM_COPY_NAME];
             taut_film_copy_name(names[p], copy, name);
-            judge(taut_film_find_surface(model, names[p]), taut_film_find_surface(model, name), &m,
-                  &w);
+            judge(taut_film_find_surface(model, names[p]), taut_film_find_surface(model, name),
+                  name, &m, &w);
         }
     }
     taut_arena_free(arena);

@@ -115,6 +115,14 @@ static taut_status check_threads(const taut_film_problem *patch, int p, taut_err
     return status;
 }
 
+/* Is it the other name and primes, as images are called? */
+static int is_image_name(const char *name, const char *of)
+{
+    const size_t length = strlen(of);
+    return strncmp(name, of, length) == 0 && name[length] == '\'' &&
+           strspn(name + length, "\'0123456789") == strlen(name + length);
+}
+
 static taut_status check_patch(const taut_film_problem *problem, int p, taut_error *error)
 {
     const taut_film_problem *patch = &problem->patches[p];
@@ -130,6 +138,14 @@ static taut_status check_patch(const taut_film_problem *problem, int p, taut_err
             return taut_fail(error, TAUT_BAD_INPUT, "name", where, q, p,
                              "patches %d and %d are both called %.80s: give each a name of its own",
                              q, p, patch->name);
+        }
+        if (problem->image_count > 0 && (is_image_name(patch->name, problem->patches[q].name) ||
+                                         is_image_name(problem->patches[q].name, patch->name))) {
+            snprintf(where, sizeof where, "/patches/%d/name", p);
+            return taut_fail(error, TAUT_BAD_INPUT, "name", where, q, p,
+                             "patches %d and %d are called %.80s and %.80s, as a patch and its "
+                             "image are: give one of them another name",
+                             q, p, problem->patches[q].name, patch->name);
         }
     }
     for (int e = 0; status == TAUT_OK && e < 4; e++) {
