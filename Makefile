@@ -2,7 +2,7 @@
 # No logic here: what is built is in CMakeLists.txt, what is installed in tools/deps.sh.
 TAUT = build/release/bin/taut
 
-.PHONY: demo test build deps gallery bench bench-dirichlet bench-documents bench-elementary bench-evaluate bench-full bench-gaps bench-make bench-plateau bench-web format check mutants reproduction reference site release install deb wasm studio \
+.PHONY: demo test build deps gallery bench bench-dirichlet bench-documents bench-elementary bench-evaluate bench-full bench-gaps bench-make bench-plateau bench-studio bench-web format check mutants reproduction reference site release install deb wasm studio \
   python bench-python plugins windows clean help
 
 demo: build
@@ -70,6 +70,10 @@ bench-web:
 	@cmake --preset wasm
 	@cmake --build --preset wasm
 	@node --no-liftoff bench/web/web.mjs build/bench/bin/bench-web-native build/wasm/bin/taut.wasm
+
+bench-studio: studio
+	@tools/deps.sh browser
+	@node bench/web/studio.mjs $(TAUT)
 
 wasm: build
 	@tools/deps.sh wasm

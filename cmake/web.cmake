@@ -21,16 +21,21 @@ target_link_options(taut_web PRIVATE -mexec-model=reactor ${exported} -Wl,--gc-s
   -O0) # no wasm-opt by the driver, which does not name the features: see below
 target_link_libraries(taut_web PRIVATE wasi-emulated-signal m)
 set_target_properties(taut_web PROPERTIES OUTPUT_NAME taut SUFFIX .wasm)
-# Once as the compiler left it, once more with what the linker promises: nothing lies below the first datum, at 1024, so that
-# small offsets go into loads and stores.
 set(web_features --enable-simd --enable-bulk-memory --enable-nontrapping-float-to-int --enable-sign-ext)
-add_custom_command(TARGET taut_web POST_BUILD
-  COMMAND ${WASM_OPT} --flatten --rereloop -Oz -Oz -Oz --converge ${web_features}
-          $<TARGET_FILE:taut_web> -o $<TARGET_FILE:taut_web>
-  COMMAND ${WASM_OPT} --low-memory-unused --flatten --rereloop --optimize-added-constants-propagate -Oz -Oz -Oz ${web_features}
-          $<TARGET_FILE:taut_web> -o $<TARGET_FILE:taut_web> VERBATIM)
-# Small code, but in the loops over numbers that a hand that drags waits for.
-target_compile_options(taut_web PRIVATE -Oz)
+if(TAUT_WEB_NETS) # quick code, which is larger; -Oz three times over would take minutes
+  add_custom_command(TARGET taut_web POST_BUILD
+    COMMAND ${WASM_OPT} --low-memory-unused -O3 -Oz ${web_features} $<TARGET_FILE:taut_web> -o $<TARGET_FILE:taut_web> VERBATIM)
+else()
+  # Once as the compiler left it, once more with what the linker promises: nothing lies below the first datum, at 1024, so that
+  # small offsets go into loads and stores.
+  add_custom_command(TARGET taut_web POST_BUILD
+    COMMAND ${WASM_OPT} --flatten --rereloop -Oz -Oz -Oz --converge ${web_features}
+            $<TARGET_FILE:taut_web> -o $<TARGET_FILE:taut_web>
+    COMMAND ${WASM_OPT} --low-memory-unused --flatten --rereloop --optimize-added-constants-propagate -Oz -Oz -Oz ${web_features}
+            $<TARGET_FILE:taut_web> -o $<TARGET_FILE:taut_web> VERBATIM)
+endif()
+# Small code, but in the loops over numbers that a hand that drags waits for. The studio is a file that need not be as small.
+target_compile_options(taut_web PRIVATE $<IF:$<BOOL:${TAUT_WEB_NETS}>,-O2,-Oz>)
 set(loops numeric/kernel numeric/band numeric/modes numeric/wide geometry/grid basis/basis basis/bspline
   measure/integrate/eight_ measure/integrate/cell certify/dirichlet/gradient_ construct/plateau/area construct/plateau/draft web/web)
 list(JOIN loops "|" loops)
