@@ -4,7 +4,7 @@
  *
  *     k_g ds  =  (X'' . (n x X')) / |X'|^2 dx,      X(x) an edge, n the normal
  *
- * With theta the angle from X_s to X_t the corners add up to theta(0, 0) - theta(1, 0) + theta(1, 1) - theta(0, 1) + 2 pi.
+ * of the border just inside, as edges may lie on knots across which the surface's derivatives jump. With theta the angle from X_s to X_t the corners add up to theta(0, 0) - theta(1, 0) + theta(1, 1) - theta(0, 1) + 2 pi.
  */
 #include "certify/pattern/gauss_bonnet.h"
 
@@ -17,6 +17,8 @@
 enum { NODES = 8, FIRST = 16, MOST = 512 /* cells of an edge */ };
 /* What more of them change. */
 static const double settled = 1e-9;
+/* Of s and t: inside. */
+static const double aside = 1e-8;
 
 /* X_s, X_t, the second derivative along s (d = 0) or t (1), and the normal, of no fixed length. */
 typedef struct spot {
@@ -50,7 +52,7 @@ static int look_at(const taut_cloth *cloth, const taut_cloth_piece *piece, doubl
 static double turn_of(const taut_cloth *cloth, const taut_cloth_piece *piece, int edge, int cells)
 {
     const int d = edge == TAUT_CLOTH_START || edge == TAUT_CLOTH_END;
-    const double fixed = edge == TAUT_CLOTH_END || edge == TAUT_CLOTH_LEFT;
+    const double fixed = edge == TAUT_CLOTH_END || edge == TAUT_CLOTH_LEFT ? 1 - aside : aside;
     double nodes[NODES], weights[NODES], sum = 0;
     taut_gauss_rule(NODES, nodes, weights);
     for (int k = 0; k < cells * NODES; k++) {
@@ -93,8 +95,9 @@ static double angle_at(const taut_cloth *cloth, const taut_cloth_piece *piece, d
 double taut_cloth_gauss_bonnet(const taut_cloth *cloth, const taut_cloth_piece *piece)
 {
     static const int signs[TAUT_CLOTH_EDGES] = {1, 1, -1, -1};
-    double sum = angle_at(cloth, piece, 0, 0) - angle_at(cloth, piece, 1, 0) +
-                 angle_at(cloth, piece, 1, 1) - angle_at(cloth, piece, 0, 1);
+    const double a = aside, b = 1 - aside;
+    double sum = angle_at(cloth, piece, a, a) - angle_at(cloth, piece, b, a) +
+                 angle_at(cloth, piece, b, b) - angle_at(cloth, piece, a, b);
     for (int e = 0; e < TAUT_CLOTH_EDGES; e++) {
         sum -= signs[e] * settled_turn(cloth, piece, e);
     }

@@ -20,6 +20,7 @@ enum {
 static const double flat_curvature = 1e-11, no_strain = 2e-12, claimed_strain = 8e-12;
 /* Of iint |K| dA: sums that are one. */
 static const double same_curvature = 1e-7, rough_curvature = 1e-5;
+static const double aside = 1e-8; /* of s and t */
 
 /* iint K dA, iint |K| dA, the area, and the largest |K| that was met. */
 typedef struct curvature_sums {
@@ -52,22 +53,24 @@ static void add_curvature(const taut_pattern_piece *piece, int count, int cells,
     }
 }
 
-/* iint K dA by the border, after Gauss and Bonnet: the corners' angles less 2 pi less int k_g ds around it. */
+/* iint K dA by the border, after Gauss and Bonnet: the corners' angles less 2 pi less int k_g ds around it; just inside, as an edge may
+ * lie on a knot. */
 static double curvature_by_border(const taut_pattern_piece *piece)
 {
     double nodes[LOOK], weights[LOOK], sum = 0;
     taut_gauss_rule(LOOK, nodes, weights);
     for (int edge = 0; edge < 4; edge++) {
         const int across = edge / 2, is_far = edge % 2;
+        const double at = is_far ? 1 - aside : aside;
         for (int k = 0; k < BORDER_CELLS * LOOK; k++) {
             const double x = (k / LOOK + (1 + nodes[k % LOOK]) / 2) / BORDER_CELLS;
             double bend[2], gauss;
-            taut_pattern_piece_bends(piece, across ? is_far : x, across ? x : is_far, bend, &gauss);
+            taut_pattern_piece_bends(piece, across ? at : x, across ? x : at, bend, &gauss);
             sum +=
                 (across == is_far ? -1 : 1) * weights[k % LOOK] / 2 / BORDER_CELLS * bend[across];
         }
         double g[3];
-        taut_pattern_piece_metric(piece, across, is_far, g);
+        taut_pattern_piece_metric(piece, across ? 1 - aside : aside, at, g);
         sum += (across == is_far ? 1 : -1) * taut_atan2(sqrt(g[0] * g[2] - g[1] * g[1]), g[1]);
     }
     return sum;
