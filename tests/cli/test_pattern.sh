@@ -92,6 +92,12 @@ cat > no-film.json << 'EOF'
 EOF
 refused 3 'type /prestress' make no-film.json -o none.json
 
+# Pieces are wider than the roll: how many strips fit.
+"$TAUT" example pattern-sail > wide.json
+sed -i 's/"count": 4/"count": 3/; s/"width": [0-9.]*/"width": 0.75/' wide.json
+refused 4 'width /seams/0 found 0.[0-9]* expected 0.75' make wide.json -o none.json
+contains err.txt 'with a count of 4 all fit'
+
 # A ring is sewn along its closing line.
 "$TAUT" example film-ring > ring.json
 run 0 make ring.json --quiet -o ring-made.json
@@ -104,7 +110,9 @@ printf '{"taut": 1, "surfaces": [{"u": {"type": "bspline", "degree": 1, "knots":
     "points": [[[0,0,0],[0,1,0]],[[1,0,0.6],[1,1,0.8]],[[2,0,0],[2,1,0]]]}]}' > roof.json
 refused 4 'crease' pattern roof.json --across v0,v1 --count 3 -o none.json
 refused 4 'crease' pattern roof.json --line v=0.5 -o none.json
+refused 4 'crease' pattern roof.json --across u0,u1 --count 2 -o none.json
 run 0 pattern roof.json --line u=1 --quiet -o none.json
+run 0 pattern roof.json --across v0,v1 --count 4 --quiet -o none.json
 rm -f none.json
 printf '{"taut": 1, "surfaces": [{"u": {"type": "bezier", "degree": 2}, "v": {"type": "bezier", "degree": 1},
     "points": [[[1,-1,1],[-1,1,1]],[[0,-1,-1],[0,1,-1]],[[-1,-1,1],[1,1,1]]]}]}' > pinch.json

@@ -77,40 +77,6 @@ static taut_status fail_crossing(const taut_pattern_piece *piece, const double a
                      piece->bounds[TAUT_FLAT_LEFT].line->name, piece->name, at[0], at[1]);
 }
 
-/* Does the normal jump there? At a pole there is none that could. */
-static int is_crease(const taut_carrier *carrier, const double at[2])
-{
-    double x[TAUT_CARRIER_VECTORS][3];
-    taut_form_pair forms;
-
-    taut_carrier_forms_at(carrier, at, x, &forms);
-    return forms.w > least_area * carrier->widest && taut_carrier_is_crease(carrier, at);
-}
-
-/* *at: where the way from one place to the next crosses a knot line over which the normal jumps. */
-static int jumps_between(const taut_carrier *carrier, const double from[2], const double to[2],
-                         double at[2])
-{
-    for (int d = 0; d < 2; d++) {
-        const taut_basis *basis = carrier->basis[d];
-        const double *breaks = taut_basis_breaks(basis), way = to[d] - from[d];
-        const double low = fmin(from[d], to[d]), high = fmax(from[d], to[d]);
-        const double margin = same_line * (carrier->hi[d] - carrier->lo[d]);
-        for (int k = taut_basis_span(basis, low); k < taut_basis_span_count(basis); k++) {
-            if (breaks[k] > low + margin && breaks[k] < high - margin) {
-                at[d] = breaks[k];
-                at[1 - d] = from[1 - d] + (to[1 - d] - from[1 - d]) * ((breaks[k] - from[d]) / way);
-                if (is_crease(carrier, at)) {
-                    return 1;
-                }
-            } else if (breaks[k] >= high) {
-                break;
-            }
-        }
-    }
-    return 0;
-}
-
 /* No piece runs over a crease: its sides may lie on one. Two steps at a time, since a place may lie on one too. */
 static taut_status check_creases(const taut_pattern_piece *piece, taut_error *error)
 {
@@ -121,8 +87,10 @@ static taut_status check_creases(const taut_pattern_piece *piece, taut_error *er
         for (int k = 0; k <= ACROSS; k++) {
             taut_pattern_piece_window(piece, (double)i / ALONG, (double)k / ACROSS, w);
             memcpy(grid[i][k], w[0], sizeof w[0]);
-            jumps = jumps || (i > 1 && jumps_between(piece->carrier, grid[i - 2][k], w[0], at)) ||
-                    (k > 1 && jumps_between(piece->carrier, grid[i][k - 2], w[0], at));
+            jumps =
+                jumps ||
+                (i > 1 && taut_pattern_crease_between(piece->carrier, grid[i - 2][k], w[0], at)) ||
+                (k > 1 && taut_pattern_crease_between(piece->carrier, grid[i][k - 2], w[0], at));
         }
     }
     return !jumps ? TAUT_OK

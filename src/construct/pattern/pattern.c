@@ -679,17 +679,6 @@ static taut_status make_strips(const request *r, const cut_surfaces *all, int co
     return status;
 }
 
-static taut_status fail_width(const made_pieces *made, const taut_carrier *carrier, double width,
-                              taut_error *error)
-{
-    const double extent = ldexp(made->widest, carrier->scale);
-    return taut_fail(
-        error, TAUT_NO_SOLUTION, "width", "/seams/0", extent, width,
-        "piece %s is %.6g wide, and the roll %.6g: take more strips than %d, or \"width\": "
-        "true in place of \"count\"",
-        made->layout.pieces[made->widest_piece].name, extent, width, made->layout.piece_count);
-}
-
 static taut_status check_length(const request *r, const made_pieces *made, int scale,
                                 taut_error *error)
 {
@@ -729,11 +718,11 @@ static taut_status fail_wish(const taut_carrier *carrier, const wish *w, taut_er
                            TAUT_PATTERN_PIECES_MAX, width);
 }
 
-/* The least number of strips that are all as wished, up from one that is too few, or nearly; in an arena of its own. */
-static taut_status fit(const request *r, const cut_surfaces *all, const wish *w, made_pieces *made,
-                       taut_error *error)
+/* The least number of strips, `first` or more, that are all as wished, up from one that is too few, or nearly; in an arena of its own. */
+static taut_status fit(const request *r, const cut_surfaces *all, const wish *w, int first,
+                       made_pieces *made, int *found, taut_error *error)
 {
-    int count = 1, last = 0;
+    int count = first, last = first - 1;
     taut_arena *kept = NULL;
 
     while (count <= TAUT_PATTERN_PIECES_MAX) {
@@ -752,6 +741,7 @@ static taut_status fit(const request *r, const cut_surfaces *all, const wish *w,
             taut_arena_free(kept);
             kept = own;
             *made = one;
+            *found = count;
             if (count == last + 1) { /* one less did not fit */
                 break;
             }
@@ -774,6 +764,52 @@ static taut_status fit(const request *r, const cut_surfaces *all, const wish *w,
     return TAUT_OK;
 }
 
+/* A piece is wider than the roll: of one rule with a number of strips, and with how many they would fit. */
+static taut_status fail_width(const request *r, const cut_surfaces *all, const made_pieces *made,
+                              taut_error *error)
+{
+    const taut_pattern_problem *problem = r->problem;
+    const int scale = all->grounds->carrier->scale;
+    const double roll = problem->cloth.width, extent = ldexp(made->widest, scale);
+    taut_pattern_rule *rules =
+        taut_arena_copy(made->arena, problem->rules, (size_t)problem->rule_count, sizeof *rules);
+    char remedy[96] = "run seams nearer to each other";
+    int told = 0, count = 0, found = 0;
+
+    if (rules == NULL) {
+        return taut_fail_memory(error);
+    }
+    for (int k = 0; k < problem->rule_count; k++) {
+        if (rules[k].kind == TAUT_PATTERN_ACROSS || rules[k].kind == TAUT_PATTERN_RADIAL) {
+            told++;
+            count = rules[k].count;
+            rules[k].count = 0;
+        }
+    }
+    if (told == 1) {
+        taut_pattern_problem other = *problem;
+        request more = *r;
+        made_pieces fitting = {.arena = NULL};
+        taut_error none = {.message = ""};
+        const wish w = {ldexp(roll, -scale), 0};
+        other.rules = rules;
+        more.problem = &other;
+        const taut_status status = fit(&more, all, &w, count + 1, &fitting, &found, &none);
+        if (status == TAUT_OK) {
+            taut_arena_free(fitting.arena);
+        } else if (status == TAUT_INTERRUPTED || status == TAUT_NO_MEMORY) {
+            return taut_fail_status(error, status);
+        }
+        snprintf(remedy, sizeof remedy,
+                 found > 0 ? "with a count of %d all fit" : "no count that was tried fits", found);
+    } else if (told > 1) {
+        snprintf(remedy, sizeof remedy, "take more strips");
+    }
+    return taut_fail(error, TAUT_NO_SOLUTION, "width", "/seams/0", extent, roll,
+                     "piece %s is %.6g wide, and the roll %.6g: %s",
+                     made->layout.pieces[made->widest_piece].name, extent, roll, remedy);
+}
+
 static taut_status cut_pieces(const request *r, const cut_surfaces *all, made_pieces *made,
                               taut_error *error)
 {
@@ -787,11 +823,12 @@ static taut_status cut_pieces(const request *r, const cut_surfaces *all, made_pi
     if (searched != NULL) {
         const wish w = {ldexp(searched->width > 0 ? searched->width : roll, -scale),
                         searched->strain};
-        return fit(r, all, &w, made, error);
+        int found = 0;
+        return fit(r, all, &w, 1, made, &found, error);
     }
     const taut_status status = make_strips(r, all, 0, all->grounds->arena, made, error);
     return status == TAUT_OK && roll > 0 && made->widest > ldexp(roll, -scale)
-               ? fail_width(made, all->grounds->carrier, roll, error)
+               ? fail_width(r, all, made, error)
                : status;
 }
 

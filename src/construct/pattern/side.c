@@ -15,7 +15,43 @@ static const double fine_step = 1e-13, fine_distance = 2e-14;
 /* Lengths are at most so many sizes. */
 static const double lengths = 50;
 
+/* Of the widest cell: what has an area; of the window: one line of it. */
+static const double least_area = 1e-9, same_line = 1e-9;
+
 static const char *const edges[] = {"u0", "u1", "v0", "v1"};
+
+/* Does the normal jump there? At a pole there is none that could. */
+static int is_crease(const taut_carrier *carrier, const double at[2])
+{
+    double x[TAUT_CARRIER_VECTORS][3];
+    taut_form_pair forms;
+
+    taut_carrier_forms_at(carrier, at, x, &forms);
+    return forms.w > least_area * carrier->widest && taut_carrier_is_crease(carrier, at);
+}
+
+int taut_pattern_crease_between(const taut_carrier *carrier, const double from[2],
+                                const double to[2], double at[2])
+{
+    for (int d = 0; d < 2; d++) {
+        const taut_basis *basis = carrier->basis[d];
+        const double *breaks = taut_basis_breaks(basis), way = to[d] - from[d];
+        const double low = fmin(from[d], to[d]), high = fmax(from[d], to[d]);
+        const double margin = same_line * (carrier->hi[d] - carrier->lo[d]);
+        for (int k = taut_basis_span(basis, low); k < taut_basis_span_count(basis); k++) {
+            if (breaks[k] > low + margin && breaks[k] < high - margin) {
+                at[d] = breaks[k];
+                at[1 - d] = from[1 - d] + (to[1 - d] - from[1 - d]) * ((breaks[k] - from[d]) / way);
+                if (is_crease(carrier, at)) {
+                    return 1;
+                }
+            } else if (breaks[k] >= high) {
+                break;
+            }
+        }
+    }
+    return 0;
+}
 
 /* The lath as splines; of a border the coordinate `held` stays what it is at the ends, which rounding may change (-1: none). */
 static taut_status take_lath(const taut_carrier *carrier, const taut_lath *lath, int held,
@@ -99,6 +135,15 @@ static taut_status find_geodesic(const taut_carrier *carrier, const double from[
 
     if (status != TAUT_OK) {
         return taut_fail_status(error, status);
+    }
+    double kink[2];
+    if (!way->is_found && taut_pattern_crease_between(carrier, from, to, kink)) {
+        return taut_fail(
+            error, TAUT_NO_SOLUTION, "crease", "/of", taut_none, taut_none,
+            "no geodesic from (%.6g, %.6g) to (%.6g, %.6g) was found over the kink that the "
+            "surface has at (%.6g, %.6g): run a seam along it, or cut it there into surfaces of "
+            "their own",
+            from[0], from[1], to[0], to[1], kink[0], kink[1]);
     }
     if (!way->is_found) {
         return taut_fail(

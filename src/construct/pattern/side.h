@@ -46,7 +46,12 @@ typedef struct taut_pattern_side {
     double mean[TAUT_SIDE_MEAN];  /* then: the stretch it is held at, by Legendre's polynomials */
 } taut_pattern_side;
 
-/* The geodesic between two places of the window; `tolerance` over the size. TAUT_NO_SOLUTION, reason "no-geodesic". */
+/* *at: where the way from one place to the next crosses a knot line over which the normal jumps. */
+int taut_pattern_crease_between(const taut_carrier *carrier, const double from[2],
+                                const double to[2], double at[2]);
+
+/* The geodesic between two places of the window; `tolerance` over the size. TAUT_NO_SOLUTION, reasons "no-geodesic" and, where there
+ * is a kink between them, "crease". */
 taut_status taut_pattern_geodesic(const taut_carrier *carrier, const double from[2],
                                   const double to[2], const taut_monitor *monitor,
                                   taut_arena *arena, taut_pattern_side *side, taut_error *error);
