@@ -101,8 +101,7 @@ static taut_status refuse_far(const taut_film_work *w, double share, taut_error 
         "no film connects the edges: as they are moved apart, a film is found up to "
         "%.6g of their distance, where its neck is %.3g of the shorter edge at the start%s",
         share, find_neck(w),
-        slides ? "; it slides off, bring the plane nearer"
-               : "; bring them together, or make the cable's force less");
+        slides ? "; it slides off, bring the plane nearer" : "; bring them together");
 }
 
 /* net: a film with the edges at *share of their distance, from the start. */

@@ -312,11 +312,14 @@ static taut_status refuse_fold(const taut_film_work *w, taut_error *error)
     /* beyond the range of doubles: as infinity, which is where it is */
     (void)taut_scaling_undo(&w->space->scaling, 1, x, &known, x, point, NULL);
     return taut_fail(error, TAUT_NOT_CONVERGED, "folds", NULL, w->region.iterations, taut_none,
-                     "the film folds after %d steps: its normal turns over from one point to the "
-                     "next%s near u = %.3g, v = %.3g, at (%.6g, %.6g, %.6g); raise the forces of "
-                     "the cables, shorten those of given length, or move the corners",
+                     "the film folds in step %d: its normal turns over from one point to the "
+                     "next%s near u = %.3g, v = %.3g, at (%.6g, %.6g, %.6g); %s",
                      w->region.iterations, folds ? "" : ", or is about to,", f->u.at[at[0]],
-                     f->v.at[at[1]], point[0], point[1], point[2]);
+                     f->v.at[at[1]], point[0], point[1], point[2],
+                     f->cable_count > 0
+                         ? "raise the forces of the cables, shorten those of given "
+                           "length, or move the corners"
+                         : "take more points, or edges that are nearer to each other");
 }
 
 /* What ended the trust region, in the words of films. */

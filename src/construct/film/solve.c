@@ -137,6 +137,7 @@ static taut_status find_net(taut_film_work *w, taut_arena *arena, taut_error *er
     taut_error inner = {.status = TAUT_OK};
     inner.status = taut_film_rest(w, 1, &inner);
     if (inner.status == TAUT_NOT_CONVERGED && w->space->around != NULL &&
+        !taut_film_has_density(w->space->problem) &&
         w->region.iterations < w->region.max_iterations) {
         return taut_film_lead_apart(w, arena, error);
     }

@@ -270,17 +270,58 @@ static void blend(const taut_film_space *space, const double *net, double a, dou
     }
 }
 
-/* Between the two edges of a ring, on straight lines. */
+/* sum over k of the sides of a closed polygon by those of another, which is turned by so many points. */
+static double compare_sides(const double *a, const double *b, size_t line, int period, int turn)
+{
+    double sum = 0;
+    for (int k = 0; k < period; k++) {
+        double side[3], other[3];
+        const double *x = a + (size_t)((k + turn) % period) * line, *y = b + (size_t)k * line;
+        taut_difference(x + line, x, side);
+        taut_difference(y + line, y, other);
+        sum += taut_dot(side, other);
+    }
+    return sum;
+}
+
+/* x += share of the place on a closed polygon after so many sides. */
+static void add_place(const double *a, size_t line, int period, double share, double at,
+                      double x[3])
+{
+    const double whole = floor(at), part = at - whole;
+    const size_t k = (size_t)(((int)whole + 2 * period) % period);
+    taut_add_scaled(share * (1 - part), a + k * line, x);
+    taut_add_scaled(share * part, a + (k + 1) * line, x);
+}
+
+/* Between the two edges of a ring, on straight lines, which would all meet where the edges begin on opposite sides: these turn
+ * along with the edges then. */
 static void fill_ring(const taut_film_space *space, double *net)
 {
-    const int along_u = space->problem->ring == TAUT_FILM_RING_U;
+    const int along_u = space->problem->ring == TAUT_FILM_RING_U, period = space->around->period;
     const int across = along_u ? space->nv : space->nu, around = along_u ? space->nu : space->nv;
-    const size_t nv = (size_t)space->nv, step = along_u ? 1 : nv, line = along_u ? nv : 1;
+    const size_t nv = (size_t)space->nv, step = 3 * (along_u ? 1 : nv),
+                 line = 3 * (along_u ? nv : 1);
+    const double *last = net + (size_t)(across - 1) * step;
+    int turn = 0;
 
+    if (compare_sides(net, last, line, period, 0) < 0) {
+        for (int k = 1; k < period; k++) {
+            turn = compare_sides(net, last, line, period, k) >
+                           compare_sides(net, last, line, period, turn)
+                       ? k
+                       : turn;
+        }
+        turn -= 2 * turn > period ? period : 0;
+    }
     for (int k = 0; k < around; k++) {
-        double *x = net + 3 * (size_t)k * line;
-        lay_chord(x, x + 3 * (size_t)(across - 1) * step, across, space->greville[along_u], step,
-                  x);
+        for (int j = 1; j < across - 1; j++) {
+            const double t = space->greville[along_u][j];
+            double *x = net + (size_t)k * line + (size_t)j * step;
+            memset(x, 0, 3 * sizeof *x);
+            add_place(net, line, period, 1 - t, k + t * turn, x);
+            add_place(last, line, period, t, k - (1 - t) * turn, x);
+        }
     }
 }
 

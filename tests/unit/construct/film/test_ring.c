@@ -5,6 +5,11 @@
 #include "rings.h"
 #include "sails.h"
 
+#include "taut/construct.h"
+#include "taut/read.h"
+
+#include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 static const double pi = 3.14159265358979324;
@@ -276,9 +281,76 @@ static void test_refused(void)
     ring_free(&r);
 }
 
+/* A document: a film between circles of radius 1 about the z axis at 0 and h, the second from an angle on. */
+static taut_problem *read_tube(const char *members, int across, double h, double angle)
+{
+    char text[1000];
+    taut_problem *problem = NULL;
+
+    snprintf(
+        text, sizeof text,
+        "{\"taut\":1,\"construct\":\"film\",%s\"u\":{\"type\":\"bspline\",\"degree\":4,\"count\":"
+        "20},"
+        "\"v\":{\"type\":\"bspline\",\"degree\":4,\"count\":%d},\"seams\":[[\"u0\",\"u1\"]],"
+        "\"edges\":{"
+        "\"v0\":{\"fixed\":{\"circle\":{\"center\":[0,0,0],\"normal\":[0,0,1],\"radius\":1}}},"
+        "\"v1\":{\"fixed\":{\"circle\":{\"center\":[0,0,%.17g],\"normal\":[0,0,1],\"radius\":1,"
+        "\"start\":[%.17g,%.17g,0]}}}}}",
+        members, across, h, cos(angle), sin(angle));
+    CHECK(taut_problem_read_text(text, strlen(text), "tube", &problem, NULL) == TAUT_OK, "read");
+    return problem;
+}
+
+/* One film, wherever its circles begin: straight lines between opposite places would all meet in the middle. */
+static void test_starts(void)
+{
+    for (int k = 1; k < 8; k++) {
+        taut_problem *problem = read_tube("", 10, 0.7, pi * k / 4);
+        taut_certificate *proof = NULL;
+        taut_model *model = NULL;
+        taut_error said = {.status = TAUT_OK};
+        CHECK(taut_make(problem, NULL, &model, &said) == TAUT_OK, "%d/8: %s", k, said.message);
+        if (model != NULL && taut_certify(model, problem, NULL, &proof, NULL) == TAUT_OK) {
+            CHECK(taut_certificate_holds(proof) != TAUT_FALSE, "%d/8", k);
+            CHECK_NEAR(figure_of(proof, "area"), ring_area(0.7), 1e-8, "%d/8", k);
+        }
+        taut_certificate_free(proof);
+        taut_model_free(model);
+        taut_problem_free(problem);
+    }
+}
+
+/* Threads draw a tube thin and never part: r = cosh(k (v - 1/2)) / cosh(k / 2), k = 2 pi sqrt(a / b), and the energy is b (1 / 2 +
+ * k tanh(k / 2)). On few points the spline swings beyond the axis, and that is no collapse. */
+static void test_thin(void)
+{
+    const double k = 2 * pi * sqrt(10);
+    taut_problem *problem = read_tube("\"force_density\":[10,1],", 40, 1, 0);
+    taut_problem *coarse = read_tube("\"force_density\":[10,1],", 10, 1, 0);
+    taut_certificate *proof = NULL;
+    taut_model *model = NULL;
+    taut_error said = {.status = TAUT_OK};
+
+    CHECK(taut_make(problem, NULL, &model, &said) == TAUT_OK &&
+              taut_certify(model, problem, NULL, &proof, NULL) == TAUT_OK,
+          "%s", said.message);
+    CHECK(taut_certificate_holds(proof) == TAUT_TRUE, "thin");
+    CHECK_NEAR(figure_of(proof, "energy"), 0.5 + k * tanh(k / 2), 1e-7, "thin");
+    taut_certificate_free(proof);
+    taut_model_free(model);
+    model = NULL;
+    CHECK(taut_make(coarse, NULL, &model, &said) == TAUT_NOT_CONVERGED &&
+              strcmp(said.reason, "folds") == 0 && strstr(said.message, "cable") == NULL,
+          "%s", said.message);
+    taut_problem_free(problem);
+    taut_problem_free(coarse);
+}
+
 int main(void)
 {
     random_seed(23);
+    test_starts();
+    test_thin();
     test_catenoid();
     test_neck();
     test_unequal();
