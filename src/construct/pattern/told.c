@@ -1,5 +1,6 @@
 /* told.c -- what a finished pattern says, as structs: members of its details by their names, and the surfaces and curves that are called as
  * they are. */
+#include "construct/common/told.h"
 #include "core/fail.h"
 #include "taut/pattern.h"
 
@@ -12,8 +13,7 @@ static const char *const edge_names[EDGES] = {"right", "end", "left", "start"};
 
 static const taut_record *list_of(const taut_model *cloth, const char *name)
 {
-    const taut_record *details = cloth != NULL ? taut_model_details(cloth) : NULL;
-    return taut_record_get(details, "pattern") != NULL ? taut_record_get(details, name) : NULL;
+    return taut_told_list(cloth, "pattern", name);
 }
 
 int taut_pattern_piece_count(const taut_model *cloth)
@@ -30,33 +30,7 @@ int taut_pattern_seam_count(const taut_model *cloth)
 static taut_status find(const taut_model *cloth, const char *name, int i, const void *place,
                         const taut_record **found, taut_error *error)
 {
-    const taut_record *list = list_of(cloth, name);
-    if (place == NULL || i < 0 || (size_t)i >= taut_record_count(list)) {
-        return taut_fail(
-            error, TAUT_BAD_ARGUMENT, "argument", NULL, i, (double)taut_record_count(list),
-            "the pattern has %zu %s, and no number %d", taut_record_count(list), name, i);
-    }
-    *found = taut_record_at(list, (size_t)i);
-    return TAUT_OK;
-}
-
-static double number(const taut_record *at, const char *name)
-{
-    const taut_record *one = taut_record_get(at, name);
-    return one != NULL ? taut_record_number(one) : NAN;
-}
-
-static const char *text(const taut_record *at, const char *name)
-{
-    return taut_record_text(taut_record_get(at, name));
-}
-
-static void numbers(const taut_record *at, const char *name, double out[2])
-{
-    const taut_record *list = taut_record_get(at, name);
-    for (size_t k = 0; k < 2; k++) {
-        out[k] = k < taut_record_count(list) ? taut_record_number(taut_record_at(list, k)) : NAN;
-    }
+    return taut_told_item(list_of(cloth, name), "pattern", name, i, place, found, error);
 }
 
 static const taut_curve *curve_named(const taut_model *cloth, const char *name, const char *what)
@@ -89,14 +63,15 @@ static taut_pattern_sewn_edge edge_of(const taut_model *cloth, const taut_record
     const taut_record *at = taut_record_get(taut_record_get(piece, "edges"), edge_names[e]);
     const int is_sewn = taut_record_get(at, "seam") != NULL;
     taut_pattern_sewn_edge edge = {
-        .seam = is_sewn ? text(at, "seam") : NULL,
+        .seam = is_sewn ? taut_told_text(at, "seam") : NULL,
         .part = {is_sewn ? 0 : NAN, is_sewn ? 1 : NAN},
-        .length = number(at, "length"),
-        .flat_length = number(at, "flat_length"),
-        .allowance = taut_record_get(at, "allowance") != NULL ? number(at, "allowance") : 0,
-        .line = curve_named(cloth, text(piece, "name"), edge_names[e])};
+        .length = taut_told_number(at, "length"),
+        .flat_length = taut_told_number(at, "flat_length"),
+        .allowance =
+            taut_record_get(at, "allowance") != NULL ? taut_told_number(at, "allowance") : 0,
+        .line = curve_named(cloth, taut_told_text(piece, "name"), edge_names[e])};
     if (is_sewn && taut_record_get(at, "part") != NULL) {
-        numbers(at, "part", edge.part);
+        taut_told_numbers(at, "part", 2, edge.part);
     }
     return edge;
 }
@@ -107,8 +82,8 @@ static void take_place(const taut_model *cloth, taut_pattern_flat_piece *piece)
     piece->on_roll[0] = piece->on_roll[1] = NAN;
     for (size_t k = 0; k < taut_record_count(places); k++) {
         const taut_record *place = taut_record_at(places, k);
-        if (strcmp(text(place, "name"), piece->name) == 0) {
-            numbers(place, "at", piece->on_roll);
+        if (strcmp(taut_told_text(place, "name"), piece->name) == 0) {
+            taut_told_numbers(place, "at", 2, piece->on_roll);
             piece->is_turned = taut_record_get(place, "turned") != NULL;
             return;
         }
@@ -124,16 +99,17 @@ taut_status taut_pattern_piece_at(const taut_model *cloth, int i, taut_pattern_f
         return status;
     }
     const taut_record *strain = taut_record_get(at, "strain");
-    *piece = (taut_pattern_flat_piece){.name = text(at, "name"),
-                                       .flat = surface_named(cloth, text(at, "name")),
-                                       .cut = curve_named(cloth, text(at, "name"), "cut"),
-                                       .area = number(at, "area"),
-                                       .flat_area = number(at, "flat_area"),
-                                       .cut_area = number(at, "cut_area"),
-                                       .curvature = number(at, "curvature"),
-                                       .strain = {number(strain, "min"), number(strain, "max")},
-                                       .energy = number(at, "energy")};
-    numbers(at, "extent", piece->extent);
+    *piece = (taut_pattern_flat_piece){
+        .name = taut_told_text(at, "name"),
+        .flat = surface_named(cloth, taut_told_text(at, "name")),
+        .cut = curve_named(cloth, taut_told_text(at, "name"), "cut"),
+        .area = taut_told_number(at, "area"),
+        .flat_area = taut_told_number(at, "flat_area"),
+        .cut_area = taut_told_number(at, "cut_area"),
+        .curvature = taut_told_number(at, "curvature"),
+        .strain = {taut_told_number(strain, "min"), taut_told_number(strain, "max")},
+        .energy = taut_told_number(at, "energy")};
+    taut_told_numbers(at, "extent", 2, piece->extent);
     for (int e = 0; e < EDGES; e++) {
         piece->edges[e] = edge_of(cloth, at, e);
     }
@@ -159,15 +135,15 @@ taut_status taut_pattern_seam_at(const taut_model *cloth, int i, const int rooms
     }
     const taut_record *along = taut_record_get(at, "pieces"),
                       *at_marks = taut_record_get(at, "marks");
-    taut_pattern_sewn_seam found = {.name = text(at, "name"),
-                                    .kind = text(at, "kind"),
-                                    .curve = curve_named(cloth, text(at, "name"), NULL),
-                                    .length = number(at, "length"),
-                                    .flat_length = number(at, "flat_length"),
-                                    .disagreement = number(at, "disagreement"),
+    taut_pattern_sewn_seam found = {.name = taut_told_text(at, "name"),
+                                    .kind = taut_told_text(at, "kind"),
+                                    .curve = curve_named(cloth, taut_told_text(at, "name"), NULL),
+                                    .length = taut_told_number(at, "length"),
+                                    .flat_length = taut_told_number(at, "flat_length"),
+                                    .disagreement = taut_told_number(at, "disagreement"),
                                     .piece_count = (int)taut_record_count(along),
                                     .mark_count = (int)taut_record_count(at_marks)};
-    numbers(at, "stretch", found.stretch);
+    taut_told_numbers(at, "stretch", 2, found.stretch);
     if (pieces != NULL && (rooms == NULL || rooms[0] < found.piece_count)) {
         return fail_room(found.name, "pieces", rooms != NULL ? rooms[0] : 0, found.piece_count,
                          error);

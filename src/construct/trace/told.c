@@ -1,14 +1,14 @@
 /* told.c -- what a finished net says, as structs: members of its details by their names. */
 #include "taut/trace.h"
 
+#include "construct/common/told.h"
 #include "core/fail.h"
 
 #include <math.h>
 
 static const taut_record *list_of(const taut_model *net, const char *name)
 {
-    const taut_record *details = net != NULL ? taut_model_details(net) : NULL;
-    return taut_record_get(details, "trace") != NULL ? taut_record_get(details, name) : NULL;
+    return taut_told_list(net, "trace", name);
 }
 
 int taut_trace_lath_count(const taut_model *net)
@@ -30,39 +30,14 @@ int taut_trace_piece_count(const taut_model *net)
 static taut_status find(const taut_model *net, const char *name, int i, const void *place,
                         const taut_record **found, taut_error *error)
 {
-    const taut_record *list = list_of(net, name);
-    if (place == NULL || i < 0 || (size_t)i >= taut_record_count(list)) {
-        return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, i,
-                         (double)taut_record_count(list), "the net has %zu %s, and no number %d",
-                         taut_record_count(list), name, i);
-    }
-    *found = taut_record_at(list, (size_t)i);
-    return TAUT_OK;
-}
-
-static double number(const taut_record *at, const char *name)
-{
-    const taut_record *one = taut_record_get(at, name);
-    return one != NULL ? taut_record_number(one) : NAN;
-}
-
-static const char *text(const taut_record *at, const char *name)
-{
-    return taut_record_text(taut_record_get(at, name));
-}
-
-static void numbers(const taut_record *at, const char *name, size_t count, double *out)
-{
-    const taut_record *list = taut_record_get(at, name);
-    for (size_t k = 0; k < count; k++) {
-        out[k] = k < taut_record_count(list) ? taut_record_number(taut_record_at(list, k)) : NAN;
-    }
+    return taut_told_item(list_of(net, name), "net", name, i, place, found, error);
 }
 
 static taut_trace_bending bending(const taut_record *at, const char *name)
 {
     const taut_record *one = taut_record_get(at, name);
-    return (taut_trace_bending){number(one, "seed"), number(one, "max"), number(one, "max_at")};
+    return (taut_trace_bending){taut_told_number(one, "seed"), taut_told_number(one, "max"),
+                                taut_told_number(one, "max_at")};
 }
 
 taut_status taut_trace_lath_at(const taut_model *net, int i, taut_trace_lath *lath,
@@ -74,29 +49,29 @@ taut_status taut_trace_lath_at(const taut_model *net, int i, taut_trace_lath *la
         return status;
     }
     const taut_record *ended = taut_record_get(at, "ended");
-    *lath = (taut_trace_lath){.name = text(at, "name"),
-                              .family = text(at, "family"),
+    *lath = (taut_trace_lath){.name = taut_told_text(at, "name"),
+                              .family = taut_told_text(at, "family"),
                               .from_word = taut_record_text(taut_record_at(ended, 0)),
                               .to_word = taut_record_text(taut_record_at(ended, 1)),
-                              .length = number(at, "length"),
-                              .twist = number(at, "twist"),
-                              .turn = number(at, "turn"),
+                              .length = taut_told_number(at, "length"),
+                              .twist = taut_told_number(at, "twist"),
+                              .turn = taut_told_number(at, "turn"),
                               .k_n = bending(at, "k_n"),
                               .k_g = bending(at, "k_g"),
                               .tau_g = bending(at, "tau_g"),
-                              .steps = (int)number(at, "steps"),
+                              .steps = (int)taut_told_number(at, "steps"),
                               .node_count = (int)taut_record_count(taut_record_get(at, "nodes")),
-                              .width = number(at, "width"),
-                              .thickness = number(at, "thickness"),
-                              .least_radius = number(at, "least_radius"),
-                              .edge_length = number(at, "edge_length"),
-                              .mean_stretch = number(at, "mean_stretch"),
-                              .cut_length = number(at, "cut_length"),
-                              .use = number(taut_record_get(at, "stress"), "use")};
-    numbers(at, "seed", 2, lath->seed);
-    numbers(at, "from", 2, lath->from);
-    numbers(at, "to", 2, lath->to);
-    numbers(at, "pattern_end", 3, lath->pattern_end);
+                              .width = taut_told_number(at, "width"),
+                              .thickness = taut_told_number(at, "thickness"),
+                              .least_radius = taut_told_number(at, "least_radius"),
+                              .edge_length = taut_told_number(at, "edge_length"),
+                              .mean_stretch = taut_told_number(at, "mean_stretch"),
+                              .cut_length = taut_told_number(at, "cut_length"),
+                              .use = taut_told_number(taut_record_get(at, "stress"), "use")};
+    taut_told_numbers(at, "seed", 2, lath->seed);
+    taut_told_numbers(at, "from", 2, lath->from);
+    taut_told_numbers(at, "to", 2, lath->to);
+    taut_told_numbers(at, "pattern_end", 3, lath->pattern_end);
     return TAUT_OK;
 }
 
@@ -108,17 +83,17 @@ taut_status taut_trace_node_at(const taut_model *net, int i, taut_trace_node *no
     if (status != TAUT_OK) {
         return status;
     }
-    *node = (taut_trace_node){.name = text(at, "node"),
-                              .angle = number(at, "angle"),
-                              .tau = number(at, "tau"),
-                              .mean_curvature = number(at, "H"),
-                              .slot = number(at, "slot"),
-                              .slot_twisted = number(at, "slot_twisted"),
+    *node = (taut_trace_node){.name = taut_told_text(at, "node"),
+                              .angle = taut_told_number(at, "angle"),
+                              .tau = taut_told_number(at, "tau"),
+                              .mean_curvature = taut_told_number(at, "H"),
+                              .slot = taut_told_number(at, "slot"),
+                              .slot_twisted = taut_told_number(at, "slot_twisted"),
                               .is_on_border = taut_record_bool(taut_record_get(at, "border"))};
-    numbers(at, "at", 2, node->at);
-    numbers(at, "point", 3, node->point);
-    numbers(at, "normal", 3, node->normal);
-    numbers(at, "s", 2, node->s);
+    taut_told_numbers(at, "at", 2, node->at);
+    taut_told_numbers(at, "point", 3, node->point);
+    taut_told_numbers(at, "normal", 3, node->normal);
+    taut_told_numbers(at, "s", 2, node->s);
     return TAUT_OK;
 }
 
@@ -131,9 +106,9 @@ taut_status taut_trace_pattern(const taut_model *net, int i, int room, double *o
         return status;
     }
     const taut_record *points = taut_record_get(at, "outline");
-    const taut_trace_piece found = {.name = text(at, "name"),
-                                    .lath = text(at, "lath"),
-                                    .sheet = (int)number(at, "sheet"),
+    const taut_trace_piece found = {.name = taut_told_text(at, "name"),
+                                    .lath = taut_told_text(at, "lath"),
+                                    .sheet = (int)taut_told_number(at, "sheet"),
                                     .point_count = (int)taut_record_count(points),
                                     .slot_count =
                                         (int)taut_record_count(taut_record_get(at, "slots"))};
