@@ -15,9 +15,17 @@
 #include "trace/bending.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
-enum { NODES = TAUT_BENDING_NODES, HEIGHTS = 16, PARTS_MAX = 4096 /* of a segment */ };
+/* A width that is found, less what a message rounds. */
+static const double below = 1 - 1e-5;
+enum {
+    NODES = TAUT_BENDING_NODES,
+    HEIGHTS = 16,
+    HALVINGS = 30,
+    PARTS_MAX = 4096 /* of a segment */
+};
 /* ---- how it is cut ---- */
 
 /* What a strip is, in the carrier's unit. */
@@ -480,20 +488,15 @@ static double place_on(const taut_strip *strip, const taut_lath *lath, double s)
     return taut_unrolled_at(&strip->unrolled, k, fmin(fmax(t, 0), 1)).cut;
 }
 
-static taut_status add_slot(const cut *c, int index, int side, taut_strip *strip, taut_error *error)
+/* Sorts a slot into its strip. 0: none, as the two laths turn into each other within their width. */
+static int add_slot(const cut *c, int index, int side, double at, taut_strip *strip)
 {
     const taut_node *node = &c->net->nodes.list[index];
-    const taut_lath *lath = &c->net->laths[node->laths[side]];
     const double twisted = taut_slot_twisted(c->net, node, side, c->width);
     int k = strip->slot_count;
 
     if (twisted == 0) {
-        return taut_fail(error, TAUT_NO_SOLUTION, "slots", "/laths/width", c->laths->width,
-                         taut_none,
-                         "%s and %s turn into each other between their node and the edge of %s: "
-                         "take laths less wide than %.6g",
-                         c->net->laths[node->laths[0]].name, c->net->laths[node->laths[1]].name,
-                         lath->name, c->laths->width);
+        return 0;
     }
     for (; k > 0 && strip->slots[k - 1].s > node->s[side]; k--) {
         strip->slots[k] = strip->slots[k - 1];
@@ -501,11 +504,60 @@ static taut_status add_slot(const cut *c, int index, int side, taut_strip *strip
     strip->slots[k] = (taut_slot){.node = index,
                                   .side = side,
                                   .s = node->s[side],
-                                  .at = place_on(strip, lath, node->s[side]),
+                                  .at = at,
                                   .width = twisted * c->thickness + c->play,
                                   .depth = c->width / 2};
     strip->slot_count++;
-    return TAUT_OK;
+    return 1;
+}
+
+/* Do laths of this width have slots with something between them? By lengths on the axis, which are not longer than what
+ * is cut. The strips' slots are lost. */
+static int is_narrow_enough(const cut *c, double width, taut_strip *strips)
+{
+    const taut_nodes *nodes = &c->net->nodes;
+    cut tried = *c;
+    int is_so = 1;
+
+    tried.width = width;
+    for (int lath = 0; lath < c->net->count; lath++) {
+        strips[lath].slot_count = 0;
+    }
+    for (int k = 0; is_so && k < 2 * nodes->count; k++) {
+        const taut_node *node = &nodes->list[k / 2];
+        is_so = add_slot(&tried, k / 2, k % 2, node->s[k % 2], &strips[node->laths[k % 2]]);
+    }
+    for (int lath = 0; is_so && lath < c->net->count; lath++) {
+        for (int k = 1; k < strips[lath].slot_count; k++) {
+            const taut_slot *a = &strips[lath].slots[k - 1], *b = &strips[lath].slots[k];
+            is_so &= (a->width + b->width) / 2 < b->at - a->at;
+        }
+    }
+    return is_so;
+}
+
+/* Two laths that turn into each other, with the width that works, if one does. */
+static taut_status turn_into(const cut *c, const taut_node *node, int side, taut_strip *strips,
+                             taut_error *error)
+{
+    const taut_lath *laths = c->net->laths;
+    const char *one = laths[node->laths[0]].name, *other = laths[node->laths[1]].name;
+    double low = 0, high = c->width;
+
+    for (int round = 0; round < HALVINGS; round++) {
+        const double width = (low + high) / 2;
+        *(is_narrow_enough(c, width, strips) ? &low : &high) = width;
+    }
+    const double works = ldexp(low * below, c->net->carrier->scale);
+    char remedy[64] = "thinner laths, or fewer";
+    if (low > 0) {
+        snprintf(remedy, sizeof remedy, "laths of a width of %.6g", works);
+    }
+    return taut_fail(
+        error, TAUT_NO_SOLUTION, "slots", "/laths/width", c->laths->width,
+        low > 0 ? works : taut_none,
+        "%s and %s turn into each other between their node and the edge of %s: take %s", one, other,
+        laths[node->laths[side]].name, remedy);
 }
 
 /* The thickness below which two slots leave something between them; of a play that is not given no
@@ -566,8 +618,12 @@ static taut_status make_slots(const cut *c, taut_strip *strips, taut_error *erro
         }
     }
     for (int k = 0; status == TAUT_OK && k < 2 * net->nodes.count; k++) {
-        const int lath = net->nodes.list[k / 2].laths[k % 2];
-        status = add_slot(c, k / 2, k % 2, &strips[lath], error);
+        const taut_node *node = &net->nodes.list[k / 2];
+        taut_strip *strip = &strips[node->laths[k % 2]];
+        const double at = place_on(strip, &net->laths[node->laths[k % 2]], node->s[k % 2]);
+        if (!add_slot(c, k / 2, k % 2, at, strip)) {
+            status = turn_into(c, node, k % 2, strips, error);
+        }
     }
     return status == TAUT_OK ? check_slots(c, strips, error) : status;
 }
