@@ -67,6 +67,14 @@ run 0 help c-bezier
 contains out.txt '^  Members: +`alpha`'
 run 0 help CURVE
 contains out.txt '^  Written: +\{ "name": "rim", "t": BASIS|^  Written: +`\{ "name": "rim", "t": BASIS'
+for word in force cable LAW; do
+    run 0 help "$word"
+    contains out.txt '^  Written: +`\{ "force": T \}`'
+done
+for word in EDGE CORNER PLANE LINE IMAGE; do
+    run 0 help "$word"
+    contains out.txt "^$word, a part of documents\$"
+done
 
 claims=$(sed -n '/^<!-- claims: made by/,$s/^| [a-z-]* | `\([a-z0-9_-]*\)` |.*/\1/p' "$SOURCE/docs/certificate.md" | sort -u)
 [ "$(echo "$claims" | wc -l)" -gt 40 ] || complain "few claims: $claims"
