@@ -21,7 +21,7 @@ typedef enum taut_plateau_method {
     TAUT_PLATEAU_NORMAL,   /* each point moves along the unit normal of the Dirichlet surface at its
                             * Greville point: a little above the minimum on coarse nets, and as close
                             * as the net allows on fine ones */
-    TAUT_PLATEAU_EITHER /* the first; where the film folds, the second: details.method, with a warning */
+    TAUT_PLATEAU_EITHER /* the first; where that finds none, the second: details.method, with a warning */
 } taut_plateau_method;
 
 /* The most that `refine` may be, and the most control points of the last net it leads to. */

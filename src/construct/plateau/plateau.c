@@ -328,8 +328,9 @@ static taut_status make_parts(const taut_plateau_problem *given, const taut_make
         held.method = TAUT_PLATEAU_FULL;
     }
     status = solve_first(problem, options, p, &found);
-    const int again = given->method == TAUT_PLATEAU_EITHER && strcmp(found.reason, "folds") == 0;
-    if (status == TAUT_NOT_CONVERGED && again) {
+    const int again = status == TAUT_NOT_CONVERGED && given->method == TAUT_PLATEAU_EITHER &&
+                      (given->max_iterations == 0 || strcmp(found.reason, "folds") == 0);
+    if (again) {
         held.method = TAUT_PLATEAU_NORMAL;
         taut_plateau_solution_clear(&p->solution);
         taut_plateau_space_free(p->space);
@@ -344,7 +345,7 @@ static taut_status make_parts(const taut_plateau_problem *given, const taut_make
     }
     if (again) {
         taut_record_add_text(taut_record_add_list(p->solution.details, "warnings"), NULL,
-                             "by the method \"full\" the film folds: it is made by \"normal\"");
+                             "by the method \"full\" no film is found: it is made by \"normal\"");
     }
     return refine_parts(problem, options, p, error);
 }

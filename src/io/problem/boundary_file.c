@@ -23,8 +23,9 @@ enum {
     NOTES_MAX = 20,
     SAMPLES = 64
 };
-/* What a net gets that would have nothing inside: 11 x 11 points between straight lines. */
-enum { CHOSEN_DEGREE = 3, CHOSEN_SPANS = 8 };
+/* What a net gets that would have nothing inside: 11 x 11 points between straight lines; and what, where there is a little:
+ * many points about kinks of the boundary slide and fold. */
+enum { CHOSEN_DEGREE = 3, CHOSEN_SPANS = 8, CHOSEN_SPANS_MORE = 2 };
 
 static const double closed = 1e-6; /* the widest gap at a corner, of the size */
 
@@ -548,25 +549,46 @@ static void clear_work(boundary_work *work)
     taut_boundary_free(work->made);
 }
 
-/* Are all points of the net on its boundary? */
-static int is_hollow(taut_curve *const fitted[TAUT_SIDES])
+static const int side_along[2] = {TAUT_SIDE_V0, TAUT_SIDE_U0};
+
+/* How many points of the net are not on its boundary? */
+static int points_inside(taut_curve *const fitted[TAUT_SIDES])
 {
-    return taut_basis_count(taut_curve_t(fitted[TAUT_SIDE_V0])) <= 2 ||
-           taut_basis_count(taut_curve_t(fitted[TAUT_SIDE_U0])) <= 2;
+    return (taut_basis_count(taut_curve_t(fitted[TAUT_SIDE_V0])) - 2) *
+           (taut_basis_count(taut_curve_t(fitted[TAUT_SIDE_U0])) - 2);
 }
 
-/* A net with nothing to find, of which the document says nothing else, gets points to find; that is said. */
+/* Are there fewer than two of them along a direction? */
+static int is_scant(taut_curve *const fitted[TAUT_SIDES])
+{
+    return taut_basis_count(taut_curve_t(fitted[TAUT_SIDE_V0])) <= 3 ||
+           taut_basis_count(taut_curve_t(fitted[TAUT_SIDE_U0])) <= 3;
+}
+
+/* Is it flat between a few lines along a direction? More of them leave less to gain; and where the boundary has many kinks, a finer
+ * net may fold, so that it is for the document to ask for. */
+static int is_coarse(taut_curve *const fitted[TAUT_SIDES])
+{
+    int coarse = 0;
+    for (int d = 0; d < 2; d++) {
+        const taut_basis *t = taut_curve_t(fitted[side_along[d]]);
+        coarse |= taut_basis_degree(t) == 1 && taut_basis_span_count(t) < CHOSEN_SPANS;
+    }
+    return coarse;
+}
+
+/* A net with little to find, of which the document says nothing else, gets points to find; that is said. */
 static taut_status choose_net(boundary_work *work, taut_error *error)
 {
-    static const int side_of[2] = {TAUT_SIDE_V0, TAUT_SIDE_U0};
-    const int degree[2] = {CHOSEN_DEGREE, CHOSEN_DEGREE};
+    const int inside = points_inside(work->made), degree[2] = {CHOSEN_DEGREE, CHOSEN_DEGREE};
     taut_error found = {.status = TAUT_OK};
+    const int spans = inside > 0 ? CHOSEN_SPANS_MORE : CHOSEN_SPANS;
     int halvings[2] = {0, 0}, told[2] = {0, 0}, count[2] = {0, 0};
-    char note[NOTE_ROOM];
+    char note[NOTE_ROOM], left[32] = "nothing";
 
     for (int d = 0; d < 2; d++) {
-        const taut_basis *t = taut_curve_t(work->made[side_of[d]]);
-        while ((taut_basis_span_count(t) << halvings[d]) < CHOSEN_SPANS) {
+        const taut_basis *t = taut_curve_t(work->made[side_along[d]]);
+        while ((taut_basis_span_count(t) << halvings[d]) < spans) {
             halvings[d]++;
         }
     }
@@ -576,14 +598,27 @@ static taut_status choose_net(boundary_work *work, taut_error *error)
         return blame_file(work->at, &found, status, error);
     }
     for (int d = 0; d < 2; d++) {
-        const taut_basis *t = taut_curve_t(work->made[side_of[d]]);
+        const taut_basis *t = taut_curve_t(work->made[side_along[d]]);
         told[d] = taut_basis_degree(t);
         count[d] = taut_basis_count(t);
     }
+    if (inside > 0) {
+        snprintf(left, sizeof left, "%d point%s", inside, inside > 1 ? "s" : "");
+    }
     snprintf(note, sizeof note,
-             "the curves alone leave nothing to find: chosen are \"degree\": [%d, %d] and "
+             "the curves alone leave %s to find: chosen are \"degree\": [%d, %d] and "
              "\"refine\": [%d, %d], which is %d x %d points",
-             told[0], told[1], halvings[0], halvings[1], count[0], count[1]);
+             left, told[0], told[1], halvings[0], halvings[1], count[0], count[1]);
+    return taut_problem_note(work->problem, note) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
+}
+
+static taut_status tell_coarse(const boundary_work *work, taut_error *error)
+{
+    char note[NOTE_ROOM];
+    snprintf(note, sizeof note,
+             "the curves alone leave %d points to find, on a net of degree 1: \"degree\": [2, 2] "
+             "and \"refine\" make a finer one",
+             points_inside(work->made));
     return taut_problem_note(work->problem, note) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 }
 
@@ -596,11 +631,13 @@ static taut_status make_net(boundary_work *work, const int degree[2], const int 
     if (status != TAUT_OK) {
         return blame_file(work->at, &found, status, error);
     }
-    if (!asked && is_hollow(work->made)) {
+    if (!asked && is_scant(work->made)) {
         status = choose_net(work, error);
-        if (status != TAUT_OK) {
-            return status;
-        }
+    } else if (!asked && is_coarse(work->made)) {
+        status = tell_coarse(work, error);
+    }
+    if (status != TAUT_OK) {
+        return status;
     }
     return fill_net(work->made, work->at, work->problem->arena, net, error);
 }
