@@ -275,6 +275,10 @@ refuse_loop() { # refuse_loop CODE PATTERN FILE
 refuse_loop 3 'size /boundary found 8' octagon.json
 contains err.txt 'no four are sharper'
 refuse_loop 4 'gap /boundary' open.json
+echo '{ "taut": 1, "curves": [ { "t": { "type": "bspline", "degree": 2, "knots": [0, 0, 0, 1, 2, 3, 4, 4, 4] },
+  "points": [[2, 0, 0], [2, 1, 0], [0, 3, 0], [-3, 0, 1], [0, -3, 0], [2, 0, 0]] } ] }' > beside/smooth.json
+refuse_loop 3 'size /boundary found [01]' smooth.json
+contains err.txt 'take `film`, which spans closed curves'
 
 # The list of them: numbers, names, lengths (by Simpson's rule on the cubic), ends.
 run 0 boundary beside/more.json

@@ -116,6 +116,11 @@ PY
     run 3 convert body.step -o body.json
     contains err.txt 'taut help broken'
     absent body.json
+    # a cone of FreeCAD (Part.makeCone(10, 4, 20)), whose face lies by a matrix and its ends by none: one body, no assembly
+    run 0 convert "$SOURCE/tests/cli/cone.igs" -o cone.json
+    ! grep -q '"parts"' cone.json || complain 'a cone is an assembly'
+    run 0 convert cone.json -o cone.step
+    contains cone.step 'MANIFOLD_SOLID_BREP'
     # the same in IGES: what cannot be read is named, the rest is read; nothing is dropped in silence
     run 0 make problem.json --quiet -o coil.igs
     left_out() { # left_out FACES PATTERN TYPE NTH CHANGE...: so many of the nine faces are read, and this is said once

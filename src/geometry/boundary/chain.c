@@ -266,7 +266,8 @@ static taut_status find_corners(chain *c, int last[TAUT_SIDES], taut_error *erro
     if (found < TAUT_SIDES) {
         return taut_fail(error, TAUT_BAD_INPUT, "size", NULL, found, TAUT_SIDES,
                          "the curves make a loop of %d corners, expected %d at least: say where "
-                         "the corners are by four curves",
+                         "the corners are by four curves, or take `film`, which spans closed "
+                         "curves and loops of three corners",
                          found, TAUT_SIDES);
     }
     for (int s = 0; s < TAUT_SIDES; s++) {

@@ -187,7 +187,8 @@ static int has_colours(const taut_record *colours, const taut_model *model)
     return other;
 }
 
-/* The parts of an assembly: of each use of a product its name, place and surfaces. */
+/* The parts of an assembly: of each use of a product its name, place and surfaces. IGES has no products, and places there are of
+ * faces: a cone of FreeCAD lies otherwise than its ends. */
 static void add_parts(const taut_cad_result *result, taut_record *details)
 {
     taut_record *parts = taut_record_add_list(details, "parts");
@@ -232,7 +233,7 @@ static taut_status finish_model(taut_cad_kind kind, taut_cad_result *result, tau
         taut_record_add_text(details, "product", product_of(result));
         is_said = 1;
     }
-    if (taut_record_count(result->uses) > 1) {
+    if (taut_record_count(result->uses) > 1 && kind == TAUT_CAD_STEP) {
         add_parts(result, details);
         is_said = 1;
     }
