@@ -283,9 +283,41 @@ static int is_blown(const work *w)
     return 0;
 }
 
+/* The cable whose given length is the most beyond half a circle over its chord; -1: none is. */
+static int longest_cable(const taut_film_complex *c)
+{
+    double most = TAUT_PI / 2;
+    int longest = -1;
+
+    for (int k = 0; k < c->rope_count; k++) {
+        const double chord = taut_film_rope_chord(c, k), length = taut_film_rope_length(c, k);
+        if (chord > 0 && length > most * chord) {
+            most = length / chord;
+            longest = k;
+        }
+    }
+    return longest;
+}
+
 static taut_status refuse_fold(work *w)
 {
+    const taut_film_complex *c = &w->layout->complex;
+    const int rope = longest_cable(c);
+
     w->has_ended = 1;
+    if (rope >= 0) {
+        const double chord = taut_film_rope_chord(c, rope);
+        char where[TAUT_FILM_ROPE_WHERE], name[TAUT_FILM_NAME];
+        taut_film_rope_where(
+            c, rope, taut_film_rope_law(c, rope)->law == TAUT_FILM_SAG ? "sag" : "length", where);
+        taut_film_rope_name(c, rope, name);
+        return taut_fail(w->error, TAUT_NOT_CONVERGED, "folds", where,
+                         taut_film_rope_length(c, rope), TAUT_PI / 2 * chord,
+                         "cable %s is %.6g long, more than half a circle over its chord of %.6g, "
+                         "and the film folds beside such a cable on its way to the least energy: "
+                         "give it less length",
+                         name, taut_film_rope_length(c, rope), chord);
+    }
     return taut_fail(w->error, TAUT_NOT_CONVERGED, "folds", "/patches", w->energy->least, fold,
                      "after %d steps the least area element is %.3g of the mean: a patch folds or "
                      "shrinks to a line on its way to the least energy; give another layout",

@@ -104,7 +104,11 @@ taut_status taut_film_refuse_weak(const taut_film_complex *complex, const taut_f
     k = given[k].law == TAUT_FILM_FORCE ? k : 0;
     factor *= 1 + digits_told;
     const taut_film_edge *law = complex->ropes[k].edge;
-    const int is_force = law->law == TAUT_FILM_FORCE;
+    const int is_force = law->law == TAUT_FILM_FORCE, is_length = law->law == TAUT_FILM_LENGTH;
+    const double limit = is_force ? factor * law->force
+                         : is_length
+                             ? strong_one(&given[k], factor).length * law->length / given[k].length
+                             : factor;
     static const char *const members[] = {
         [TAUT_FILM_FORCE] = "force",
         [TAUT_FILM_LENGTH] = "length",
@@ -113,14 +117,18 @@ taut_status taut_film_refuse_weak(const taut_film_complex *complex, const taut_f
     };
     taut_film_rope_where(complex, k, members[law->law], where);
     taut_film_rope_name(complex, k, name);
-    if (is_force) {
-        snprintf(told, sizeof told, ": %.6g for cable ", factor * law->force);
+    if (is_force || is_length) {
+        snprintf(told, sizeof told,
+                 is_force ? ": %.6g for cable " : ": a length of %.6g for cable ", limit);
     }
     return taut_fail(
-        error, TAUT_NO_SOLUTION, "cable-too-weak", where, is_force ? law->force : 1,
-        is_force ? factor * law->force : factor,
+        error, TAUT_NO_SOLUTION, "cable-too-weak", where,
+        is_force    ? law->force
+        : is_length ? law->length
+                    : 1,
+        limit,
         "the cables are too weak for this film: lowered together from stronger ones, the last "
         "film is found at %.6g times their forces%s%s; below that it draws a cable into another "
         "edge, folds, or gets thinner at a corner than its knots can resolve",
-        factor, told, is_force ? name : "");
+        factor, told, is_force || is_length ? name : "");
 }

@@ -7,6 +7,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { TEXT = 4000 };
@@ -208,8 +209,51 @@ static void test_balance(void)
     CHECK(said.found == 3 && said.limit == 2, "%s", said.message);
 }
 
+/* A cable of given length beside a saddle of two patches. A message has the last length there is a film for, which is one number
+ * whatever was asked for, near half a circle over the chord of 2; or, where the way up ends too, that it is more than that. */
+static void test_lengths(void)
+{
+    static const char *const lengths[] = {"3", "3.3", "5", "6"};
+    static const char document[] =
+        "{\"taut\":1,\"construct\":\"film\",\"patches\":[{\"name\":\"a\",\"u\":{\"type\":"
+        "\"bspline\","
+        "\"degree\":4,\"count\":8},\"v\":{\"type\":\"bspline\",\"degree\":4,\"count\":8},"
+        "\"corners\":{"
+        "\"u0v0\":[0,0,0],\"u1v0\":[1,0,0],\"u0v1\":[0,2,0],\"u1v1\":[1,2,0.3]},\"edges\":{\"u0\":{"
+        "\"cable\":{\"length\":%s}}}},{\"name\":\"b\",\"u\":{\"type\":\"bspline\",\"degree\":4,"
+        "\"count\":"
+        "8},\"v\":{\"type\":\"bspline\",\"degree\":4,\"count\":8},\"corners\":{\"u1v0\":[2,0,0],"
+        "\"u1v1\":"
+        "[2,2,0.3]}}],\"seams\":[[\"a.u1\",\"b.u0\"]]}";
+
+    for (int k = 0; k < 4; k++) {
+        char text[2000];
+        taut_problem *problem = NULL;
+        taut_model *model = NULL;
+        taut_error error = {.status = TAUT_OK};
+        snprintf(text, sizeof text, document, lengths[k]);
+        CHECK(taut_problem_read_text(text, strlen(text), "text", &problem, &error) == TAUT_OK,
+              "%s: %s", error.where, error.message);
+        const taut_status status = taut_make(problem, NULL, &model, &error);
+        if (k == 0) {
+            CHECK(status == TAUT_OK, "a length of 3: %s", error.message);
+        } else {
+            const int folds = strcmp(error.reason, "folds") == 0;
+            CHECK(folds || strcmp(error.reason, "cable-too-weak") == 0, "%s: %s", lengths[k],
+                  error.message);
+            CHECK(strcmp(error.where, "/patches/0/edges/u0/cable/length") == 0, "%s: %s",
+                  lengths[k], error.where);
+            CHECK_NEAR(error.found, atof(lengths[k]), 1e-12, "what is found");
+            CHECK_NEAR(error.limit, 3.141592653589793, folds ? 1e-12 : 0.05, lengths[k]);
+        }
+        taut_model_free(model);
+        taut_problem_free(problem);
+    }
+}
+
 int main(void)
 {
+    test_lengths();
     test_flat();
     test_space();
     test_corner();
