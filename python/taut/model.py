@@ -219,6 +219,18 @@ class Model:
         raise KeyError(f"{name!r} is the name of {len(found)} surfaces and curves" if found else
                        f"{name!r}; there are {', '.join(repr(one.name) for one in every) or 'none'}")
 
+    def piece(self, name: str) -> dict[str, Any]:
+        """A piece of a pattern of cloth: what `details` tell of it, and under "flat" its Surface, "cut" the Curve to cut along, and
+        "lines" those to sew along: "right", "end", "left" and "start". KeyError where there is no such piece."""
+        pieces = [one for one in self.details.get("pieces", ()) if "edges" in one]
+        for told in pieces:
+            if is_one_of(name, (told["name"],)):
+                flat = [one for one in self.surfaces if one.name == name][-1]  # the flat pieces are behind what is cut
+                lines = {one.name: one for one in self.curves}
+                return {**told, "flat": flat, "cut": lines[f"{name}.cut"],
+                        "lines": {edge: lines[f"{name}.{edge}"] for edge in told["edges"]}}
+        raise KeyError(f"{name!r}; there are {', '.join(repr(one['name']) for one in pieces) or 'no pieces'}")
+
     def __contains__(self, name: object) -> bool:
         """Whether a surface or curve has that name."""
         return is_one_of(name, [*(one.name for one in self.surfaces), *(one.name for one in self.curves)])

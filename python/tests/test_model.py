@@ -30,6 +30,21 @@ def test_asked_by_name(net):
         list(model)
 
 
+def test_piece_of_cloth(net):
+    """A piece has its numbers and its lines, which are as long as told."""
+    cloth = taut.make(json.loads((ROOT / "examples" / "pattern-cylinder.json").read_text()))
+    piece = cloth.piece("P2")
+    assert piece["flat"].name == "P2" and piece["cut"].name == "P2.cut"
+    assert abs(piece["edges"]["right"]["flat_length"] - 3.84187454245970916) < 1e-9
+    ends = piece["lines"]["right"](np.array([0.0, 1.0]))
+    assert abs(np.linalg.norm(ends[1] - ends[0]) - piece["edges"]["right"]["flat_length"]) < 1e-9  # straight: a cylinder's geodesic
+    flat = taut.dirichlet(net, u=taut.bezier(4), v=taut.bezier(5))
+    for model, name in ((cloth, "P99"), (cloth, None), (flat, "P1")):
+        with pytest.raises(KeyError):
+            model.piece(name)
+
+
+
 def test_masked_points_are_to_be_found(net):
     """As NaN are, by every way in."""
     u, v = taut.bezier(4), taut.bezier(5)
