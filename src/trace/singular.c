@@ -12,7 +12,8 @@ enum {
     CELLS = 64, /* in all, where that leaves a span CELLS_LEAST */
     DEPTH = 12, /* halvings of a side */
     NEWTON = 60,
-    CIRCLE = 16
+    CIRCLE = 16,
+    HALVES = 24 /* of a cell */
 };
 /* A side is halved where the vector turns by more: 60 degrees of a direction are 120 of the vector. */
 static const double largest_turn = 2 * TAUT_PI / 3;
@@ -22,6 +23,8 @@ static const double aside = 0.137;
 static const double difference = 1e-6, settled = 1e-14, radius = 1e-3;
 /* Over the window's sides: two that are one. */
 static const double one_point = 1e-6;
+/* Halves of a cell are unequal too; and |w| of a zero that they lead to, over its largest on the circle. */
+static const double part = 0.4567, vanishes = 1e-6;
 /* The mean curvature below which a point is flat, over the largest R; and over the largest on the circle, as beside a pole
  * R is large without bound. */
 static const double flat_enough = 1e-6, flat_within = 1e-3;
@@ -130,30 +133,80 @@ static double index_of(const taut_carrier *carrier, const double at[2], double *
     return floor(around / (2 * TAUT_PI) + 0.5) / 2;
 }
 
+static double turns_round(const taut_carrier *carrier, const double low[2], const double high[2])
+{
+    double at[4][2], w[4][2], around = 0, mean = 0;
+    for (int k = 0; k < 4; k++) {
+        at[k][0] = k == 1 || k == 2 ? high[0] : low[0];
+        at[k][1] = k >= 2 ? high[1] : low[1];
+        vector_at(carrier, at[k], w[k], &mean);
+    }
+    for (int k = 0; k < 4; k++) {
+        around += turn_along(carrier, at[k], w[k], at[(k + 1) % 4], w[(k + 1) % 4], DEPTH);
+    }
+    return around;
+}
+
+/* The part of a cell that is still turned round, halved again and again: from its middle Newton does not lead away. */
+static int solve_closely(const taut_carrier *carrier, const double from[2], const double to[2],
+                         double at[2])
+{
+    double low[2] = {from[0], from[1]}, high[2] = {to[0], to[1]};
+    for (int k = 0; k < HALVES; k++) {
+        const int d = k % 2;
+        const double cut = low[d] + part * (high[d] - low[d]);
+        double below[2] = {high[0], high[1]};
+        below[d] = cut;
+        if (fabs(turns_round(carrier, low, below)) > TAUT_PI) {
+            high[d] = cut;
+        } else {
+            low[d] = cut;
+        }
+    }
+    const double room[2] = {high[0] - low[0], high[1] - low[1]};
+    at[0] = (low[0] + high[0]) / 2;
+    at[1] = (low[1] + high[1]) / 2;
+    return solve(carrier, room, at);
+}
+
+static int is_known(const taut_carrier *carrier, const double at[2], const taut_singular *list,
+                    int count)
+{
+    int is_there = 0;
+    for (int k = 0; k < count; k++) {
+        int is_one = 1;
+        for (int d = 0; d < 2; d++) {
+            const double range = carrier->hi[d] - carrier->lo[d];
+            is_one &= fabs(list[k].at[d] - at[d]) <= one_point * range;
+        }
+        is_there |= is_one;
+    }
+    return is_there;
+}
+
 static void take(const taut_carrier *carrier, int flat, const double low[2], const double high[2],
                  taut_singular list[TAUT_SINGULAR_MAX], int *count)
 {
     const double room[2] = {high[0] - low[0], high[1] - low[1]};
     taut_singular found = {.at = {(low[0] + high[0]) / 2, (low[1] + high[1]) / 2}};
     double w[2], mean = 0, largest = 0;
+    int is_close = 0;
 
-    if (*count == TAUT_SINGULAR_MAX || !solve(carrier, room, found.at)) {
+    if (*count == TAUT_SINGULAR_MAX) {
         return;
     }
-    for (int k = 0; k < *count; k++) { /* the steps from two cells may lead to one */
-        int is_known = 1;
-        for (int d = 0; d < 2; d++) {
-            const double range = carrier->hi[d] - carrier->lo[d];
-            is_known &= fabs(list[k].at[d] - found.at[d]) <= one_point * range;
-        }
-        if (is_known) {
+    /* the steps from two cells may lead to one, or away from the one in this cell */
+    if (!solve(carrier, room, found.at) || is_known(carrier, found.at, list, *count)) {
+        is_close = solve_closely(carrier, low, high, found.at);
+        if (!is_close || is_known(carrier, found.at, list, *count)) {
             return;
         }
     }
     vector_at(carrier, found.at, w, &mean);
     found.index = index_of(carrier, found.at, &largest);
     const double least = fmin(flat_enough * carrier->roundest, flat_within * largest);
-    if (found.index != 0 && (!flat || fabs(mean) <= least)) {
+    if (found.index != 0 && (!flat || fabs(mean) <= least) &&
+        (!is_close || taut_hypot(w[0], w[1]) <= vanishes * largest)) {
         list[(*count)++] = found;
     }
 }
