@@ -281,7 +281,7 @@ static int is_same(const char *a, const char *b)
 /* The names of the members of a construction that are needed, or of those that are not. */
 typedef struct listing {
     const char *construction;
-    int is_needed;
+    int is_needed, has_others; /* others may stand for one of them */
     char names[2 * CELL_ROOM];
 } listing;
 
@@ -309,6 +309,7 @@ static int list_member(void *context, const row *r)
     if (r->table->kind == MEMBER && strcmp(r->section, l->construction) == 0 &&
         is_needed(r) == l->is_needed && !has_name(l->names, r->word)) {
         snprintf(l->names + used, sizeof l->names - used, "%s%s", used > 0 ? ", " : "", r->word);
+        l->has_others = l->has_others || strncmp(r->cell[2], "needed, or", 10) == 0;
     }
     return 0;
 }
@@ -316,10 +317,11 @@ static int list_member(void *context, const row *r)
 static void print_members(const char *construction)
 {
     for (int needed = 1; needed >= 0; needed--) {
-        listing l = {construction, needed, ""};
+        listing l = {construction, needed, 0, ""};
         walk(list_member, &l);
         if (l.names[0] != '\0') {
-            print_says(needed ? "It needs:" : "It may have:", l.names, "");
+            print_says(needed ? "It needs:" : "It may have:", l.names,
+                       l.has_others ? " (or others in their place)" : "");
         }
     }
 }

@@ -71,6 +71,10 @@ for word in force cable LAW; do
     run 0 help "$word"
     contains out.txt '^  Written: +`\{ "force": T \}`'
 done
+run 0 help pipe
+contains out.txt '^  It needs: +radius, from, to \(or others in their place\)$'
+run 0 help bonnet
+contains out.txt '^  It needs: +lambda, sign, alpha, beta$'
 for word in EDGE CORNER PLANE LINE IMAGE; do
     run 0 help "$word"
     contains out.txt "^$word, a part of documents\$"
