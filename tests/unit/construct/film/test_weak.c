@@ -244,7 +244,7 @@ static void test_lengths(void)
             CHECK(strcmp(error.where, "/patches/0/edges/u0/cable/length") == 0, "%s: %s",
                   lengths[k], error.where);
             CHECK_NEAR(error.found, atof(lengths[k]), 1e-12, "what is found");
-            CHECK_NEAR(error.limit, 3.141592653589793, folds ? 1e-12 : 0.05, lengths[k]);
+            CHECK_NEAR(error.limit, 3.141592653589793, folds ? 1e-12 : 0.05, "%s", lengths[k]);
         }
         taut_model_free(model);
         taut_problem_free(problem);
