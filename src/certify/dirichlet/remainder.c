@@ -58,20 +58,30 @@ static int is_polynomial(const taut_basis *basis)
     return taut_basis_degree(basis) >= 0;
 }
 
+/* cosines[j][k] = cos(j pi (k + 1/2) / n): row 1 is where the nodes are. */
+static void fill_cosines(int n, double *cosines)
+{
+    for (int j = 0; j < n; j++) {
+        for (int k = 0; k < n; k++) {
+            cosines[j * n + k] = taut_cos(TAUT_PI * j * (k + 0.5) / n);
+        }
+    }
+}
+
 /* c[a][j] = (2 or 1)/n sum_k f_a(x_k) cos(j pi (k + 1/2) / n), x_k = cos(pi (k + 1/2) / n). */
-static void find_chebyshev(const taut_basis *basis, int span, double lo, double hi, double *values,
-                           double *c)
+static void find_chebyshev(const taut_basis *basis, int span, double lo, double hi,
+                           const double *cosines, double *values, double *c)
 {
     const int n = taut_basis_local(basis);
     for (int k = 0; k < n; k++) {
-        const double x = taut_cos(TAUT_PI * (k + 0.5) / n), t = lo + (hi - lo) * (0.5 + 0.5 * x);
+        const double x = n > 1 ? cosines[n + k] : 0, t = lo + (hi - lo) * (0.5 + 0.5 * x);
         (void)taut_basis_eval(basis, span, fmin(hi, fmax(lo, t)), 0, values + k * n);
     }
     for (int a = 0; a < n; a++) {
         for (int j = 0; j < n; j++) {
             double sum = 0;
             for (int k = 0; k < n; k++) {
-                sum += values[k * n + a] * taut_cos(TAUT_PI * j * (k + 0.5) / n);
+                sum += values[k * n + a] * cosines[j * n + k];
             }
             c[a * n + j] = (j == 0 ? 1 : 2) * sum / n;
         }
@@ -95,13 +105,18 @@ static taut_status find_coefficients(work *w, int d, taut_arena *arena)
     const taut_basis *basis = w->in->basis[d];
     const taut_cells *cells = w->in->cells[d];
     const size_t n = (size_t)taut_basis_local(basis);
+    double *cosines = taut_arena_take(arena, n * n, sizeof(double));
 
+    if (cosines != NULL) {
+        fill_cosines((int)n, cosines);
+    }
     w->coefficients[d] = taut_arena_take(arena, (size_t)cells->count, n * n * sizeof(double));
     w->values[d] = taut_arena_take(arena, n * n, sizeof(double));
     for (int k = 0; k < cells->count && taut_arena_status(arena) == TAUT_OK; k++) {
         double *c = w->coefficients[d] + (size_t)k * n * n;
         if (is_polynomial(basis)) {
-            find_chebyshev(basis, cells->span[k], cells->lo[k], cells->hi[k], w->values[d], c);
+            find_chebyshev(basis, cells->span[k], cells->lo[k], cells->hi[k], cosines, w->values[d],
+                           c);
         } else {
             find_taylor(basis, cells->span[k], cells->lo[k], cells->hi[k], c);
         }
