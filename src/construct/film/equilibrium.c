@@ -35,6 +35,7 @@
 #include "core/vec3.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 enum {
@@ -57,6 +58,8 @@ static const double residual_held = 1e-7;     /* the same where no line slides a
 static const double residual_rough = 1e-3;    /* of all coordinates, by the method `normal` */
 static const double turn_least =
     1e-6; /* sine: of edges that run on into each other a fit leaves so much */
+static const double force_none =
+    1e-9; /* of the tension and half the size: a cable that holds nothing */
 /* Of given lengths: share. Rounding is 1e-15, the certificate's limit 1e-10. */
 static const double length_agreement = 1e-12;
 /* Stiffness of a cable at the start, over force / length. A film of a given length is stable where
@@ -594,6 +597,21 @@ static taut_status settle(taut_film_work *w, int far, taut_error *error)
     return status;
 }
 
+taut_status taut_film_refuse_slack(const taut_film_space *space, int e, double length,
+                                   taut_error *error)
+{
+    const int unit = space->scaling.outer + space->scaling.inner;
+    const taut_film_edge *edge = &space->problem->edges[e];
+    const double given = edge->law == TAUT_FILM_ELASTIC ? edge->unstressed : edge->length;
+    char where[32];
+
+    snprintf(where, sizeof where, "/edges/%s/cable", taut_film_edge_names[e]);
+    return taut_fail(error, TAUT_NO_SOLUTION, "cable-too-weak", where, given, ldexp(length, unit),
+                     "cable %s is slack: the film draws it to no more than %.6g, and it is %.6g "
+                     "long; shorten it",
+                     taut_film_edge_names[e], ldexp(length, unit), given);
+}
+
 static taut_status enforce_laws(taut_film_work *w, taut_error *error)
 {
     double off[4];
@@ -608,6 +626,12 @@ static taut_status enforce_laws(taut_film_work *w, taut_error *error)
         const double worst = find_errors(w, off);
         if (worst <= length_agreement && (rests || k == 0)) {
             return TAUT_OK;
+        }
+        for (int c = 0; k == MULTIPLIERS && c < w->functional->cable_count; c++) {
+            if (off[c] < 0 && w->laws[w->edges[c]].force < force_none) {
+                return taut_film_refuse_slack(w->space, w->edges[c],
+                                              taut_area_cable_length(&w->cables[c], w->net), error);
+            }
         }
         if (k == MULTIPLIERS) {
             return taut_fail(error, TAUT_NOT_CONVERGED, "not-converged", NULL, worst,

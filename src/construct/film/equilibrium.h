@@ -84,4 +84,8 @@ static inline taut_status taut_film_pass_on(const taut_error *inner, taut_error 
     return inner->status;
 }
 
+/* A cable whose own length, so far as the film draws it (scaled), is more than that. */
+taut_status taut_film_refuse_slack(const taut_film_space *space, int e, double length,
+                                   taut_error *error);
+
 #endif /* TAUT_CONSTRUCT_FILM_EQUILIBRIUM_H */

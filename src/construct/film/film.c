@@ -12,6 +12,7 @@
 #include "construct/construct_ops.h"
 #include "construct/film/complex/complex.h"
 #include "construct/film/draft.h"
+#include "construct/film/edges.h"
 #include "construct/film/flat.h"
 #include "construct/film/images.h"
 #include "construct/film/order.h"
@@ -122,6 +123,11 @@ static taut_status check_guide(const taut_film_guide *guide, const char *where, 
                               "found a direction of length %.3g", size);
 }
 
+static int moves(const taut_film_problem *problem, int e, int end)
+{
+    return problem->corner_kinds[taut_film_corner_of(e, end)] != TAUT_FILM_HELD;
+}
+
 static taut_status check_edge(const taut_film_problem *problem, int e, taut_error *error)
 {
     const taut_film_edge *edge = &problem->edges[e];
@@ -147,10 +153,11 @@ static taut_status check_edge(const taut_film_problem *problem, int e, taut_erro
                          taut_film_edge_names[e]);
     }
     if (edge->kind == TAUT_FILM_CABLE && edge->law == TAUT_FILM_SAG &&
-        problem->ring != TAUT_FILM_OPEN) {
+        (problem->ring != TAUT_FILM_OPEN || moves(problem, e, 0) || moves(problem, e, 1))) {
         return taut_fail(error, TAUT_BAD_INPUT, "value", where, edge->sag, taut_none,
-                         "cable %s closes and has no chord to sag from: give its length or force",
-                         taut_film_edge_names[e]);
+                         "cable %s %s, and has no chord to sag from: give its length or force",
+                         taut_film_edge_names[e],
+                         problem->ring != TAUT_FILM_OPEN ? "closes" : "has an end that moves");
     }
     return edge->kind == TAUT_FILM_CABLE ? check_law(edge, e, error) : TAUT_OK;
 }

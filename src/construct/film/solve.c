@@ -86,11 +86,18 @@ static taut_status try_start(taut_film_work *w, int *done, taut_error *error)
     return TAUT_OK;
 }
 
-/* No film is a minimum that gives way. */
+/* No film is a minimum that gives way, nor is one whose springs push. */
 static taut_status check_stable(taut_film_work *w, taut_error *error)
 {
     taut_film_rest_point at;
 
+    for (int k = 0; k < w->functional->cable_count; k++) {
+        const taut_area_cable *cable = &w->cables[k];
+        const double length = taut_area_cable_length(cable, w->net);
+        if (cable->stiffness > 0 && cable->base == 0 && length < cable->target) {
+            return taut_film_refuse_slack(w->space, w->edges[k], length, error);
+        }
+    }
     if (w->is_definite) {
         w->negative = 0;
         return TAUT_OK;

@@ -25,6 +25,7 @@
 #include <string.h>
 
 /* An end of a curve and a corner are one when they are this close, over the size of the boundary. */
+static const double chord_shorter = 0.95; /* of a given length: a chord to begin with */
 static const double gap_meeting = 1e-9;
 /* Corners are two when they are further apart than this, over the size. */
 static const double gap_apart = 1e-9;
@@ -357,12 +358,21 @@ static taut_status check_ratio(int e, const char *member, double ratio, double g
                      TAUT_FILM_FORCE_MAX);
 }
 
+static int ends_move(const taut_film_problem *problem, int e)
+{
+    return problem->corner_kinds[taut_film_corner_of(e, 0)] != TAUT_FILM_HELD ||
+           problem->corner_kinds[taut_film_corner_of(e, 1)] != TAUT_FILM_HELD;
+}
+
 /* A length of which the arc of a circle has the radius, and so the force, `ratio`. */
 static taut_status take_length(taut_film_space *space, int e, double chord, double length,
                                taut_error *error)
 {
     const taut_film_edge *edge = &space->problem->edges[e];
     const int unit = space->scaling.outer + space->scaling.inner;
+    if (ends_move(space->problem, e)) { /* where they start says nothing of where they stay */
+        chord = fmin(chord, chord_shorter * length);
+    }
     const double a = length > chord ? taut_film_arc_angle(chord, length) : 0;
     const double radius = a > 0 ? chord / (2 * taut_sin(a)) : INFINITY;
 

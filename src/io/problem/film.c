@@ -730,12 +730,28 @@ static void check_poles(taut_reader *document, const taut_film_problem *data)
     }
 }
 
+/* What goes around is no edge, and not held. */
+static void check_rims(taut_reader *document, const taut_film_problem *data)
+{
+    const taut_json edges = taut_json_member(document->object, "edges");
+
+    for (int e = 0; document->status == TAUT_OK && edges.value != NULL && e < 4; e++) {
+        const taut_json at = taut_json_member(&edges, edge_members[e]);
+        if (at.value != NULL && taut_json_text_at(&at) != NULL &&
+            e / 2 == (data->ring == TAUT_FILM_RING_V) && data->ring != TAUT_FILM_OPEN) {
+            document->status = taut_json_refuse(&at, document->error, "edge-conflict",
+                                                "no such edge: it is in a seam");
+        }
+    }
+}
+
 /* What one patch has that is the whole film. */
 static void read_alone(taut_reader *document, taut_problem *problem, taut_film_problem *data)
 {
     read_one(document, problem, data);
     read_seams(document, data);
     check_poles(document, data);
+    check_rims(document, data);
     read_nets(document, problem->arena, data);
     read_tension(document, problem, data);
 }

@@ -45,6 +45,33 @@ static void test_corner(void)
     }
 }
 
+/* A corner that comes down from afar: the chord at its start says nothing of a given length, here that of a force of 2. Sags
+ * have no chord there. */
+static void test_from_afar(void)
+{
+    const double pi = 3.14159265358979324;
+    sail s = sail_new(4, 12, sail_square, 2);
+    taut_certificate *proof = NULL;
+    taut_error error = {.status = TAUT_OK};
+    taut_model *none = NULL;
+
+    s.problem.corners[3][2] = 3;
+    s.problem.corner_kinds[3] = TAUT_FILM_ON_LINE;
+    s.problem.guides[3] = (taut_film_guide){{2, 2, 7}, {0, 0, 3}};
+    s.problem.edges[1].law = TAUT_FILM_LENGTH;
+    s.problem.edges[1].length = 2 * pi / 3;
+    taut_model *model = make(&s.problem, &proof, "from afar");
+    CHECK_NEAR(sail_figure(proof, "tensions", 1), 2, 1e-7, "the force of its length");
+    s.problem.edges[1].law = TAUT_FILM_SAG;
+    s.problem.edges[1].sag = 0.1;
+    CHECK(taut_film_make(&s.problem, NULL, &none, &error) == TAUT_BAD_INPUT &&
+              strcmp(error.where, "/edges/u1") == 0,
+          "%s", error.message);
+    taut_certificate_free(proof);
+    taut_model_free(model);
+    sail_free(&s);
+}
+
 /* Cables of a flat sail lie in its plane anyway. In upright planes a saddle's hang differently: less may move, so that
  * there is more energy. */
 static void test_cables(void)
@@ -156,6 +183,7 @@ static void test_refused(void)
 int main(void)
 {
     test_corner();
+    test_from_afar();
     test_cables();
     test_mirrors();
     test_refused();

@@ -2,6 +2,7 @@
  * none, refusals on the right side of the known distances. */
 #include "certificates.h"
 #include "check.h"
+#include "refused.h"
 #include "rings.h"
 #include "sails.h"
 
@@ -346,8 +347,35 @@ static void test_thin(void)
     taut_problem_free(coarse);
 }
 
+/* A closed cable that is longer than the waist of the catenoid, where the film without it would rest in its plane: slack. */
+static void test_slack(void)
+{
+    const double waist = 0.952356777722, pi2 = 2 * pi; /* a cosh(0.3 / a) = 1 */
+    const char *const laws[] = {"\"length\":6.2", "\"length\":8",
+                                "\"unstressed\":6.5,\"stiffness\":10"};
+    char text[1000];
+
+    CHECK_NEAR(waist * cosh(0.3 / waist), 1, 1e-10, "waist");
+    for (int k = 0; k < 3; k++) {
+        snprintf(
+            text, sizeof text,
+            "{\"taut\":1,\"construct\":\"film\",\"u\":{\"type\":\"bspline\",\"degree\":4,\"count\":"
+            "20},"
+            "\"v\":{\"type\":\"bspline\",\"degree\":4,\"count\":10},\"seams\":[[\"u0\",\"u1\"]],"
+            "\"edges\":{"
+            "\"v0\":{\"fixed\":{\"circle\":{\"center\":[0,0,0],\"normal\":[0,0,1],\"radius\":1}}},"
+            "\"v1\":{\"cable\":{%s},\"plane\":{\"point\":[0,0,0.3],\"normal\":[0,0,1]}}}}",
+            laws[k]);
+        const taut_error said =
+            check_document_refused(text, TAUT_NO_SOLUTION, "cable-too-weak", "/edges/v1/cable");
+        CHECK(strstr(said.message, "slack") != NULL, "%s", said.message);
+        CHECK(fabs(said.limit - pi2 * waist) < 1e-4, "%s", said.message);
+    }
+}
+
 int main(void)
 {
+    test_slack();
     random_seed(23);
     test_starts();
     test_thin();
