@@ -184,6 +184,39 @@ static int check_folder(const char *path)
     return cli_fail_at(path, &error);
 }
 
+/* Do sheets of a thickness go there? */
+static int takes_thickness(const char *path)
+{
+    static const char thick[] = " 3mf glb iges igs obj ply step stl stp ";
+    taut_error error;
+    const char *ending = taut_formats_ending(taut_draw_formats(), path, &error);
+    char word[24] = "";
+    if (ending != NULL) {
+        snprintf(word, sizeof word, " %s ", ending);
+    }
+    return word[0] != '\0' && strstr(thick, word) != NULL;
+}
+
+/* A thickness that nothing is written with is refused; a picture beside what has it shows the surface itself, which is said. */
+static int check_thickness(const cli_options *options)
+{
+    int taken = 0;
+    for (int i = 0; i < options->output_count; i++) {
+        taken += takes_thickness(options->outputs[i]);
+    }
+    if (options->sheet > 0 && taken == 0) {
+        return cli_misuse("option", "--thickness makes sheets in STEP, IGES and meshes (.3mf, "
+                                    ".glb, .obj, .ply, .stl): give -o such a file");
+    }
+    for (int i = 0; options->sheet > 0 && i < options->output_count; i++) {
+        if (!takes_thickness(options->outputs[i]) && !cli_is_json(options->outputs[i])) {
+            cli_warn(options->outputs[i], "--thickness makes no difference here: it is of STEP, "
+                                          "IGES and meshes");
+        }
+    }
+    return 0;
+}
+
 int cli_check_outputs(const cli_options *options)
 {
     for (int i = 0; i < options->output_count; i++) {
@@ -204,7 +237,8 @@ int cli_check_outputs(const cli_options *options)
             }
         }
     }
-    return options->report != NULL ? check_folder(options->report) : 0;
+    const int code = check_thickness(options);
+    return code == 0 && options->report != NULL ? check_folder(options->report) : code;
 }
 
 const char *cli_distance(double bound, const taut_model *model, char room[CLI_DISTANCE_ROOM])

@@ -81,6 +81,15 @@ head -c 400 plate.ply | grep -qa '^element face 32' || complain "plate.ply: $(he
 # what cannot be: twice the radius, and a thickness that is none
 refused 4 'fold folded\.3mf found 4 expected (4|3\.99999999999999[0-9]*)' make pipe.json -o folded.3mf --thickness 4
 refused 4 'fold folded\.stl found 5 expected (4|3\.99999999999999[0-9]*)' make pipe.json -o folded.stl --thickness 5
+for ending in json geomdl.json html svg vtu dxf; do # none of them has a thickness
+    refused 2 'option' convert square.json -o none.$ending --thickness 0.1
+    contains err.txt 'thickness makes sheets in STEP, IGES and meshes'
+    absent none.$ending
+done
+refused 2 'option' convert square.json --thickness 0.1
+run 0 convert square.json -o both.stl -o both.svg -o both.json --thickness 0.1
+contains err.txt 'both.svg: warning: --thickness makes no difference here'
+[ "$(grep -c warning err.txt)" = 1 ] || complain "warnings: $(cat err.txt)"
 refused 2 'value --thickness 0 found 0' convert square.json -o none.3mf --thickness 0
 refused 2 'value --thickness nan found null' convert square.json -o none.3mf --thickness nan
 absent folded.3mf folded.stl none.3mf
