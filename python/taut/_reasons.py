@@ -150,7 +150,7 @@ REMEDIES = {
     'self-intersect-local': 'take a radius below the one named',
     'several': 'write .json, or figures of fewer models',
     'shape': 'run seams between opposite edges, not around a corner of the window',
-    'sheet': 'part them, or write them one by one: --surface; or take sheets of the size that the message tells',
+    'sheet': 'part them, raise --tolerance, or write them one by one: --surface; or take sheets of the size that the message tells',
     'short-span': 'take breaks, or a cut, further apart',
     'single-point': 'leave it out, or write IGES or JSON',
     'single-precision': 'write .ply or .obj',
