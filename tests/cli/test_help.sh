@@ -117,6 +117,18 @@ if grep -q 'taut help' err.txt; then complain "--json has what is for people: $(
 run 2 make --nonsense
 if grep -q 'see: taut help' err.txt; then complain "a wrong option leads away from its --help"; fi
 
+# Each word on the left of a report of a film, of cloth and of a patch is explained.
+for example in plateau-curves pattern-sail asymptotic-1; do
+    run 0 example $example
+    cp out.txt problem.json
+    run 0 make problem.json -o model.json
+    sed -n 's/^  \([a-z][a-z0-9 -]*[a-z0-9]\)  .*/\1/p' out.txt err.txt | sort -u > labels.txt
+    [ "$(wc -l < labels.txt)" -ge 15 ] || complain "$example: few labels: $(cat labels.txt)"
+    while read -r label; do
+        run 0 help "$label"
+    done < labels.txt
+done
+
 # A pipe gets bare names, a terminal a title beside each.
 run 0 example
 cp out.txt names.txt
