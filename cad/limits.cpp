@@ -58,12 +58,28 @@ static double size_of_request()
     return fstat(STDIN_FILENO, &about) == 0 ? static_cast<double>(about.st_size) : 0;
 }
 
+/* What the request explains, which may still be raised by what its file explains. */
+static void limit_softly(int resource, double soft)
+{
+    struct rlimit now;
+    if (getrlimit(resource, &now) == 0 &&
+        (now.rlim_max == RLIM_INFINITY || soft < static_cast<double>(now.rlim_max))) {
+        now.rlim_cur = static_cast<rlim_t>(soft);
+        setrlimit(resource, &now);
+    }
+}
+
 void settle_process()
 {
+    const double size = size_of_request();
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
     set_limit(RLIMIT_CORE, 0, 0);
     set_limit(RLIMIT_FSIZE, 0, 0);
+    limit_softly(RLIMIT_CPU, taut_cad_seconds(size));
+    if (!has_shadow) {
+        limit_softly(RLIMIT_AS, space_in_use() + taut_cad_memory(size));
+    }
 }
 
 /* Out of time is told by one signal, and the other comes a second later where that is not enough. An address sanitizer's

@@ -32,9 +32,10 @@ struct request {
     void read_item(FILE *from);
 };
 
-/* First of all: nothing is left behind of a crash, no file is written, and the end of a reader is no signal. */
+/* First of all: nothing is left behind of a crash, no file is written, the end of a reader is no signal, and time and memory are in
+ * proportion to the request. */
 void settle_process();
-/* Then, before OpenCASCADE sees anything: time and memory in proportion to the request and the file `path`. */
+/* Then, before OpenCASCADE sees anything: in proportion to the request and the file `path`, for good. */
 void limit_process(const char *path);
 
 #endif /* TAUT_CAD_REQUEST_HPP */

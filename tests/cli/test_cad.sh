@@ -160,6 +160,19 @@ PY
     run 0 convert named.json -o named2.step -o named.igs
     contains named2.step "=PRODUCT.'Leitung 7'"
     contains named.igs '9HLeitung 7'
+    # its limits are set before it reads a byte of the request
+    mkfifo request answer
+    cat answer > hello.txt &
+    "$helper" < request > answer &
+    exec 7> request
+    for i in $(seq 1000); do
+        [ -s hello.txt ] && break
+        sleep 0.01
+    done
+    grep -Eq '^Max cpu time +20 ' /proc/$!/limits || complain "without a request: $(grep -E 'cpu|address' /proc/$!/limits)"
+    exec 7>&-
+    wait
+    grep -aq 'the request of taut-cad is cut off' hello.txt || complain "$helper takes no request for one"
     "$helper" --version | grep -q '^taut-cad, protocol 5, OpenCASCADE [0-9]' || complain "$helper says no version"
     "$helper" model.igs > /dev/null 2>&1 && complain "$helper takes an argument"
 fi

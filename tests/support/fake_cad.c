@@ -72,6 +72,8 @@ static void say_otherwise(const char *role)
     } else if (is_role(role, "deaf")) {
         close(STDOUT_FILENO);
         wait_for_ever();
+    } else if (is_role(role, "mute")) {
+        wait_for_ever();
     }
     while (is_role(role, "endless") && write(STDOUT_FILENO, bytes, sizeof bytes) > 0) {
     }
@@ -132,8 +134,8 @@ static void answer(const char *role)
 
 void fake_cad_play(void)
 {
-    static const char *const others[] = {"silent", "no-load", "stranger",
-                                         "echo",   "endless", "deaf"};
+    static const char *const others[] = {"silent", "no-load", "stranger", "echo",
+                                         "mute",   "endless", "deaf"};
     const char *role = getenv(variable);
     if (role == NULL) {
         return;

@@ -16,6 +16,7 @@ void fake_cad_play(void);
  *     "silent"    ends at once                                     "no-load"   so, as where its libraries are missing
  *     "stranger"  says something else                              "echo"      repeats the request
  *     "endless"   something else, and never ends                   "hang"      says who it is and waits for ever
+ *     "mute"      says nothing and waits for ever
  *     "deaf"      closes its answer and waits for ever             "half"      ends in the middle of an item
  *     "word-less" says who it is and ends                          "signal N"  likewise, of signal N
  *     "version"   is one version ahead                             "layout"    lays numbers out otherwise

@@ -18,6 +18,9 @@ static const char package[] = "libocct-data-exchange-dev";
 /* Where a machine is busy with other things, seconds on the clock are more than those of its processor. */
 static const double clock_factor = 10;
 
+/* Seconds on the clock in which it must say who it is: the system loads its libraries in that time. */
+static const double greeting_seconds = 20;
+
 /* What was in vain and whose fault it is, for all that is refused here. */
 typedef struct attempt {
     const char *program;
@@ -154,7 +157,7 @@ static size_t hear(void *context, void *to, size_t room)
 }
 
 /* All that a process that has been started says, and how it ends. */
-static taut_status hear_helper(attempt *a, const taut_helper *helper, taut_cad_result *result,
+static taut_status hear_helper(attempt *a, taut_helper *helper, taut_cad_result *result,
                                taut_error *error)
 {
     ear e = {helper, a};
@@ -165,13 +168,15 @@ static taut_status hear_helper(attempt *a, const taut_helper *helper, taut_cad_r
 
     const taut_cad_greeting greeting = taut_cad_get_hello(&source, &hello);
     if (greeting == TAUT_CAD_GREETED) {
+        helper->deadline += a->seconds;
         status = taut_cad_get_all(&source, result, error);
     }
     const taut_helper_fate fate = taut_system_helper_end(helper, &number);
     if (taut_pulse_is_stopped(&a->pulse)) {
         return refuse_death(a, TAUT_HELPER_INTERRUPTED, 0, error);
     }
-    if (greeting == TAUT_CAD_STRANGER || greeting == TAUT_CAD_OTHER_VERSION) {
+    if (greeting == TAUT_CAD_STRANGER || greeting == TAUT_CAD_OTHER_VERSION ||
+        (greeting == TAUT_CAD_SILENT && a->is_late)) {
         return refuse_greeting(a, greeting, &hello, error);
     }
     if (a->is_late) {
@@ -221,7 +226,7 @@ static taut_status start_and_hear(attempt *a, FILE *request, taut_cad_result *re
                                   taut_error *error)
 {
     taut_helper helper;
-    const int reason = taut_system_helper_start(&helper, a->program, request, a->seconds);
+    const int reason = taut_system_helper_start(&helper, a->program, request, greeting_seconds);
     fclose(request);
     if (reason != 0) {
         return is_about_program(reason) ? refuse_program(a, reason, error)

@@ -278,6 +278,18 @@ static void test_hang(void)
     check_nothing_left(files, "hang");
 }
 
+/* What never introduces itself is waited for no longer than a loader needs, however large the file. */
+static void test_mute(void)
+{
+    const int files = open_files();
+    fake_cad_as("mute");
+    const outcome o = read_drawing();
+    CHECK(o.status == TAUT_IO && strcmp(o.error.reason, "helper") == 0 &&
+              strstr(o.error.message, "it does not answer as one") != NULL,
+          "%d %s: %s", (int)o.status, o.error.reason, o.error.message);
+    check_nothing_left(files, "mute");
+}
+
 /* While it is waited for the monitor is told; an end stops it, and nothing is left, the file neither. */
 static void test_watched(void)
 {
@@ -447,6 +459,7 @@ int main(void)
     test_bare_host();
     test_threads();
     test_hang();
+    test_mute();
     test_watched();
     test_proportion();
     fake_cad_as(NULL);
