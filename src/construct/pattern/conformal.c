@@ -13,6 +13,8 @@
 #include <math.h>
 
 enum { DEGREE = TAUT_FLAT_DEGREE, LOCAL = TAUT_FLAT_LOCAL, GAUSS = TAUT_FLAT_GAUSS };
+/* Operations, about, of a place of quadrature. */
+static const double work_of_place = 5e3;
 
 typedef struct sums {
     const taut_pattern_piece *piece;
@@ -53,12 +55,13 @@ static void add_place(sums *w, int a, int q, int b, int r, const double g[3], do
     }
 }
 
-static void add_all(sums *w)
+static void add_all(sums *w, taut_pulse *pulse)
 {
     const taut_flat_line *s = &w->lines[0], *t = &w->lines[1];
     taut_pattern_kept kept = {.s = NAN};
     const taut_pattern_across across = {w->piece, &kept};
-    for (int m = 0; m < s->spans * GAUSS; m++) {
+    for (int m = 0;
+         m < s->spans * GAUSS && !taut_pulse_beat(pulse, t->spans * GAUSS * work_of_place); m++) {
         for (int n = 0; n < t->spans * GAUSS; n++) {
             const double x = s->at[m / GAUSS][m % GAUSS], y = t->at[n / GAUSS][n % GAUSS];
             double g[3], bend[2], gauss;
@@ -91,7 +94,7 @@ static void pin_border(sums *w)
     }
 }
 
-taut_status taut_pattern_find_scale(taut_pattern_piece *piece, taut_arena *arena)
+taut_status taut_pattern_find_scale(taut_pattern_piece *piece, taut_pulse *pulse, taut_arena *arena)
 {
     sums w = {.piece = piece};
     taut_arena *scratch = taut_arena_new();
@@ -106,9 +109,9 @@ taut_status taut_pattern_find_scale(taut_pattern_piece *piece, taut_arena *arena
                                  : TAUT_NO_MEMORY;
     }
     if (status == TAUT_OK) {
-        add_all(&w);
+        add_all(&w, pulse);
         pin_border(&w);
-        status = taut_band_factor(&w.matrix);
+        status = taut_band_factor_watched(&w.matrix, pulse);
         if (status == TAUT_OK) {
             taut_band_solve(&w.matrix, 1, w.right);
             piece->log_scale = w.right;

@@ -12,8 +12,9 @@
 #include "construct/pattern/piece.h"
 
 /* Into piece->log_scale, in the arena: a spline of degree 5 on so many spans as the piece's, 0 on the border, by Galerkin's method.
- * TAUT_NO_MEMORY, TAUT_NO_SOLUTION. */
-taut_status taut_pattern_find_scale(taut_pattern_piece *piece, taut_arena *arena);
+ * pulse may be NULL. TAUT_NO_MEMORY, TAUT_NO_SOLUTION, TAUT_INTERRUPTED. */
+taut_status taut_pattern_find_scale(taut_pattern_piece *piece, taut_pulse *pulse,
+                                    taut_arena *arena);
 /* As taut_pattern_across_metric: e^(2 phi) G. */
 void taut_pattern_scaled_metric(const void *across, double s, double t, double g[3]);
 

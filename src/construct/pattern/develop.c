@@ -21,6 +21,8 @@ static const double flat_curvature = 1e-11, no_strain = 2e-12, claimed_strain = 
 /* Of iint |K| dA: sums that are one. */
 static const double same_curvature = 1e-7, rough_curvature = 1e-5;
 static const double aside = 1e-8; /* of s and t */
+/* Operations, about, of a place that is looked at. */
+static const double work_of_place = 3e3;
 
 /* iint K dA, iint |K| dA, the area, and the largest |K| that was met. */
 typedef struct curvature_sums {
@@ -28,7 +30,7 @@ typedef struct curvature_sums {
 } curvature_sums;
 
 /* By a rule of so many nodes in so many cells each way. */
-static void add_curvature(const taut_pattern_piece *piece, int count, int cells,
+static void add_curvature(const taut_pattern_piece *piece, int count, int cells, taut_pulse *pulse,
                           curvature_sums *sums)
 {
     double nodes[LOOK], weights[LOOK];
@@ -36,7 +38,8 @@ static void add_curvature(const taut_pattern_piece *piece, int count, int cells,
     const taut_pattern_across across = {piece, &kept};
     taut_gauss_rule(count, nodes, weights);
     *sums = (curvature_sums){.gauss = 0};
-    for (int i = 0; i < cells * count; i++) {
+    for (int i = 0; i < cells * count && !taut_pulse_beat(pulse, cells * count * work_of_place);
+         i++) {
         for (int k = 0; k < cells * count; k++) {
             const double s = (i / count + (1 + nodes[i % count]) / 2) / cells;
             const double t = (k / count + (1 + nodes[k % count]) / 2) / cells;
@@ -55,13 +58,14 @@ static void add_curvature(const taut_pattern_piece *piece, int count, int cells,
 
 /* iint K dA by the border, after Gauss and Bonnet: the corners' angles less 2 pi less int k_g ds around it; just inside, as an edge may
  * lie on a knot. */
-static double curvature_by_border(const taut_pattern_piece *piece)
+static double curvature_by_border(const taut_pattern_piece *piece, taut_pulse *pulse)
 {
     double nodes[LOOK], weights[LOOK], sum = 0;
     taut_gauss_rule(LOOK, nodes, weights);
     for (int edge = 0; edge < 4; edge++) {
         const int across = edge / 2, is_far = edge % 2;
         const double at = is_far ? 1 - aside : aside;
+        taut_pulse_beat(pulse, BORDER_CELLS * LOOK * work_of_place);
         for (int k = 0; k < BORDER_CELLS * LOOK; k++) {
             const double x = (k / LOOK + (1 + nodes[k % LOOK]) / 2) / BORDER_CELLS;
             double bend[2], gauss;
@@ -76,25 +80,25 @@ static double curvature_by_border(const taut_pattern_piece *piece)
     return sum;
 }
 
-void taut_pattern_look_at_curvature(taut_pattern_piece *piece)
+void taut_pattern_look_at_curvature(taut_pattern_piece *piece, taut_pulse *pulse)
 {
     curvature_sums all, other;
-    add_curvature(piece, LOOK, 1, &all);
+    add_curvature(piece, LOOK, 1, pulse, &all);
     piece->curvature = all.gauss;
     piece->is_developable = all.most * all.area < flat_curvature;
-    add_curvature(piece, LOOK_AGAIN, 1, &other);
+    add_curvature(piece, LOOK_AGAIN, 1, pulse, &other);
     int is_rough = 0;
     for (int cells = 2; cells <= LOOK_CELLS && !piece->is_developable &&
                         fabs(other.gauss - all.gauss) > same_curvature * all.size;
          cells *= 2) { /* K that is uneven */
         other = all;
-        add_curvature(piece, LOOK, cells, &all);
+        add_curvature(piece, LOOK, cells, pulse, &all);
         piece->curvature = all.gauss;
         is_rough = fabs(other.gauss - all.gauss) > rough_curvature * all.size;
     }
     if (is_rough && !piece->bounds[TAUT_FLAT_START].is_point &&
         !piece->bounds[TAUT_FLAT_END].is_point) {
-        piece->curvature = curvature_by_border(piece);
+        piece->curvature = curvature_by_border(piece, pulse);
     }
 }
 
@@ -129,6 +133,7 @@ static void integrals(const double nodes[NODES], const double weights[NODES],
 
 typedef struct walker {
     const taut_pattern_piece *piece;
+    taut_pulse *pulse;
     double nodes[NODES], weights[NODES], table[NODES][NODES];
 } walker;
 
@@ -164,7 +169,8 @@ static void fill(const walker *w, const int spans[2], double *places)
     place axis = {{0, 0}, 0};
     double s = 0;
 
-    for (int i = 0; i < count[0]; i++) {
+    for (int i = 0; i < count[0] && !taut_pulse_beat(w->pulse, count[1] * NODES * work_of_place);
+         i++) {
         const double next = taut_flat_greville(spans[0], i);
         double g[3];
         walk(w, 0, 0, s, next, &axis);
@@ -196,18 +202,22 @@ static void fill(const walker *w, const int spans[2], double *places)
 }
 
 /* The largest strain, so many places of each span looked at. */
-static double strain_of(const taut_pattern_piece *piece, const taut_flat *flat, int places)
+static double strain_of(const taut_pattern_piece *piece, const taut_flat *flat, int places,
+                        taut_pulse *pulse)
 {
+    taut_pattern_kept kept = {.s = NAN};
+    const taut_pattern_across across = {piece, &kept};
     const double shrink[2] = {1 - flat->warp, 1 - flat->weft};
     double most = 0;
     const int first = piece->bounds[TAUT_FLAT_START].is_point; /* at a point there is no strain */
     const int last = places * flat->spans[0] - piece->bounds[TAUT_FLAT_END].is_point;
-    for (int i = first; i <= last; i++) {
+    for (int i = first;
+         i <= last && !taut_pulse_beat(pulse, (places * flat->spans[1] + 1) * work_of_place); i++) {
         for (int k = 0; k <= places * flat->spans[1]; k++) {
             const double s = (double)i / (places * flat->spans[0]);
             const double t = (double)k / (places * flat->spans[1]);
             double g[3], y[3][2], strain[2];
-            taut_pattern_piece_metric(piece, s, t, g);
+            taut_pattern_across_metric(&across, s, t, g);
             taut_flat_at(flat, s, t, y);
             taut_flat_strain(shrink, g, (const double(*)[2])y, strain, NULL);
             most = fmax(most, fmax(fabs(strain[0]), fabs(strain[1])));
@@ -222,7 +232,7 @@ taut_status taut_pattern_develop(taut_pattern_piece *piece, const taut_flat_opti
     taut_pattern_kept kept = {.s = NAN};
     const taut_pattern_across across = {piece, &kept};
     const taut_flat_strip strip = {taut_pattern_across_metric, &across, NULL};
-    walker w = {.piece = piece};
+    walker w = {.piece = piece, .pulse = options->pulse};
     double before = INFINITY;
 
     taut_gauss_rule(NODES, w.nodes, w.weights);
@@ -244,7 +254,7 @@ taut_status taut_pattern_develop(taut_pattern_piece *piece, const taut_flat_opti
             fill(&w, own.spans, places);
             status = taut_flat_of_places(scratch, &strip, &own, places, &flat);
         }
-        const double strain = status == TAUT_OK ? strain_of(piece, &flat, HALVES) : 0;
+        const double strain = status == TAUT_OK ? strain_of(piece, &flat, HALVES, w.pulse) : 0;
         if (status == TAUT_OK && strain < before / 2) { /* rounding ends it */
             status = taut_flat_copy(arena, &flat, &piece->alone);
         }
@@ -257,7 +267,7 @@ taut_status taut_pattern_develop(taut_pattern_piece *piece, const taut_flat_opti
         }
         before = strain;
     }
-    if (before > no_strain && strain_of(piece, &piece->alone, CLAIMED) > claimed_strain) {
+    if (before > no_strain && strain_of(piece, &piece->alone, CLAIMED, w.pulse) > claimed_strain) {
         piece->is_developable = 0; /* its metric has kinks between the knots of splines */
     }
     return TAUT_OK;

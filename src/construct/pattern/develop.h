@@ -9,8 +9,8 @@
 
 #include "construct/pattern/piece.h"
 
-/* Fills piece->curvature and piece->is_developable. */
-void taut_pattern_look_at_curvature(taut_pattern_piece *piece);
+/* Fills piece->curvature and piece->is_developable. pulse may be NULL. */
+void taut_pattern_look_at_curvature(taut_pattern_piece *piece, taut_pulse *pulse);
 /* Into piece->alone, in the arena, on as many spans as it needs; piece->is_developable falls where splines do not come near enough.
  * TAUT_NO_MEMORY. */
 taut_status taut_pattern_develop(taut_pattern_piece *piece, const taut_flat_options *options,

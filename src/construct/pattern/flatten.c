@@ -359,7 +359,7 @@ static void alone(void *context, int worker, int64_t task)
     const taut_pattern_across across = {piece, &kept};
     const taut_flat_options own = options_of(p, piece, worker);
 
-    taut_pattern_look_at_curvature(piece);
+    taut_pattern_look_at_curvature(piece, own.pulse);
     piece->is_developable &= piece->fade_count == 0; /* cut smaller by parts it is strained */
     if (piece->is_developable) {
         p->status[task] = taut_pattern_develop(piece, &own, p->arenas[task]);
@@ -374,7 +374,7 @@ static void alone(void *context, int worker, int64_t task)
     taut_flat flat = {.steps = 0};
     taut_status status = scratch != NULL ? TAUT_OK : TAUT_NO_MEMORY;
     if (status == TAUT_OK && p->cut->is_conformal) {
-        status = taut_pattern_find_scale(piece, p->arenas[task]);
+        status = taut_pattern_find_scale(piece, own.pulse, p->arenas[task]);
     }
     if (status == TAUT_OK) {
         const taut_flat_strip strip = strip_of(&across);
@@ -463,7 +463,7 @@ static void together(void *context, int worker, int64_t task)
     }
     if (status == TAUT_OK) {
         status = all_edges(&piece->flat, p->arenas[task], piece->edges);
-        piece->strains = taut_pattern_strains_of(piece);
+        piece->strains = taut_pattern_strains_of(piece, options_of(p, piece, worker).pulse);
     }
     p->status[task] = status;
     taut_arena_free(scratch);

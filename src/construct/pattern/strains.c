@@ -3,6 +3,8 @@
 #include <math.h>
 
 enum { PARTS = 4 /* of a span */ };
+/* Operations, about, of a place. */
+static const double work_of_place = 3e3;
 
 static void widen(double range[2], double x)
 {
@@ -10,7 +12,7 @@ static void widen(double range[2], double x)
     range[1] = fmax(range[1], x);
 }
 
-taut_pattern_strains taut_pattern_strains_of(const taut_pattern_piece *piece)
+taut_pattern_strains taut_pattern_strains_of(const taut_pattern_piece *piece, taut_pulse *pulse)
 {
     const taut_flat *flat = &piece->flat;
     const int count[2] = {PARTS * flat->spans[0], PARTS * flat->spans[1]};
@@ -24,7 +26,7 @@ taut_pattern_strains taut_pattern_strains_of(const taut_pattern_piece *piece)
     /* at a point there is no strain */
     const int first = piece->bounds[TAUT_FLAT_START].is_point;
     const int last = count[0] - piece->bounds[TAUT_FLAT_END].is_point;
-    for (int i = first; i <= last; i++) {
+    for (int i = first; i <= last && !taut_pulse_beat(pulse, count[1] * work_of_place); i++) {
         for (int k = 0; k <= count[1]; k++) {
             const double s = (double)i / count[0], t = (double)k / count[1];
             double g[3], y[3][2], shrink[2], strain[2], cloth[3];

@@ -4,6 +4,7 @@
 
 #include "construct/pattern/piece.h"
 
-taut_pattern_strains taut_pattern_strains_of(const taut_pattern_piece *piece);
+/* pulse may be NULL. */
+taut_pattern_strains taut_pattern_strains_of(const taut_pattern_piece *piece, taut_pulse *pulse);
 
 #endif /* TAUT_CONSTRUCT_PATTERN_STRAINS_H */

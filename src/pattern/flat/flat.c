@@ -34,6 +34,8 @@ enum {
 static const taut_flat_law default_law = {1, 1, 0, 0.5};
 /* A step below this, over the size, is the last but one, or the last where Newton's next would be below `rounding`. */
 static const double small_step = 1e-7, rounding = 1e-16;
+/* Operations, about, of a place: of the metric, of the density, and of its second variation. */
+static const double work_of_metric = 2e3, work_of_density = 2e2, work_of_form = 2e3;
 /* Rows that depend on each other: e over the largest of S. */
 static const double dependent = 1e-13;
 
@@ -92,12 +94,16 @@ static const double *shrink_at(const work *w, int a, int q, int m)
                          2;
 }
 
-/* W of a net; INFINITY where it folds at a Gauss point. */
+/* W of a net; INFINITY where it folds at a Gauss point, and once it is to end. */
 static double energy_of(work *w, const double *y)
 {
     const line *s = &w->lines[0], *t = &w->lines[1];
     double sum = 0;
     taut_flat_form f;
+    if (taut_pulse_beat(w->options->pulse,
+                        s->spans * GAUSS * (t->spans * GAUSS * work_of_density))) {
+        return INFINITY;
+    }
     for (int k = 0; k < s->spans * GAUSS; k++) {
         const double *g = metric_along(w, k / GAUSS, k % GAUSS);
         taut_flat_sums_slopes(&w->sums, y, k / GAUSS, k % GAUSS, w->j);
@@ -118,7 +124,9 @@ static void assemble(work *w)
 
     memset(w->hessian.a, 0, sizeof(double) * (size_t)w->n * ((size_t)w->width + 1));
     memset(w->gradient, 0, sizeof(double) * (size_t)w->n);
-    for (int a = 0; a < s->spans; a++) {
+    for (int a = 0; a < s->spans &&
+                    !taut_pulse_beat(w->options->pulse, t->spans * GAUSS * GAUSS * work_of_form);
+         a++) {
         taut_flat_sums_begin(&w->sums);
         for (int q = 0; q < GAUSS; q++) {
             const double *g = metric_along(w, a, q);
@@ -390,14 +398,15 @@ static int first_row(int n, size_t ld, size_t count, const double *x)
 }
 
 /* As taut_band_solve, bit for bit, which reads and writes every column once a row of the band. */
-static void solve_columns(const taut_band *factor, int count, double *x)
+static void solve_columns(const taut_band *factor, int count, taut_pulse *pulse, double *x)
 {
     const size_t ld = (size_t)count;
+    const double of_each = 4.0 * factor->n * factor->width;
     size_t r = 0;
-    for (; r + ABREAST <= ld; r += ABREAST) {
+    for (; r + ABREAST <= ld && !taut_pulse_beat(pulse, ABREAST * of_each); r += ABREAST) {
         solve_abreast(factor, first_row(factor->n, ld, ABREAST, x + r), ld, ABREAST, x + r);
     }
-    for (; r < ld; r++) {
+    for (; r < ld && !taut_pulse_beat(pulse, of_each); r++) {
         solve_abreast(factor, first_row(factor->n, ld, 1, x + r), ld, 1, x + r);
     }
 }
@@ -421,7 +430,7 @@ static int try_step(work *w, const double *matrix, double shift, double hold, in
         row_of(w, w->rows)[held] = 1;
         w->c[w->rows] = 0;
     }
-    if (taut_band_factor_signed(&w->hessian, &negative, NULL) != TAUT_OK) {
+    if (taut_band_factor_signed(&w->hessian, &negative, w->options->pulse) != TAUT_OK) {
         return 0;
     }
     for (int i = 0; i < w->n; i++) {
@@ -430,7 +439,10 @@ static int try_step(work *w, const double *matrix, double shift, double hold, in
         }
         w->solved[i * columns + rows] = -w->slope[i];
     }
-    solve_columns(&w->hessian, columns, w->solved);
+    solve_columns(&w->hessian, columns, w->options->pulse, w->solved);
+    if (taut_pulse_is_stopped(w->options->pulse)) {
+        return 0;
+    }
     memset(w->schur, 0, sizeof(double) * (size_t)w->room * (size_t)w->room);
     for (int k = 0; k < rows; k++) {
         const double *a = row_of(w, k);
@@ -487,7 +499,7 @@ static int newton_step(work *w, double *matrix, double *trial, double *length)
     const double diagonal = pin(w);
     w->residual = lagrangian(w) / (diagonal * w->size);
     memcpy(matrix, w->hessian.a, sizeof *matrix * (size_t)w->n * ((size_t)w->width + 1));
-    for (int k = 0; !done && k < SHIFTS_MAX; k++) {
+    for (int k = 0; !done && k < SHIFTS_MAX && !taut_pulse_is_stopped(w->options->pulse); k++) {
         done = try_step(w, matrix, shift, diagonal, held);
         w->is_stable = done && shift == 0;
         if (done && shift > 0) {
@@ -524,14 +536,12 @@ static int newton_step(work *w, double *matrix, double *trial, double *length)
 static int newton(work *w, double *matrix, double *trial)
 {
     double length = INFINITY, before;
-    const double of_step = 2.0 * w->n * w->width * w->width; /* operations, about, its factor's */
     w->energy = energy_of(w, w->y);
     w->shift = 0;
     memset(w->multiplier, 0, sizeof(double) * (size_t)w->room);
     for (int k = 0; k < STEPS_MAX && w->energy < INFINITY; k++) {
         before = length;
-        if (!newton_step(w, matrix, trial, &length) ||
-            taut_pulse_beat(w->options->pulse, of_step)) {
+        if (!newton_step(w, matrix, trial, &length)) {
             return 0;
         }
         /* lengths end by their squares: this is what the next one would be */
@@ -926,7 +936,9 @@ static double sample(work *w)
 {
     const line *s = &w->lines[0], *t = &w->lines[1];
     double area = 0;
-    for (int k = 0; k < s->spans * GAUSS; k++) {
+    for (int k = 0; k < s->spans * GAUSS &&
+                    !taut_pulse_beat(w->options->pulse, t->spans * GAUSS * work_of_metric);
+         k++) {
         double *g = metric_along(w, k / GAUSS, k % GAUSS);
         for (int m = 0; m < t->spans * GAUSS; m++, g += 3) {
             w->strip->metric(w->strip->context, s->at[k / GAUSS][k % GAUSS],
