@@ -11,7 +11,7 @@ trap 'rm -rf "$work"' EXIT
 cd "$work"
 kernels=baseline
 for kernel in avx2 avx512; do
-    TAUT_KERNEL=$kernel "$program" --version | grep -q 'is none of' || kernels="$kernels $kernel"
+    TAUT_KERNEL=$kernel "$program" --version | grep -q 'is passed over' || kernels="$kernels $kernel"
 done
 for name in $("$program" example | awk '{ print $1 }'); do
     "$program" example "$name" > problem.json

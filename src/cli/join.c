@@ -13,7 +13,8 @@ static int find_edge(const taut_model *model, const char *word, const taut_surfa
 
     if (taut_edge_of_name(dot != NULL ? dot + 1 : word, edge) != TAUT_OK) {
         return cli_misuse(
-            "value", "%.80s is no edge: expected u0, u1, v0 or v1, or NAME.u0 and so on", word);
+            "value", "found edge \"%.80s\", expected u0, u1, v0, v1 or one of a surface, NAME.u0",
+            word);
     }
     for (int i = 0; i < taut_model_surface_count(model); i++) {
         const char *name = taut_surface_name(taut_model_surface(model, i));

@@ -67,7 +67,10 @@ static int print_version(void)
     const char *wanted = getenv("TAUT_KERNEL");
     printf("taut %s, %s kernels\n", taut_version(), taut_kernel_in_use());
     if (wanted != NULL && strcmp(wanted, taut_kernel_in_use()) != 0) {
-        printf("TAUT_KERNEL=%.40s is none of this processor's: baseline, avx2, avx512\n", wanted);
+        printf(
+            "TAUT_KERNEL=%.40s is passed over: this processor has no such kernels, or the name is "
+            "not one of baseline, avx2, avx512\n",
+            wanted);
     }
     return cli_print_text("", 0);
 }
@@ -122,6 +125,9 @@ static int help(int count, char **words)
     for (int i = 0; i < count; i++) {
         const size_t used = strlen(word);
         snprintf(word + used, sizeof word - used, "%s%s", i > 0 ? " " : "", words[i]);
+    }
+    if (strcmp(word, "help") == 0 || strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0) {
+        return print_help();
     }
     const cli_command *command = command_of(word);
     if (command != NULL) {

@@ -236,8 +236,7 @@ static int run(const cli_options *options)
     }
     return cli_run_document(options, "pattern",
                             "`taut pattern` needs --across, --radial, --geodesic or --line with "
-                            "the surface of a problem "
-                            "or a model");
+                            "the surface of a problem or a model");
 }
 
 static const cli_option options_of_pattern[] = {

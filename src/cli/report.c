@@ -198,10 +198,13 @@ static int lacks_unit(const taut_record *figures, const char *key)
 }
 
 /* What the report calls a member. A word that is a claim too names only that: `cables` says that the cables are the
- * problem's; what they carry is a table. */
-static const char *label_of(const char *key, char *buffer, size_t size)
+ * problem's; what they carry is a table. A `seam_length` is a rule of the document and a figure. */
+static const char *label_of(const taut_record *record, const char *key, char *buffer, size_t size)
 {
-    return strcmp(key, "cables") == 0      ? "each cable"
+    const int is_rule = strcmp(key, "seam_length") == 0 &&
+                        taut_record_kind_of(taut_record_get(record, key)) == TAUT_RECORD_TEXT;
+    return is_rule                         ? "seam rule"
+           : strcmp(key, "cables") == 0    ? "each cable"
            : strcmp(key, "known") == 0     ? "known points"
            : strcmp(key, "reactions") == 0 ? "forces on supports"
                                            : words(key, buffer, size);
@@ -220,7 +223,8 @@ static void print_members(const taut_record *record, const taut_record *supports
             continue;
         }
         const char *key = taut_record_key(record, i);
-        const int width = fprintf(stderr, "  %-*s ", COLUMN - 1, label_of(key, name, sizeof name));
+        const int width =
+            fprintf(stderr, "  %-*s ", COLUMN - 1, label_of(record, key, name, sizeof name));
         fprintf(stderr, "%s", width > COLUMN + 2 ? " " : ""); /* long names have two as well */
         const int digits = digits_of(record, key);
         const taut_record *names = strcmp(key, "reactions") == 0 ? supports : NULL;

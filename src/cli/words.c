@@ -89,6 +89,15 @@ int cli_run_words(const cli_options *options, const char *command,
     return code;
 }
 
+/* A model, or a file of another program: what the command would take with a rule. */
+static int is_model(const char *path, const taut_error *error)
+{
+    const size_t length = strlen(path);
+    const int is_json = length >= 5 && strcmp(path + length - 5, ".json") == 0;
+    return strcmp(error->reason, "kind") == 0 ||
+           (strcmp(error->reason, "syntax") == 0 && !is_json && strcmp(path, "-") != 0);
+}
+
 int cli_run_document(const cli_options *options, const char *construction, const char *needs)
 {
     taut_problem *problem = NULL;
@@ -96,7 +105,8 @@ int cli_run_document(const cli_options *options, const char *construction, const
     int code = 0;
 
     if (taut_problem_read(options->files[0], &problem, &error) != TAUT_OK) {
-        return cli_fail_in(options->files[0], &error);
+        return is_model(options->files[0], &error) ? cli_misuse("option", "%s", needs)
+                                                   : cli_fail_in(options->files[0], &error);
     }
     code = strcmp(taut_problem_construction(problem), construction) == 0
                ? cli_make_one(problem, options)

@@ -99,6 +99,10 @@ while read -r word; do
     run 0 help "$word"
     grep -q -e ', a word of the report$' -e ', a claim of ' out.txt || complain "taut help $word: $(cat out.txt)"
 done < words.txt
+for asks in 'help help' 'help --help' 'help -h' help -h; do
+    run 0 $asks
+    contains out.txt '^  taut make  .*'
+done
 run 0 help lowest eigenvalue
 contains out.txt '^lowest_eigenvalue, a word of the report$'
 if grep -q -e '\*\*' -e '](' out.txt; then complain "marks of Markdown: $(cat out.txt)"; fi
@@ -117,17 +121,17 @@ if grep -q 'taut help' err.txt; then complain "--json has what is for people: $(
 run 2 make --nonsense
 if grep -q 'see: taut help' err.txt; then complain "a wrong option leads away from its --help"; fi
 
-# Each word on the left of a report of a film, of cloth and of a patch is explained.
-for example in plateau-curves pattern-sail asymptotic-1; do
-    run 0 example $example
-    cp out.txt problem.json
-    run 0 make problem.json -o model.json
-    sed -n 's/^  \([a-z][a-z0-9 -]*[a-z0-9]\)  .*/\1/p' out.txt err.txt | sort -u > labels.txt
-    [ "$(wc -l < labels.txt)" -ge 15 ] || complain "$example: few labels: $(cat labels.txt)"
-    while read -r label; do
-        run 0 help "$label"
-    done < labels.txt
-done
+# Each word on the left of the report of any example is explained.
+"$TAUT" example > examples.txt
+while read -r example; do
+    "$TAUT" example "$example" > problem.json
+    "$TAUT" make problem.json -o model.json < /dev/null 2>&1 || [ $? = 1 ] || complain "$example fails"
+done < examples.txt > reports.txt
+sed -n 's/^  \([a-z][a-z0-9 -]*[a-z0-9]\)  .*/\1/p' reports.txt | sort -u > labels.txt
+[ "$(wc -l < labels.txt)" -ge 150 ] || complain "few labels: $(cat labels.txt)"
+while read -r label; do
+    "$TAUT" help "$label" > /dev/null 2>&1 || complain "taut help $label: not explained"
+done < labels.txt
 
 # A pipe gets bare names, a terminal a title beside each.
 run 0 example

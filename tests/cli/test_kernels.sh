@@ -4,7 +4,7 @@
 
 kernels=baseline
 for kernel in avx2 avx512; do
-    TAUT_KERNEL=$kernel "$TAUT" --version | grep -q 'is none of' || kernels="$kernels $kernel"
+    TAUT_KERNEL=$kernel "$TAUT" --version | grep -q 'is passed over' || kernels="$kernels $kernel"
 done
 
 # Where a sanitizer watches, the first of each construction.

@@ -68,7 +68,7 @@ refused 2 'option' split patch.json --u 0.1 --v 0.1
 contains err.txt 'one of --u'
 refused 2 'value --u half found null expected a number' split patch.json --u half
 refused 2 'value' join patch.json top patch.json u0
-contains err.txt 'top is no edge'
+contains err.txt 'found edge .*top.*, expected u0, u1, v0, v1 or'
 refused 2 'name' join patch.json q.u1 patch.json u0
 contains err.txt 'q\.u1'
 refused 2 'name' join halves.json u1 patch.json u0

@@ -19,6 +19,9 @@ run 0 make document.json --quiet -o document-made.json
 cmp words.json document-made.json || complain "the words make another pattern than the document"
 run 0 pattern surface.json --across u1,u0 --width 0.8 --by parameter --material pvc-pes --seam-length true --quiet -o wide.json
 contains wide.json '"seam_length": "true"'
+run 0 pattern surface.json --across v0,v1 --count 2 -o rule.json
+contains err.txt '^  seam rule +shared$'
+contains err.txt '^  seam length +[0-9]'
 run 0 certify wide.json
 for threads in 1 3; do
     run 0 pattern surface.json --across v0,v1 --count 5 --threads $threads --quiet -o threads-$threads.json

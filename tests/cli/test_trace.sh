@@ -117,6 +117,14 @@ for wrong in 'net /trace: "trace": "wavy"' 'edge /seeds/0/edge: "trace": "asympt
     refused 3 "${wrong%%: *}" make wrong.json -o none.json --quiet
 done
 refused 2 'option' trace roof.json -o none.json
+# a model, and a file of another program, without --net
+run 0 make roof.json -o own-model.json -o own-model.step
+for model in own-model.json own-model.step; do
+    refused 2 'option' trace $model
+    contains err.txt 'needs --net'
+    refused 2 'option' pattern $model
+    contains err.txt 'needs --across'
+done
 refused 2 'value --seed x' trace roof.json --net asymptotic --seed x -o none.json
 refused 2 'value --edge v0' trace roof.json --net asymptotic --edge v0 -o none.json
 refused 2 'value --line 0,0:1' trace roof.json --net asymptotic --line 0,0:1 -o none.json
