@@ -15,10 +15,10 @@ HEADING = "## Every function\n"
 INTRODUCTION = """
 By header, as declared there (`tools/bindings_list.py` makes the list and checks it): what *gives* makes an object or a
 text of the caller's; what *lends* returns what lives as long as what it was asked of; what *changes* an object is for
-one thread at a time, and what it returns is the object's; what *frees* takes NULL too. *Tells* is all else: numbers, or
-arrays and structs of the caller's that are filled; it is safe from any thread.
+one thread at a time, and what it returns is the object's; what *frees* takes NULL too. What *queries* is
+all else: numbers, or arrays and structs of the caller's that are filled; it is safe from any thread.
 """
-KINDS = ("gives", "lends", "changes", "tells", "frees")
+KINDS = ("gives", "lends", "changes", "queries", "frees")
 
 
 def kind_of(name, returned, arguments):
@@ -29,7 +29,7 @@ def kind_of(name, returned, arguments):
         return "changes"
     if re.search(r"(?<!const )\b(taut_\w+|char) \*\*", arguments) or re.match(r"taut_\w+ \*", returned):
         return "gives"
-    return "lends" if re.match(r"const .*\*", returned) else "tells"
+    return "lends" if re.match(r"const .*\*", returned) else "queries"
 
 
 def made():

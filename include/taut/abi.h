@@ -72,11 +72,11 @@ TAUT_API const taut_abi_table *taut_abi(void);
  * The caller's; NULL when memory runs out. */
 TAUT_API taut_record *taut_abi_record(void);
 
-/* The word of a value, "" where the enumeration or the value is none: taut_enum_name("taut_edge", 1)
+/* The word of a value, "" where there is no such enumeration or value: taut_enum_name("taut_edge", 1)
  * is "u1". */
 TAUT_API const char *taut_enum_name(const char *enumeration, int value);
 /* The value of a word, or of the constant by its full name. TAUT_BAD_ARGUMENT, *value untouched,
- * where the enumeration or the name is none. */
+ * where there is no such enumeration or name. */
 TAUT_API taut_status taut_enum_value(const char *enumeration, const char *name, int *value);
 
 #ifdef __cplusplus

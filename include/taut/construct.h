@@ -81,7 +81,7 @@ typedef struct taut_certify_options {
 #define TAUT_CERTIFY_REASON_LIST(X)                                                                \
     X("needs-problem", "the model alone does not say what it was to be",                           \
       "give the problem it was made from too")                                                     \
-    X("model", "the model is none that the construction makes, or not of this problem",            \
+    X("model", "the construction makes no such model, or not of this problem",                     \
       "give the model of this problem")                                                            \
     X("details", "the model's details lack what its claims are about, or are wrong",               \
       "make the model again")

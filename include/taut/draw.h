@@ -1,4 +1,4 @@
-/* taut/draw.h -- figures and pages: the library libtaut-draw, which stands on libtaut.
+/* taut/draw.h -- figures and pages: the library libtaut-draw, which uses libtaut.
  *
  * libtaut writes models, meshes and CAD files. Figures (svg, pdf, png) and the page to turn a model in (html), with the
  * viewer that is in it, are a library of their own: link it (`pkg-config --libs taut-draw`) and hand its formats to the

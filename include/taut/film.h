@@ -190,7 +190,7 @@ typedef struct taut_film_problem {
     taut_film_method method;
     int accepts_stationary; /* nonzero: films at rest that are no minimum too */
     int refine;             /* 0 to 6: found anew so often, each time with all spans halved */
-    /* Films of many patches: then of what stands above tolerance, max_iterations, method, without_least, accepts_stationary,
+    /* Films of many patches: then of the members above tolerance, max_iterations, method, without_least, accepts_stationary,
      * equilibrium and refine alone count. Of a patch name, u, v, corners, edges, start and tension, or threads, count; an edge in a seam is left all zero. */
     int patch_count;
     const taut_film_problem *patches;

@@ -13,8 +13,8 @@
  *
  * Two derivatives are equal when they differ by at most 1e-9 of what the derivative of that order
  * could be for nets of this size (2^k n!/(n-k)! times the size for Bezier nets; with weights, what
- * the quotient rule allows at the point, so that heavy rows elsewhere excuse nothing); a gap is none
- * when it is at most 1e-9 of the size of the larger net. Source of the C^k test: [NiWang2015] section
+ * the quotient rule allows at the point, so that heavy rows elsewhere excuse nothing); a gap
+ * counts as closed when it is at most 1e-9 of the size of the larger net. Source of the C^k test: [NiWang2015] section
  * 2.6 (3), section 3 algorithm E.
  */
 #ifndef TAUT_JOIN_H
@@ -32,7 +32,7 @@ extern "C" {
 typedef enum taut_edge { TAUT_EDGE_U0, TAUT_EDGE_U1, TAUT_EDGE_V0, TAUT_EDGE_V1 } taut_edge;
 
 TAUT_API const char *taut_edge_name(taut_edge edge); /* "u0", ...; "" for none */
-/* TAUT_BAD_ARGUMENT for a name that is none. */
+/* TAUT_BAD_ARGUMENT: no edge has this name. */
 TAUT_API taut_status taut_edge_of_name(const char *name, taut_edge *edge);
 
 /* What max_gap and c_order rest on: places, or coefficients of the polynomials that the derivatives
@@ -56,7 +56,7 @@ typedef struct taut_join {
                             * the affine map; beyond c_order, g_order and angles are checks */
 } taut_join;
 
-/* TAUT_BAD_ARGUMENT (NULL, an edge that is none), TAUT_NO_MEMORY. Edges of high degree that do not meet take seconds: of degree
+/* TAUT_BAD_ARGUMENT (NULL, no such edge), TAUT_NO_MEMORY. Edges of high degree that do not meet take seconds: of degree
  * 127, ten. */
 TAUT_API taut_status taut_join_measure(const taut_surface *a, taut_edge edge_a,
                                        const taut_surface *b, taut_edge edge_b, taut_join *join,

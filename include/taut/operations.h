@@ -5,7 +5,7 @@
  * coordinate for each step. Rational weights are carried through in homogeneous coordinates.
  *
  * Outputs are untouched on failure. Statuses all share: TAUT_OK, TAUT_NO_MEMORY, TAUT_BAD_ARGUMENT
- * (NULL, a direction that is none, a number out of the range said), and TAUT_NO_SOLUTION where
+ * (NULL, no such direction, a number out of the range said), and TAUT_NO_SOLUTION where
  * the basis has no such operation or the parameter is not inside its range.
  *
  *     operation     bezier            bspline        c-, h-bezier       c-, h-bspline     ce-bezier
@@ -141,7 +141,7 @@ TAUT_API taut_status taut_model_to_nurbs(const taut_model *model, double toleran
 TAUT_API taut_status taut_model_boundary(const taut_model *model, taut_model **curves,
                                          taut_error *error);
 
-/* The same model told in another unit, "mm", "cm", "m", "in" or "ft": coordinates times one number, the ratio of the two rounded
+/* The same model in another unit, "mm", "cm", "m", "in" or "ft": coordinates times one number, the ratio of the two rounded
  * to a double. TAUT_BAD_ARGUMENT: no such unit. TAUT_NO_SOLUTION: a coordinate leaves the range of doubles. */
 TAUT_API taut_status taut_model_to_unit(const taut_model *model, const char *unit,
                                         taut_model **converted, taut_error *error);

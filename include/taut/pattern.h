@@ -91,7 +91,7 @@ typedef struct taut_pattern_material {
     double e[2], nu, g;
 } taut_pattern_material;
 
-/* The cloth. Zero: not told. */
+/* The cloth. Zero: not given. */
 typedef struct taut_pattern_cloth {
     double width;  /* of the roll, in the document's unit; 0: pieces may be as wide as they are */
     double length; /* that no piece is longer than along the roll; 0: they may be */

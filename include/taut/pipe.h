@@ -179,7 +179,7 @@ typedef struct taut_pipe_run_problem {
     X("tangent-lost", "alpha or gamma is at or below -3", "take more")                             \
     X("too-fine", "the tube would need more than 100000 segments for this tolerance",              \
       "ask for a larger tolerance, or for a smaller radius")                                       \
-    X("too-small", "a length is lost in the rounding of the coordinates, or is none",              \
+    X("too-small", "a length is lost in the rounding of the coordinates, or is 0",                 \
       "move the origin near, or give one place for both")                                          \
     X("turns-back", "a run turns back on itself at a corner", "give two corners in its place")
 

@@ -29,7 +29,7 @@ extern "C" {
     X("kind", "a model where a problem is expected, or a problem where a model is",                \
       "give the other document, or make a model from the problem first")                           \
     X("missing", "a member that must be there is not", "add it")                                   \
-    X("unknown-member", "an object has a member that is none of its own",                          \
+    X("unknown-member", "an object has a member that it does not take",                            \
       "spell it as docs/format.md does, or leave it out")                                          \
     X("conflict", "members that exclude each other", "leave one of them out")                      \
     X("type", "another JSON type, or another shape of a list, than expected",                      \
@@ -37,7 +37,7 @@ extern "C" {
     X("value", "the right type, but a value outside of its range",                                 \
       "stay within the limit of the message, or write what it expects")                            \
     X("size", "too many or too few items, points, bytes", "give as many as the message expects")   \
-    X("name", "a word that is none of those known here", "take one that the message names")
+    X("name", "an unknown word", "take one that the message names")
 
 /* path "-" is standard input. The results are the caller's. */
 TAUT_API taut_status taut_problem_read(const char *path, taut_problem **problem, taut_error *error);
@@ -67,7 +67,7 @@ TAUT_API taut_status taut_problem_or_model_read_with(const char *path,
                                                      taut_problem **problem, taut_model **model,
                                                      taut_error *error);
 
-/* The same from memory; `name` stands for the file in messages. Only JSON. */
+/* The same from memory; messages have `name` in place of the file. Only JSON. */
 TAUT_API taut_status taut_problem_read_text(const char *text, size_t length, const char *name,
                                             taut_problem **problem, taut_error *error);
 TAUT_API taut_status taut_model_read_text(const char *text, size_t length, const char *name,

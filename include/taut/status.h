@@ -61,13 +61,13 @@ typedef struct taut_error {
     double limit;       /* what it had to stay within, NaN if none */
     char expected[192]; /* what should have been there, in words; "" where `limit` says it */
     char where[192];    /* "" or a JSON pointer such as "/points/1/2", or file:line:column */
-    char message[768];  /* one sentence: which condition, and what would mend it */
+    char message[768];  /* one sentence: which condition, and a remedy */
 } taut_error;
 
-/* The meaning of a status; never NULL, also for values that are none. */
+/* The meaning of a status; never NULL, even of other values. */
 TAUT_API const char *taut_status_text(taut_status status);
 
-/* The exit code of the command line for a status; 6 for values that are none. */
+/* The exit code of the command line for a status; 6 for other values. */
 TAUT_API int taut_status_exit_code(taut_status status);
 
 #ifdef __cplusplus

@@ -84,12 +84,12 @@ typedef enum taut_trace_cut {
     TAUT_TRACE_CUT_AXIS      /* its axis */
 } taut_trace_cut;
 
-/* Moduli of elasticity and shear, and strength, in N/mm^2, all above 0; or all 0: not told. */
+/* Moduli of elasticity and shear, and strength, in N/mm^2, all above 0; or all 0: not given. */
 typedef struct taut_trace_material {
     double e, g, strength;
 } taut_trace_material;
 
-/* The laths of a net. Zero: not told; without a width no stretch, without a thickness no slots,
+/* The laths of a net. Zero: not given; without a width no stretch, without a thickness no slots,
  * without a thickness or a material no stresses. Lengths in the document's unit. */
 typedef struct taut_trace_laths {
     taut_trace_strip strip;

@@ -18,7 +18,7 @@ extern "C" {
 TAUT_API const char *taut_version(void);
 
 /* The instruction set that the inner loops use on this processor: "baseline", "avx2" or "avx512";
- * the environment variable TAUT_KERNEL can name a lesser one; a name that is none, or one that the
+ * the environment variable TAUT_KERNEL can name a lesser one; an unknown name, or one that the
  * processor lacks, is passed over. */
 TAUT_API const char *taut_kernel_in_use(void);
 

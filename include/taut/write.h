@@ -30,7 +30,7 @@ extern "C" {
     X("same-place", "two outputs go to the same place", "give each its own path")                  \
     X("several", "the format holds one model a file, or not so many",                              \
       "write .json, or figures of fewer models")                                                   \
-    X("surface", "the surface asked for is the name of none, or of several",                       \
+    X("surface", "no surface has the name asked for, or several have it",                          \
       "name one of the model's surfaces")                                                          \
     X("cells", "a grid of more points than a file may have", "ask for a coarser one")              \
     X("no-table", "the model is of no kind that has a table, or its table is empty",               \
@@ -41,7 +41,8 @@ extern "C" {
       "write .ply or .obj")                                                                        \
     X("single-point", "a surface is one point, which no STEP file gives back",                     \
       "leave it out, or write IGES or JSON")                                                       \
-    X("broken", "a STEP or IGES file is none, or is cut off, or breaks the rules of its format",   \
+    X("broken",                                                                                    \
+      "not a STEP or IGES file, or one that is cut off or breaks the rules of its format",         \
       "export it again")                                                                           \
     X("trimmed", "faces of a STEP or IGES file are cut by curves within their surfaces",           \
       "read the whole surfaces under them: --untrim")                                              \
@@ -101,7 +102,7 @@ typedef struct taut_write_options {
     int combs;       /* nonzero: curvature combs along the edges */
     int side_by_side;          /* nonzero: each surface apart; figures show 12 of more */
     int width;                 /* png: pixels across; 0: 1200 */
-    const char *const *labels; /* of taut_outputs_models: what stands above each, or NULL */
+    const char *const *labels; /* of taut_outputs_models: the title above each, or NULL */
     taut_monitor monitor;
     /* NULL, or where a format that approximates within a proved bound puts it: a length, 0 where
      * all is exact; with a thickness the largest distance between the sides and where they belong, NaN where that is not
