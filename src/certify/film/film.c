@@ -321,6 +321,7 @@ typedef struct finding {
     double lowest, relative; /* eigenvalue, and times size^2 over the tension */
     double mean;             /* the largest |H| */
     int below, at;
+    int passed; /* the corner in which a cable passes another edge, or -1 */
     int settled;
     double forces[4], given[4]; /* lengths */
 } finding;
@@ -392,6 +393,7 @@ static taut_status find_rest(const request *r, int rule, taut_arena *arena, find
         r->all ? largest_free(&sheet, gradient, &at_free) * (r->tolerance / largest_limit) : 0;
     found->residual = taut_certify_max(along, free);
     found->at = along >= free ? at_move : at_free;
+    found->passed = taut_film_passed_at(&sheet);
     found->area = ldexp(found->area, 2 * sheet.unit);
     for (int e = 0; e < 4; e++) {
         found->lengths[e] = ldexp(found->lengths[e], sheet.unit);
@@ -564,6 +566,11 @@ static taut_status add_stationary(const request *r, const finding *found,
         claim.holds = TAUT_FALSE;
         claim.residual = taut_certify_max(claim.residual, 1);
         snprintf(where, sizeof where, "it folds over at u = %.4g, v = %.4g", u, v);
+    } else if (found->passed >= 0) {
+        claim.holds = TAUT_FALSE;
+        claim.residual = taut_certify_max(claim.residual, 1);
+        snprintf(where, sizeof where, "a cable passes another edge in corner %s",
+                 corner_names[found->passed]);
     } else if (has_slack(r, found)) {
         claim.holds = TAUT_FALSE;
         snprintf(where, sizeof where, "a cable is slack");

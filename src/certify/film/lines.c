@@ -238,3 +238,56 @@ void taut_film_reactions(const taut_film_sheet *sheet, double forces[4][3], unsi
     }
     *balance = size > 0 ? taut_length(sum) / size : 0; /* forces that vanish beside the tension */
 }
+
+/* Where edge e leaves its two corners; *normals: of the film there. */
+static void leave_corners(const taut_film_sheet *sheet, int e, double ways[2][3],
+                          double normals[2][3])
+{
+    const taut_film_nodes *nodes = e < 2 ? &sheet->v : &sheet->u;
+    const taut_film_edge *edge = &sheet->problem->edges[e];
+    const double lo = taut_basis_lo(basis_of(sheet, e)),
+                 range = taut_basis_hi(basis_of(sheet, e)) - lo, r = sheet->ratios[e];
+    spot s;
+
+    for (int end = 0; end < 2; end++) {
+        look(sheet, e, parameter(basis_of(sheet, e), end * (GRID - 1)), &s);
+        memcpy(normals[end], s.normal, sizeof s.normal);
+        memset(ways[end], 0, sizeof ways[end]);
+        taut_add_scaled(r > 0 ? 0 : 1 - 2 * end, s.d, ways[end]);
+    }
+    for (int k = 0; r > 0 && k < nodes->table->count; k++) {
+        const double t = (nodes->at[k] - lo) / range;
+        look(sheet, e, nodes->at[k], &s);
+        if (taut_film_sheet_in_plane(edge)) {
+            into_plane(edge, s.out);
+        }
+        for (int end = 0; end < 2; end++) {
+            taut_add_scaled(nodes->weights[k] * (1 - 2 * end) / (range * s.speed), s.d, ways[end]);
+            taut_add_scaled(-nodes->weights[k] * s.speed / r * (end ? t : 1 - t), s.out, ways[end]);
+        }
+    }
+}
+
+int taut_film_passed_at(const taut_film_sheet *sheet)
+{
+    const taut_film_edge *edges = sheet->problem->edges;
+    double ways[4][2][3], normals[4][2][3];
+
+    if (sheet->problem->ring != TAUT_FILM_OPEN || taut_film_sheet_has_threads(sheet->problem)) {
+        return -1;
+    }
+    for (int e = 0; e < 4; e++) {
+        leave_corners(sheet, e, ways[e], normals[e]);
+    }
+    for (int c = 0; c < 4; c++) {
+        const int u = 2 + c / 2, v = c % 2; /* the edges that end there */
+        const double *along = ways[u][v], *across = ways[v][c / 2];
+        const double turn =
+            taut_det(along, across, normals[v][c / 2]) * (c == 1 || c == 2 ? -1 : 1);
+        if (sheet->ratios[u] + sheet->ratios[v] > 0 && edges[u].kind != TAUT_FILM_SLIDE &&
+            edges[v].kind != TAUT_FILM_SLIDE && !(turn > 0)) {
+            return c;
+        }
+    }
+    return -1;
+}

@@ -30,4 +30,11 @@ double taut_film_sag(const taut_film_sheet *sheet, int e);
 void taut_film_reactions(const taut_film_sheet *sheet, double forces[4][3], unsigned char has[4],
                          double *balance);
 
+/* The corner, or -1, in which a cable passes another edge, as they leave it by what draws them,
+ *
+ *     c_s(0) = int c_s dt - s / T int (1 - t) nu ds,  c_s(1) = int c_s dt + s / T int t nu ds,  t from 0 to 1,
+ *
+ * nu in planes what lies in them: nearer to the continuous film's than the net's own tangents. */
+int taut_film_passed_at(const taut_film_sheet *sheet);
+
 #endif /* TAUT_CERTIFY_FILM_LINES_H */

@@ -25,6 +25,7 @@
 #include "construct/film/equilibrium.h"
 
 #include "construct/film/arc.h"
+#include "construct/film/meeting.h"
 #include "construct/film/polish.h"
 #include "construct/film/threads.h"
 #include "construct/plateau/newton_step.h"
@@ -56,8 +57,6 @@ static const double residual_settled = 0.01;  /* of the tolerance: no step more 
 static const double residual_any = 1e-8;      /* of all coordinates: the certificate allows 1e-6 */
 static const double residual_held = 1e-7;     /* the same where no line slides along itself */
 static const double residual_rough = 1e-3;    /* of all coordinates, by the method `normal` */
-static const double turn_least =
-    1e-6; /* sine: of edges that run on into each other a fit leaves so much */
 static const double force_none =
     1e-9; /* of the tension and half the size: a cable that holds nothing */
 /* Of given lengths: share. Rounding is 1e-15, the certificate's limit 1e-10. */
@@ -228,28 +227,6 @@ static int is_folded(const taut_area_functional *functional)
     return 0;
 }
 
-/* The corner, or -1, at which the net looks to the other side than beside it, where two edges meet so sharply that they
- * pass each other. */
-static int turned_corner(const taut_film_work *w)
-{
-    const taut_area_functional *f = w->functional;
-    const size_t nv = (size_t)w->space->nv, last = (size_t)w->space->nu - 1;
-
-    for (int c = 0; w->space->around == NULL && c < 4; c++) {
-        const int i = c % 2, j = c / 2;
-        const double *x = w->net + 3 * ((size_t)i * last * nv + (size_t)j * (nv - 1));
-        double n[TAUT_AREA_STATE], a[3], b[3], normal[3];
-        taut_area_functional_state(f, i * (f->u.count - 1), j * (f->v.count - 1), n);
-        taut_difference(i ? x - 3 * nv : x + 3 * nv, x, a);
-        taut_difference(j ? x - 3 : x + 3, x, b);
-        taut_cross(i == j ? a : b, i == j ? b : a, normal);
-        if (taut_dot(normal, n) < -turn_least * (taut_dot(a, a) + taut_dot(b, b))) {
-            return c;
-        }
-    }
-    return -1;
-}
-
 /* x, and x_u x x_v, at a Gauss point. */
 static void find_normal(const taut_film_work *w, int i, int j, double x[3], double normal[3])
 {
@@ -298,11 +275,10 @@ static int find_fold(const taut_film_work *w, int at[2])
     return 0;
 }
 
-static taut_status refuse_fold(const taut_film_work *w, taut_error *error)
+static taut_status refuse_fold(const taut_film_work *w, int corner, taut_error *error)
 {
     const taut_area_functional *f = w->functional;
     const unsigned char known = 0;
-    const int corner = turned_corner(w);
     int at[2] = {0, 0};
     double x[3], normal[3], point[3];
 
@@ -336,7 +312,7 @@ static taut_status tell_ending(const taut_film_work *w, const taut_error *inner,
         return taut_fail_status(error, status);
     }
     if (strcmp(inner->reason, "folds") == 0) {
-        return refuse_fold(w, error);
+        return refuse_fold(w, taut_film_passed_corner(w), error);
     }
     return taut_fail(error, TAUT_NOT_CONVERGED, "not-converged", NULL, w->region.residual,
                      w->region.tolerance,
@@ -466,7 +442,8 @@ static taut_status polish(taut_film_work *w, double *before, taut_error *error)
     w->any = found.any;
     w->region.residual = found.residual;
     w->region.area = found.area;
-    return is_folded(w->functional) || turned_corner(w) >= 0 ? refuse_fold(w, error) : TAUT_OK;
+    const int corner = taut_film_passed_corner(w);
+    return corner >= 0 || is_folded(w->functional) ? refuse_fold(w, corner, error) : TAUT_OK;
 }
 
 taut_status taut_film_polish_again(taut_film_work *w, taut_error *error)
