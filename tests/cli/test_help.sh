@@ -75,6 +75,11 @@ run 0 help pipe
 contains out.txt '^  It needs: +radius, from, to \(or others in their place\)$'
 run 0 help bonnet
 contains out.txt '^  It needs: +lambda, sign, alpha, beta$'
+# a member has a row of its own
+run 0 help updates
+contains out.txt '^  Default: +0\.$'
+run 0 help count
+contains out.txt '^  Default: +12\.$'
 for word in EDGE CORNER PLANE LINE IMAGE; do
     run 0 help "$word"
     contains out.txt "^$word, a part of documents\$"
