@@ -8,10 +8,10 @@
 static const double beside =
     1e-6; /* of a span: where edges meet sharply, they may pass each other in the corner alone */
 
-/* Places along a direction, so many a span; how many. */
+/* Places along a direction, so many a span and one beside each end; how many. */
 static int count_places(const taut_basis *basis)
 {
-    return taut_basis_span_count(basis) * (taut_basis_degree(basis) + 3);
+    return taut_basis_span_count(basis) * (taut_basis_degree(basis) + 3) + 2;
 }
 
 static double *make_places(taut_arena *arena, const taut_basis *basis)
@@ -20,11 +20,15 @@ static double *make_places(taut_arena *arena, const taut_basis *basis)
     const int each = taut_basis_degree(basis) + 3, count = count_places(basis);
     double *at = taut_arena_take(arena, (size_t)count, sizeof *at);
 
-    for (int k = 0; at != NULL && k < count; k++) {
-        const double share = k == 0           ? beside
-                             : k == count - 1 ? 1 - beside
-                                              : (k % each + 0.5) / each;
-        at[k] = (1 - share) * breaks[k / each] + share * breaks[k / each + 1];
+    for (int k = 1; at != NULL && k < count - 1; k++) {
+        const int span = (k - 1) / each;
+        const double share = ((k - 1) % each + 0.5) / each;
+        at[k] = (1 - share) * breaks[span] + share * breaks[span + 1];
+    }
+    if (at != NULL) {
+        const int last = taut_basis_span_count(basis);
+        at[0] = (1 - beside) * breaks[0] + beside * breaks[1];
+        at[count - 1] = beside * breaks[last - 1] + (1 - beside) * breaks[last];
     }
     return at;
 }

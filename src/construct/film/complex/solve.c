@@ -32,6 +32,7 @@
 #include "construct/film/complex/parting.h"
 #include "construct/film/complex/pressure.h"
 #include "construct/film/complex/strength.h"
+#include "construct/film/complex/turned.h"
 #include "core/constants.h"
 #include "core/elementary/elementary.h"
 #include "core/fail.h"
@@ -538,6 +539,34 @@ static int has_pressure(const taut_film_layout *l)
     return 0;
 }
 
+static int has_cables(const work *w)
+{
+    return w->layout->complex.rope_count > 0;
+}
+
+/* Rules settle for a film that turns over beside an edge alone. */
+static taut_status check_turned(work *w)
+{
+    const taut_film_complex *c = &w->layout->complex;
+    taut_film_turned turned;
+
+    if (taut_film_find_turned(c, w->x, &turned) != TAUT_OK) {
+        return taut_fail_memory(w->error);
+    }
+    if (turned.patch < 0) {
+        return TAUT_OK;
+    }
+    w->has_ended = 1;
+    char where[32];
+    snprintf(where, sizeof where, "/patches/%d", turned.patch);
+    return taut_fail(
+        w->error, TAUT_NOT_CONVERGED, "folds", c->problem->patch_count > 1 ? where : NULL,
+        w->iterations, taut_none,
+        "after %d steps the film turns over near u = %.3g, v = %.3g: edges meet at more "
+        "than 180 degrees in a corner, or pass each other; give another layout",
+        w->iterations, turned.u, turned.v);
+}
+
 /* A film from x on, by the first rule, in LED steps. */
 static taut_status find_here(work *w, int *found)
 {
@@ -551,6 +580,10 @@ static taut_status find_here(work *w, int *found)
         status = count_down(w, &down);
     }
     *found = status == TAUT_OK && down == 0 && w->residual <= fmax(w->aim, led_near);
+    if (*found && has_cables(w)) {
+        status = check_turned(w);
+        *found = status == TAUT_OK;
+    }
     w->most = most;
     return status == TAUT_NO_MEMORY || status == TAUT_INTERRUPTED ? status : TAUT_OK;
 }
@@ -747,6 +780,9 @@ static taut_status settle_last(work *w, double *factor)
         w->is_narrowed = 0;
         w->most = w->iterations + LED;
         status = settle(w);
+        if (status == TAUT_OK) {
+            status = check_turned(w);
+        }
     }
     return status;
 }
@@ -803,9 +839,24 @@ static taut_status check_saddle(work *w, taut_film_rest *rest)
     return status;
 }
 
+/* In a plane a net may be at rest by all rules and fold where none of them looks. */
+static taut_status even_out(work *w)
+{
+    int made = 0;
+    const taut_status status = taut_film_even(w->layout, w->x, &made);
+    return status == TAUT_OK && made ? settle(w) : status;
+}
+
+/* Whether cables are too weak is found by strengthening them: what turns over is told before that. */
 static taut_status find_by(work *w, taut_film_rest *rest)
 {
-    const taut_status status = settle(w);
+    taut_status status = settle(w);
+    if (status == TAUT_OK && has_cables(w)) {
+        status = even_out(w);
+    }
+    if (status == TAUT_OK && has_cables(w)) {
+        status = check_turned(w);
+    }
     return status == TAUT_OK ? check_saddle(w, rest) : status;
 }
 
@@ -1028,11 +1079,11 @@ static taut_status find_film(work *w, taut_film_parting *parting, taut_arena *ar
         w->is_fresh = 1;
     }
     const taut_status status = find_from(w, normal, rest);
-    const int has_rims = parting->count == 2, has_cables = w->layout->complex.rope_count > 0;
+    const int has_rims = parting->count == 2;
     taut_error first = {.status = TAUT_OK};
 
     if (!(status == TAUT_NO_SOLUTION || status == TAUT_NOT_CONVERGED) ||
-        !(has_pressure(w->layout) || has_rims || has_cables)) {
+        !(has_pressure(w->layout) || has_rims || has_cables(w))) {
         return status;
     }
     if (w->error != NULL) {
@@ -1115,14 +1166,6 @@ static taut_status take_forces(const work *w, taut_arena *arena, taut_film_rest 
     return check_slack(w);
 }
 
-/* In a plane a net may be at rest by all rules and fold where none of them looks. */
-static taut_status even_out(work *w)
-{
-    int made = 0;
-    const taut_status status = taut_film_even(w->layout, w->x, &made);
-    return status == TAUT_OK && made ? settle(w) : status;
-}
-
 taut_status taut_film_rest_find(const taut_film_layout *layout, const taut_make_options *options,
                                 taut_arena *arena, taut_film_rest *rest, taut_error *error)
 {
@@ -1183,6 +1226,9 @@ taut_status taut_film_rest_find(const taut_film_layout *layout, const taut_make_
     }
     if (status == TAUT_OK) {
         status = even_out(&w);
+    }
+    if (status == TAUT_OK) {
+        status = check_turned(&w);
     }
     if (status == TAUT_OK) {
         status = taut_film_parting_discs(layout, &parting, arena, &rest->rival);

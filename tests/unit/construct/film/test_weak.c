@@ -153,6 +153,13 @@ static void test_corner(void)
     CHECK(least > 13 / 12.0 && least < 1.0855, "%s", arc.message);
     snprintf(text, sizeof text, ARC, 1.0836, 1.0836);
     CHECK(holds(text, "arc"), "beside an arc");
+    for (int k = 0; k < 2; k++) { /* of two patches, by 0.3 and 0.1 degrees */
+        const double size[2] = {2, 2};
+        write_two(text, size, 1e-9, k == 0 ? 1.411 : 1.413);
+        const taut_error two = check_document_refused(text, TAUT_NO_SOLUTION, "cable-too-weak",
+                                                      "/patches/0/edges/u0/cable/force");
+        CHECK_NEAR(two.limit, sqrt(2.0), 1e-3, "%s", two.message);
+    }
 }
 
 /* Coarse nets whose own tangents are 0.2 degrees apart where their cables pass each other by 1.2: the least forces of flat sails,
