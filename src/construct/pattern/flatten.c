@@ -351,6 +351,33 @@ static taut_flat_options options_of(const pass *p, const taut_pattern_piece *pie
     return own;
 }
 
+/* A piece on half the spans that took so many steps begins where it ended. */
+enum { MANY_STEPS = 16 };
+
+static int is_begun(const taut_pattern_piece *piece, const taut_flat *coarse)
+{
+    return coarse->steps >= MANY_STEPS && piece->log_scale == NULL &&
+           piece->spans[0] == 2 * coarse->spans[0] && piece->spans[1] == 2 * coarse->spans[1];
+}
+
+/* From a coarser piece where it is one that is begun, else, or where nothing comes of it, from what it is else begun with. */
+static taut_status flatten_from(const taut_pattern_piece *piece, const taut_flat *coarse,
+                                const taut_flat_strip *strip, const taut_flat_options *own,
+                                const taut_flat *other, taut_arena *scratch, taut_flat *flat)
+{
+    if (is_begun(piece, coarse)) {
+        taut_flat start;
+        taut_status status = taut_flat_halve(scratch, coarse, &start);
+        if (status == TAUT_OK) {
+            status = taut_flatten(scratch, strip, own, &start, flat);
+        }
+        if (status != TAUT_NOT_CONVERGED) {
+            return status;
+        }
+    }
+    return taut_flatten(scratch, strip, own, other, flat);
+}
+
 static void alone(void *context, int worker, int64_t task)
 {
     const pass *p = context;
@@ -359,6 +386,12 @@ static void alone(void *context, int worker, int64_t task)
     const taut_pattern_across across = {piece, &kept};
     const taut_flat_options own = options_of(p, piece, worker);
 
+    p->status[task] = TAUT_OK;
+    if (piece->alone.points != NULL &&
+        (piece->is_developable ||
+         memcmp(piece->alone.spans, piece->spans, sizeof piece->spans) == 0)) {
+        return; /* it was laid flat on these before its neighbours got finer ones */
+    }
     taut_pattern_look_at_curvature(piece, own.pulse);
     piece->is_developable &= piece->fade_count == 0; /* cut smaller by parts it is strained */
     if (piece->is_developable) {
@@ -378,7 +411,7 @@ static void alone(void *context, int worker, int64_t task)
     }
     if (status == TAUT_OK) {
         const taut_flat_strip strip = strip_of(&across);
-        status = taut_flatten(scratch, &strip, &own, NULL, &flat);
+        status = flatten_from(piece, &piece->alone, &strip, &own, NULL, scratch, &flat);
     }
     if (status == TAUT_OK) {
         measure(&across, &flat);
@@ -442,8 +475,9 @@ static taut_status hold_piece(const pass *p, int index, int worker, taut_arena *
         *flat = piece->alone;
         return TAUT_OK;
     }
-    const taut_status status = taut_flatten(
-        scratch, &strip, &own, piece->is_developable || own.straight ? NULL : &piece->alone, flat);
+    const taut_status status =
+        flatten_from(piece, &piece->flat, &strip, &own,
+                     piece->is_developable || own.straight ? NULL : &piece->alone, scratch, flat);
     if (status == TAUT_OK) {
         measure(&across, flat);
     }

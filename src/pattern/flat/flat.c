@@ -26,6 +26,9 @@ enum {
     LOCAL = TAUT_FLAT_LOCAL,
     GAUSS = TAUT_FLAT_GAUSS,
     STEPS_MAX = 60,
+    FINE = 32, /* spans: on more of them no way is gone in steps, */
+    FINEST = 64,
+    FINEST_STEPS = 24, /* and on more than these, where each takes a second, none is long */
     SHIFTS_MAX = 24,
     HALVINGS_MAX = 40,
     LEAST_STEP = 64 /* of a continuation: 1 over this */
@@ -536,10 +539,11 @@ static int newton_step(work *w, double *matrix, double *trial, double *length)
 static int newton(work *w, double *matrix, double *trial)
 {
     double length = INFINITY, before;
+    const int steps = w->lines[0].spans > FINEST ? FINEST_STEPS : STEPS_MAX;
     w->energy = energy_of(w, w->y);
     w->shift = 0;
     memset(w->multiplier, 0, sizeof(double) * (size_t)w->room);
-    for (int k = 0; k < STEPS_MAX && w->energy < INFINITY; k++) {
+    for (int k = 0; k < steps && w->energy < INFINITY; k++) {
         before = length;
         if (!newton_step(w, matrix, trial, &length)) {
             return 0;
@@ -664,6 +668,19 @@ static double cross_length(const work *w, double s, double t)
     return sum * (t - 0.5);
 }
 
+/* Ends that are one place up to rounding. */
+static void close_points(work *w)
+{
+    const int last = w->lines[0].count - 1;
+    for (int end = 0; end < 2; end++) {
+        for (int k = 1; w->options->is_point[end] && k < w->lines[1].count; k++) {
+            for (int d = 0; d < 2; d++) {
+                w->y[unknown(w, end * last, k, d)] = w->y[unknown(w, end * last, 0, d)];
+            }
+        }
+    }
+}
+
 static void turn_start(work *w)
 {
     double value[LOCAL], from[2] = {0, 0}, to[2] = {0, 0};
@@ -685,13 +702,7 @@ static void turn_start(work *w)
         w->y[i + 1] = (taut_sin(angle) * x + taut_cos(angle) * y) * w->stretch[1];
         w->size = fmax(w->size, fmax(fabs(w->y[i]), fabs(w->y[i + 1])));
     }
-    for (int end = 0; end < 2; end++) { /* which are one up to rounding */
-        for (int k = 1; w->options->is_point[end] && k < w->lines[1].count; k++) {
-            for (int d = 0; d < 2; d++) {
-                w->y[unknown(w, end * last, k, d)] = w->y[unknown(w, end * last, 0, d)];
-            }
-        }
-    }
+    close_points(w);
     if (!w->is_turning) {
         const double end = w->y[unknown(w, last, 0, 0)];
         double mean = 0;
@@ -705,34 +716,43 @@ static void turn_start(work *w)
     }
 }
 
-/* From the places at the Greville points, in w->y, to the net through them, turned and made smaller. */
-static taut_status interpolate(work *w)
+/* From places at the Greville points, y [count][count][2], to the net through them. */
+static taut_status pass_through(taut_arena *arena, const int spans[2], double *y)
 {
-    const int ns = w->lines[0].count, nt = w->lines[1].count, most = ns > nt ? ns : nt;
-    double *a = taut_arena_take(w->arena, (size_t)most * (size_t)most, sizeof *a);
-    double *swapped = taut_arena_take(w->arena, (size_t)w->n, sizeof *swapped);
+    const int ns = spans[0] + DEGREE, nt = spans[1] + DEGREE, most = ns > nt ? ns : nt;
+    const size_t count = (size_t)ns * (size_t)nt;
+    double *a = taut_arena_take(arena, (size_t)most * (size_t)most, sizeof *a);
+    double *swapped = taut_arena_take(arena, count, 2 * sizeof *swapped);
 
-    if (taut_arena_status(w->arena) != TAUT_OK) {
+    if (taut_arena_status(arena) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
-    collocation(w->lines[0].spans, a);
-    solve_dense(ns, a, 2 * nt, w->y);
+    collocation(spans[0], a);
+    solve_dense(ns, a, 2 * nt, y);
     for (int i = 0; i < ns; i++) {
         for (int j = 0; j < nt; j++) {
-            swapped[(j * ns + i) * 2] = w->y[unknown(w, i, j, 0)];
-            swapped[(j * ns + i) * 2 + 1] = w->y[unknown(w, i, j, 1)];
+            memcpy(swapped + (j * ns + i) * 2, y + (i * nt + j) * 2, 2 * sizeof *y);
         }
     }
-    collocation(w->lines[1].spans, a);
+    collocation(spans[1], a);
     solve_dense(nt, a, 2 * ns, swapped);
     for (int i = 0; i < ns; i++) {
         for (int j = 0; j < nt; j++) {
-            w->y[unknown(w, i, j, 0)] = swapped[(j * ns + i) * 2];
-            w->y[unknown(w, i, j, 1)] = swapped[(j * ns + i) * 2 + 1];
+            memcpy(y + (i * nt + j) * 2, swapped + (j * ns + i) * 2, 2 * sizeof *y);
         }
     }
-    turn_start(w);
     return TAUT_OK;
+}
+
+/* The places in w->y as a net, turned and made smaller. */
+static taut_status interpolate(work *w)
+{
+    const int spans[2] = {w->lines[0].spans, w->lines[1].spans};
+    const taut_status status = pass_through(w->arena, spans, w->y);
+    if (status == TAUT_OK) {
+        turn_start(w);
+    }
+    return status;
 }
 
 static taut_status unroll(work *w)
@@ -796,6 +816,9 @@ static int go(work *w, int is_law, double *matrix, double *trial, double *kept)
             continue;
         }
         memcpy(w->y, kept, sizeof *kept * (size_t)w->n);
+        if (!is_law && w->lines[0].spans > FINE) {
+            return 0; /* what coarse splines hide shows: the cloth gives way at what is held */
+        }
         step = step == 1 ? 0.25 : step / 2;
         if (step < 1.0 / LEAST_STEP) {
             return 0;
@@ -823,6 +846,7 @@ static taut_status solve(work *w, const taut_flat *from)
     }
     if (from != NULL) {
         memcpy(w->y, from->points, n * sizeof *w->y);
+        close_points(w);
         for (size_t i = 0; i < n; i++) {
             w->size = fmax(w->size, fabs(w->y[i]));
         }
@@ -1056,6 +1080,25 @@ taut_status taut_flat_of_places(taut_arena *arena, const taut_flat_strip *strip,
     w.energy = energy_of(&w, w.y);
     w.is_stable = 1;
     return finish(&w, area, flat);
+}
+
+taut_status taut_flat_halve(taut_arena *arena, const taut_flat *from, taut_flat *to)
+{
+    *to = *from;
+    for (int d = 0; d < 2; d++) {
+        to->spans[d] = 2 * from->spans[d];
+        to->count[d] = to->spans[d] + DEGREE;
+        to->knots[d] = NULL;
+    }
+    to->points =
+        taut_arena_take(arena, (size_t)to->count[0] * (size_t)to->count[1], 2 * sizeof(double));
+    for (int k = 0; to->points != NULL && k < to->count[0] * to->count[1]; k++) {
+        double y[3][2];
+        taut_flat_at(from, taut_flat_greville(to->spans[0], k / to->count[1]),
+                     taut_flat_greville(to->spans[1], k % to->count[1]), y);
+        memcpy(to->points + 2 * k, y[0], sizeof y[0]);
+    }
+    return to->points != NULL ? pass_through(arena, to->spans, to->points) : TAUT_NO_MEMORY;
 }
 
 taut_status taut_flat_copy(taut_arena *arena, const taut_flat *from, taut_flat *to)

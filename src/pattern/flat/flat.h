@@ -86,6 +86,8 @@ double taut_flat_greville(int spans, int i);
 taut_status taut_flat_of_places(taut_arena *arena, const taut_flat_strip *strip,
                                 const taut_flat_options *options, const double *places,
                                 taut_flat *flat);
+/* The same piece on twice the spans both ways, to start from: without knots. TAUT_NO_MEMORY. */
+taut_status taut_flat_halve(taut_arena *arena, const taut_flat *from, taut_flat *to);
 /* A copy in another arena. TAUT_NO_MEMORY. */
 taut_status taut_flat_copy(taut_arena *arena, const taut_flat *from, taut_flat *to);
 

@@ -35,9 +35,23 @@ static void test_uneven(void)
     }
 }
 
+/* Strips that get finer splines: one that took many steps on coarse ones begins where it ended there, 34 steps if not. By symmetry both
+ * outer ones have one energy, whichever way they came. */
+static void test_begun(void)
+{
+    made_cloth made = cloth_of_example(
+        "asymptotic-2-mirror", "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 3 }]");
+    CHECK(cloth_number(&made, "pieces", "P3", "steps") <= 12, "%g steps",
+          cloth_number(&made, "pieces", "P3", "steps"));
+    CHECK_NEAR(cloth_number(&made, "pieces", "P3", "energy"),
+               cloth_number(&made, "pieces", "P1", "energy"), 1e-12, "mirrored");
+    cloth_free(&made);
+}
+
 int main(void)
 {
     test_large_control_points();
     test_uneven();
+    test_begun();
     return check_failures != 0;
 }

@@ -390,6 +390,34 @@ static void test_wide(void)
     taut_arena_free(arena);
 }
 
+/* A piece on twice the spans is the same piece, and a start that is nearly the end. */
+static void test_halved(void)
+{
+    const double width = TAUT_PI / 6;
+    const taut_flat_strip strip = {gore, &width, NULL};
+    const taut_flat_options coarse = {.spans = {8, 2}}, fine = {.spans = {16, 4}};
+    taut_arena *arena = taut_arena_new();
+    taut_flat first, start, again, cold;
+    if (flatten(arena, &strip, &coarse, &first)) {
+        CHECK(taut_flat_halve(arena, &first, &start) == TAUT_OK, "memory");
+        for (int k = 0; k <= 40; k++) {
+            double a[3][2], b[3][2];
+            taut_flat_at(&first, k / 40.0, k % 7 / 6.0, a);
+            taut_flat_at(&start, k / 40.0, k % 7 / 6.0, b);
+            for (int d = 0; d < 3; d++) {
+                CHECK_NEAR(b[d][0], a[d][0], 1e-12, "y_1, derivative %d", d);
+                CHECK_NEAR(b[d][1], a[d][1], 1e-12, "y_2, derivative %d", d);
+            }
+        }
+        CHECK(taut_flatten(arena, &strip, &fine, &start, &again) == TAUT_OK, "from it");
+        CHECK(again.steps <= 4, "%d steps", again.steps);
+        if (flatten(arena, &strip, &fine, &cold)) {
+            CHECK_NEAR(again.energy, cold.energy, 1e-13, "energy");
+        }
+    }
+    taut_arena_free(arena);
+}
+
 int main(void)
 {
     test_developable();
@@ -399,6 +427,7 @@ int main(void)
     test_wide();
     test_bias();
     test_again();
+    test_halved();
     test_refusal();
     return check_failures != 0;
 }
