@@ -14,25 +14,28 @@ enum { SIZE = TAUT_DEGREE_MAX + 2 };
 
 typedef taut_twice curve[SIZE * 3];
 
-/* A curve that sheds two degrees a step, and the same raised back to degree m. The powers of mu go
+/* A curve that sheds two degrees a step, and the same raised back to degree m, both weighted. The powers of mu go
  * into it: by themselves they would leave the range of numbers where their terms do not. */
 typedef struct chain {
     int m, degree;
     curve now, raised;
 } chain;
 
-static void chain_start(chain *c, int m, const double *points)
+/* Half of x + sign y. */
+static void chain_start(chain *c, int m, const taut_twice *weights, const double *x, double sign,
+                        const double *y)
 {
     c->m = c->degree = m;
     for (int i = 0; i < 3 * (m + 1); i++) {
-        c->now[i] = taut_twice_of(points[i]);
+        const taut_twice sum = taut_twice_sum(x[i], sign * y[i]);
+        c->now[i] = taut_twice_times(weights[i / 3], taut_twice_scale(0.5, sum));
     }
 }
 
 static void chain_raise(chain *c)
 {
     memcpy(c->raised, c->now, (size_t)(c->degree + 1) * 3 * sizeof(taut_twice));
-    taut_raise_degree(c->degree, c->m, 3, c->raised);
+    taut_raise_weighted(c->degree, c->m, 3, c->raised);
 }
 
 static void chain_step(chain *c, taut_twice scale)
@@ -48,7 +51,7 @@ static void chain_step(chain *c, taut_twice scale)
 static int beat_of_term(int n, int m, int k, taut_pulse *pulse)
 {
     const double raised = 3.0 * (m + 1) * 2 * k + (n + 1.0) * (n + 1);
-    return taut_pulse_beat(pulse, 2 * TAUT_TWICE_WORK * (2 * raised + 3.0 * (n + 1) * (m + 1)));
+    return taut_pulse_beat(pulse, 2 * TAUT_TWICE_WORK * (raised + 3.0 * (n + 1) * (m + 1)));
 }
 
 /* net[i][j] += factor[i] curve[j] */
@@ -60,6 +63,21 @@ static void add_product(int n, int m, const taut_twice *factor, const taut_twice
     }
 }
 
+/* Where columns are weighted, and nothing else is. */
+static void unweight_columns(int n, int m, const taut_twice *weights, taut_twice *net)
+{
+    curve inverse;
+    for (int c = 0; c < 3 * (m + 1); c++) {
+        inverse[c] = taut_twice_over(taut_twice_of(1), weights[c / 3]);
+    }
+    for (int i = 0; i <= n; i++) {
+        taut_twice *const row = net + i * 3 * (m + 1);
+        for (int c = 0; c < 3 * (m + 1); c++) {
+            row[c] = taut_twice_times(row[c], inverse[c]);
+        }
+    }
+}
+
 /* The one rounding of a net. */
 static void round_net(int n, int m, const taut_twice *wide, double *net)
 {
@@ -68,76 +86,108 @@ static void round_net(int n, int m, const taut_twice *wide, double *net)
     }
 }
 
-static void reverse_factor(int n, const taut_twice *from, taut_twice *to)
+/* From degree d to n, neither weighted; C(n,i) are the weights. */
+static void raise_factor(int d, int n, const taut_twice *weights, const taut_twice *low,
+                         taut_twice *raised)
 {
+    taut_binomials(d, raised);
+    for (int i = 0; i <= d; i++) {
+        raised[i] = taut_twice_times(raised[i], low[i]);
+    }
+    taut_raise_weighted(d, n, 1, raised);
     for (int i = 0; i <= n; i++) {
-        to[i] = from[n - i];
+        raised[i] = taut_twice_over(raised[i], weights[i]);
     }
 }
 
 /* One more step of the u-factors, 8 times it: from degree d - 2 to d, kept low and raised to n.
  * Lambda_k falls as pi^-2k, and 8^k Lambda_k stays in sight of 1. */
-static void next_factor(int d, int n, taut_twice *low, taut_twice *raised)
+static void next_factor(int d, int n, const taut_twice *weights, taut_twice *low,
+                        taut_twice *raised)
 {
     taut_twice next[SIZE];
     taut_lidstone_next(d, low, next);
     for (int i = 0; i <= d; i++) {
-        low[i] = raised[i] = taut_twice_scale(8, next[i]);
+        low[i] = taut_twice_scale(8, next[i]);
     }
-    taut_raise_degree(d, n, 1, raised);
+    raise_factor(d, n, weights, low, raised);
 }
 
 /* 8^k S_k of even m = 2k: S_k'' = S_{k-1}, S_0 = 1. */
-static void even_factor(int m, taut_twice *factor)
+static void even_factor(int m, const taut_twice *weights, taut_twice *factor)
 {
     taut_twice low[SIZE] = {{1, 0}};
-    factor[0] = taut_twice_of(1);
-    taut_raise_degree(0, m, 1, factor);
+    raise_factor(0, m, weights, low, factor);
     for (int k = 1; 2 * k <= m; k++) {
-        next_factor(2 * k, m, low, factor);
+        next_factor(2 * k, m, weights, low, factor);
     }
 }
 
 /* The last term of even m = n, where both top derivatives are one constant: S_k has degree 2k and
- * not 2k + 1. */
-static void add_even_term(int m, const chain *a, const chain *b, taut_twice *net)
+ * not 2k + 1. It is even about the middle. */
+static void add_even_term(int m, const taut_twice *weights, const chain *mean, taut_twice *net)
 {
-    taut_twice raised[SIZE];
-    curve mean;
-    even_factor(m, raised);
-    for (int c = 0; c < 3 * (m + 1); c++) {
-        mean[c] = taut_twice_scale(0.5, taut_twice_add(a->raised[c], b->raised[c]));
+    taut_twice factor[SIZE];
+    even_factor(m, weights, factor);
+    add_product(m / 2, m, factor, mean->raised, net);
+}
+
+/* Lambda_k(1-u) a + Lambda_k(u) b is a sum of an even and an odd part about the middle: line i of the first half has the
+ * even one, line n - i the odd one. */
+static void add_term(int n, int m, const taut_twice *factor, const chain *mean, const chain *half,
+                     taut_twice *net)
+{
+    for (int i = 0; 2 * i <= n; i++) {
+        const taut_twice near = factor[n - i], far = factor[i];
+        taut_wide_gain(3 * (m + 1), taut_twice_add(near, far), mean->raised, net + i * 3 * (m + 1));
+        if (2 * i < n) {
+            taut_wide_gain(3 * (m + 1), taut_twice_less(near, far), half->raised,
+                           net + (n - i) * 3 * (m + 1));
+        }
     }
-    add_product(m, m, raised, mean, net);
+}
+
+static void join_halves(int n, int m, taut_twice *net)
+{
+    for (int i = 0; 2 * i < n; i++) {
+        taut_twice *const even = net + i * 3 * (m + 1), *const odd = net + (n - i) * 3 * (m + 1);
+        for (int c = 0; c < 3 * (m + 1); c++) {
+            const taut_twice sum = taut_twice_add(even[c], odd[c]);
+            odd[c] = taut_twice_less(even[c], odd[c]);
+            even[c] = sum;
+        }
+    }
 }
 
 void taut_harmonic_from_rows(int n, int m, taut_twice mu, const double *row0, const double *row1,
                              taut_twice *wide, double *net, taut_pulse *pulse)
 {
     const taut_twice step = taut_twice_scale(-0.125, mu);
-    taut_twice low[SIZE] = {{0, 0}, {1, 0}}, factor[SIZE] = {{0, 0}, {1, 0}}, mirrored[SIZE];
-    chain a, b;
+    taut_twice across[SIZE], along[SIZE], low[SIZE] = {{0, 0}, {1, 0}}, factor[SIZE];
+    chain mean, half; /* of the sum and of the difference of both curves */
 
     memset(wide, 0, (size_t)(n + 1) * (size_t)(m + 1) * 3 * sizeof *wide);
-    chain_start(&a, m, row0);
-    chain_start(&b, m, row1);
-    taut_raise_degree(1, n, 1, factor); /* Lambda_0(u) = u */
+    taut_binomials(n, across);
+    taut_binomials(m, along);
+    chain_start(&mean, m, along, row0, 1, row1);
+    chain_start(&half, m, along, row0, -1, row1);
+    raise_factor(1, n, across, low, factor); /* Lambda_0(u) = u */
     for (int k = 0; 2 * k <= m && !beat_of_term(n, m, k, pulse); k++) {
-        chain_raise(&a);
-        chain_raise(&b);
+        chain_raise(&mean);
+        chain_raise(&half);
         if (2 * k + 1 > n) {
-            add_even_term(m, &a, &b, wide);
+            add_even_term(m, across, &mean, wide);
             break;
         }
         if (k > 0) {
-            next_factor(2 * k + 1, n, low, factor);
+            next_factor(2 * k + 1, n, across, low, factor);
         }
-        reverse_factor(n, factor, mirrored);
-        add_product(n, m, mirrored, a.raised, wide);
-        add_product(n, m, factor, b.raised, wide);
-        chain_step(&a, step);
-        chain_step(&b, step);
+        add_term(n, m, factor, &mean, &half, wide);
+        chain_step(&mean, step);
+        chain_step(&half, step);
     }
+    join_halves(n, m, wide);
+    unweight_columns(n, m, along, wide);
     round_net(n, m, wide, net);
 }
 
@@ -159,13 +209,14 @@ static double find_largest(int count, const double *sum)
  * term has |S_k|_i for the sum of both. All coefficients of one Lambda_k, or S_k, have one sign. */
 double taut_harmonic_rows_amplification(int n, int m, double mu, taut_pulse *pulse)
 {
-    taut_twice low[SIZE] = {{0, 0}, {1, 0}}, factor[SIZE] = {{0, 0}, {1, 0}};
+    taut_twice weights[SIZE], low[SIZE] = {{0, 0}, {1, 0}}, factor[SIZE];
     double sum[SIZE] = {0}, scale = 1; /* m!/(m-2k)! (4 mu)^k / 8^k */
 
-    taut_raise_degree(1, n, 1, factor);
+    taut_binomials(n, weights);
+    raise_factor(1, n, weights, low, factor);
     for (int k = 0; 2 * k <= m && 2 * k + 1 <= n && !beat_of_term(n, m, k, pulse); k++) {
         if (k > 0) {
-            next_factor(2 * k + 1, n, low, factor);
+            next_factor(2 * k + 1, n, weights, low, factor);
             scale *= 0.5 * mu * (m - 2 * k + 2) * (m - 2 * k + 1);
         }
         for (int i = 0; i <= n; i++) {
@@ -173,7 +224,7 @@ double taut_harmonic_rows_amplification(int n, int m, double mu, taut_pulse *pul
         }
     }
     if (m == n && m % 2 == 0) {
-        even_factor(m, factor);
+        even_factor(m, weights, factor);
         scale *= mu;
         for (int i = 0; i <= n; i++) {
             sum[i] += scale * size_of(factor[i]);
@@ -186,12 +237,13 @@ double taut_harmonic_rows_amplification(int n, int m, double mu, taut_pulse *pul
 static void wide_from_derivative(int n, int m, taut_twice mu, const double *row, double width,
                                  const double *cross, taut_twice *net, taut_pulse *pulse)
 {
-    taut_twice factor[SIZE];
+    taut_twice weights[SIZE], factor[SIZE];
     chain f, g;
 
     memset(net, 0, (size_t)(n + 1) * (size_t)(m + 1) * 3 * sizeof *net);
-    chain_start(&f, m, row);
-    chain_start(&g, m, cross);
+    taut_binomials(m, weights);
+    chain_start(&f, m, weights, row, 1, row);
+    chain_start(&g, m, weights, cross, 1, cross);
     for (int i = 0; i < 3 * (m + 1); i++) {
         g.now[i] = taut_twice_scale(width, g.now[i]);
     }
@@ -208,6 +260,7 @@ static void wide_from_derivative(int n, int m, taut_twice mu, const double *row,
         chain_step(&f, taut_twice_over_number(mu, -(d + 1) * (d + 2)));
         chain_step(&g, taut_twice_over_number(mu, -(d + 2) * (d + 3)));
     }
+    unweight_columns(n, m, weights, net);
 }
 
 void taut_harmonic_from_derivative(int n, int m, taut_twice mu, const double *row, double width,

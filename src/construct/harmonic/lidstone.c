@@ -15,32 +15,47 @@ void taut_lidstone_next(int d, const taut_twice *b, taut_twice *c)
     }
 }
 
-/* From degree m-1 to m: c_i = (i/m) c_{i-1} + (1 - i/m) c_i, from the top down. */
-void taut_raise_degree(int d, int n, int stride, taut_twice *c)
+void taut_binomials(int d, taut_twice *c)
+{
+    c[0] = taut_twice_of(1);
+    for (int i = 0; i < d; i++) {
+        c[i + 1] = taut_twice_over_number(taut_twice_scale(d - i, c[i]), i + 1);
+    }
+}
+
+/* a + b, to 2^-100 of the larger of both. */
+static taut_twice plus(taut_twice a, taut_twice b)
+{
+    const taut_twice s = taut_twice_sum(a.high, b.high);
+    return taut_twice_sum(s.high, s.low + (a.low + b.low));
+}
+
+/* From degree m-1 to m: C(m,i) = C(m-1,i-1) + C(m-1,i), from the top down. */
+void taut_raise_weighted(int d, int n, int stride, taut_twice *c)
 {
     for (int m = d + 1; m <= n; m++) {
-        for (int s = 0; s < stride; s++) {
-            c[m * stride + s] = c[(m - 1) * stride + s];
-            for (int i = m - 1; i > 0; i--) {
-                const taut_twice low = taut_twice_scale(i, c[(i - 1) * stride + s]);
-                const taut_twice sum =
-                    taut_twice_gain(low, taut_twice_of(m - i), c[i * stride + s]);
-                c[i * stride + s] = taut_twice_over_number(sum, m);
-            }
+        for (int k = 0; k < stride; k++) {
+            c[m * stride + k] = c[(m - 1) * stride + k];
+        }
+        for (int k = m * stride - 1; k >= stride; k--) {
+            c[k] = plus(c[k], c[k - stride]);
         }
     }
 }
 
+/* d(d-1) C(d-2,i) Delta^2 c_i, as C(d-2,i) d (d-1) = C(d,i) (d-i)(d-i-1) = C(d,i+1) (i+1)(d-i-1)
+ * = C(d,i+2) (i+1)(i+2). */
 void taut_second_derivative(int d, taut_twice scale, taut_twice *curve)
 {
-    const taut_twice factor = taut_twice_scale((double)d * (d - 1), scale);
     assert(d >= 2);
     for (int i = 0; i + 2 <= d; i++) {
+        const int left = d - i - 1;
         for (int c = 0; c < 3; c++) {
             taut_twice *const at = curve + 3 * i + c;
-            const taut_twice ends = taut_twice_add(at[0], at[6]);
-            const taut_twice bend = taut_twice_gain(ends, taut_twice_of(-2), at[3]);
-            at[0] = taut_twice_times(factor, bend);
+            taut_twice bend = taut_twice_scale((i + 1) * (i + 2), at[6]);
+            bend = taut_twice_gain(bend, taut_twice_of(left * (left + 1)), at[0]);
+            bend = taut_twice_gain(bend, taut_twice_of(-2 * left * (i + 1)), at[3]);
+            at[0] = taut_twice_times(scale, bend);
         }
     }
 }
