@@ -123,6 +123,10 @@ contains err.txt '^taut: bad\.json: .* \(see: taut help missing\)$'
 [ "$(wc -l < err.txt)" = 1 ] || complain "a message of several lines: $(cat err.txt)"
 refused 3 'missing' make bad.json
 if grep -q 'taut help' err.txt; then complain "--json has what is for people: $(cat err.txt)"; fi
+# a member that is like no other one: all that a pipe has
+echo '{ "taut": 1, "construct": "pipe", "waypoints": [] }' > bad.json
+run 3 make bad.json
+contains err.txt '/waypoints: there is no such member here, expected "taut", .*"polygon", "from", "to", "axes", .* or "wall"'
 run 2 make --nonsense
 if grep -q 'see: taut help' err.txt; then complain "a wrong option leads away from its --help"; fi
 

@@ -30,7 +30,7 @@ static taut_status unknown_member(const taut_json *object, const char *key,
     const taut_json at = taut_json_member(object, key);
     int edits = 0;
     const char *near = taut_nearest_word(key, members, &edits);
-    char list[160];
+    char list[512];
     /* no slip of a finger: what there is helps more */
     const int is_far =
         edits > (int)strnlen(key, 64) / 3 + 1 && list_words(members, list, sizeof list);
@@ -57,7 +57,7 @@ static int is_listed(const char *key, const char *const *members)
 taut_status taut_json_object(const taut_json *at, const char *const *members, taut_error *error)
 {
     if (taut_json_kind_at(at) != TAUT_JSON_OBJECT) {
-        char list[48]; /* of few members which */
+        char list[512]; /* of few members which */
         const int are_few = list_words(members, list, sizeof list);
         return taut_json_refuse(at, error, "type", "an object%s%s", are_few ? " with " : "",
                                 are_few ? list : "");
@@ -148,7 +148,7 @@ taut_status taut_json_text(const taut_json *at, const char **text, taut_error *e
 taut_status taut_json_word(const taut_json *at, const char *const *words, int *word,
                            taut_error *error)
 {
-    char list[160];
+    char list[512];
     const char *found = taut_json_text_at(at);
     for (int i = 0; found != NULL && words[i] != NULL; i++) {
         if (strcmp(found, words[i]) == 0) {
