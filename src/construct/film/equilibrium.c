@@ -275,6 +275,23 @@ static int find_fold(const taut_film_work *w, int at[2])
     return 0;
 }
 
+/* The corner, or -1, in which edges pass each other. */
+static int passed_corner(const taut_film_work *w)
+{
+    const taut_area_functional *f = w->functional;
+    double radius[4] = {0, 0, 0, 0};
+
+    for (int k = 0; f->density == NULL && k < f->cable_count; k++) {
+        radius[w->edges[k]] = w->cables[k].tension;
+    }
+    for (int c = 0; w->space->around == NULL && c < 4; c++) {
+        if (taut_film_passes(f, w->space->problem, radius, w->net, c)) {
+            return c;
+        }
+    }
+    return -1;
+}
+
 static taut_status refuse_fold(const taut_film_work *w, int corner, taut_error *error)
 {
     const taut_area_functional *f = w->functional;
@@ -312,7 +329,7 @@ static taut_status tell_ending(const taut_film_work *w, const taut_error *inner,
         return taut_fail_status(error, status);
     }
     if (strcmp(inner->reason, "folds") == 0) {
-        return refuse_fold(w, taut_film_passed_corner(w), error);
+        return refuse_fold(w, passed_corner(w), error);
     }
     return taut_fail(error, TAUT_NOT_CONVERGED, "not-converged", NULL, w->region.residual,
                      w->region.tolerance,
@@ -442,7 +459,7 @@ static taut_status polish(taut_film_work *w, double *before, taut_error *error)
     w->any = found.any;
     w->region.residual = found.residual;
     w->region.area = found.area;
-    const int corner = taut_film_passed_corner(w);
+    const int corner = passed_corner(w);
     return corner >= 0 || is_folded(w->functional) ? refuse_fold(w, corner, error) : TAUT_OK;
 }
 

@@ -27,18 +27,18 @@ static void add_node(double weight, double w, double radius, const double t[3], 
 }
 
 /* Where edge e of the net looks from its ends; radius 0: no cable. */
-static void find_ends(const taut_film_work *work, int e, double radius, double ends[2][3])
+static void find_ends(const taut_area_functional *f, const taut_film_problem *patch, int e,
+                      double radius, const double *net, double ends[2][3])
 {
-    const taut_film_space *space = work->space;
-    const taut_area_axis *axis = e < 2 ? &work->functional->v : &work->functional->u;
-    const taut_basis *basis = e < 2 ? space->problem->v : space->problem->u;
+    const taut_area_axis *axis = e < 2 ? &f->v : &f->u;
+    const taut_basis *basis = e < 2 ? patch->v : patch->u;
     const double lo = taut_basis_lo(basis), range = taut_basis_hi(basis) - lo;
+    const ptrdiff_t across = 3 * (ptrdiff_t)(e < 2 ? f->nv : 1);
     size_t first = 0, step = 0;
     int count = 0;
 
-    taut_film_edge_points(space->nu, space->nv, e, &first, &step, &count);
-    const double *net = work->net + 3 * first;
-    const ptrdiff_t across = 3 * (ptrdiff_t)(e < 2 ? space->nv : 1);
+    taut_film_edge_points(f->nu, f->nv, e, &first, &step, &count);
+    net += 3 * first;
     memset(ends, 0, 6 * sizeof(double));
     if (radius == 0) {
         const double *last = net + 3 * step * (size_t)(count - 1);
@@ -54,33 +54,22 @@ static void find_ends(const taut_film_work *work, int e, double radius, double e
             taut_add_scaled(value, p, out);
             taut_add_scaled(-value, e % 2 ? p - across : p + across, out);
         }
-        add_node(axis->weights[k], (axis->at[k] - lo) / range, radius, t, out,
-                 &space->problem->edges[e], ends);
+        add_node(axis->weights[k], (axis->at[k] - lo) / range, radius, t, out, &patch->edges[e],
+                 ends);
     }
 }
 
-int taut_film_passed_corner(const taut_film_work *w)
+int taut_film_passes(const taut_area_functional *f, const taut_film_problem *patch,
+                     const double radius[4], const double *net, int c)
 {
-    const taut_area_functional *f = w->functional;
-    double ends[4][2][3], radius[4] = {0, 0, 0, 0};
+    const int i = c % 2, j = c / 2;
+    double u[2][3], v[2][3], n[TAUT_AREA_STATE];
 
-    for (int k = 0; f->density == NULL && k < f->cable_count; k++) {
-        radius[w->edges[k]] = w->cables[k].tension;
-    }
-    for (int e = 0; e < 4 && w->space->around == NULL; e++) {
-        find_ends(w, e, radius[e], ends[e]);
-    }
-    for (int c = 0; w->space->around == NULL && c < 4; c++) {
-        const int i = c % 2, j = c / 2, last = i == j;
-        const double *a = ends[last ? 2 + j : i][last ? i : j],
-                     *b = ends[last ? i : 2 + j][last ? j : i];
-        double n[TAUT_AREA_STATE];
-        taut_area_functional_state(f, i * (f->u.count - 1), j * (f->v.count - 1), n);
-        const double least =
-            radius[i] + radius[2 + j] > 0 ? 0 : turn_least * (taut_dot(a, a) + taut_dot(b, b));
-        if (!(taut_det(a, b, n) > -least)) {
-            return c;
-        }
-    }
-    return -1;
+    find_ends(f, patch, 2 + j, radius[2 + j], net, u);
+    find_ends(f, patch, i, radius[i], net, v);
+    taut_area_functional_state(f, i * (f->u.count - 1), j * (f->v.count - 1), n);
+    const double turn = (i == j ? 1 : -1) * taut_det(u[i], v[j], n);
+    return !(radius[i] + radius[2 + j] > 0
+                 ? turn > 0
+                 : turn > -turn_least * (taut_dot(u[i], u[i]) + taut_dot(v[j], v[j])));
 }

@@ -9,9 +9,12 @@
 #ifndef TAUT_CONSTRUCT_FILM_MEETING_H
 #define TAUT_CONSTRUCT_FILM_MEETING_H
 
-#include "construct/film/equilibrium.h"
+#include "construct/plateau/area.h"
+#include "taut/film.h"
 
-/* The corner, or -1, in which a cable of the net at rest passes another edge. */
-int taut_film_passed_corner(const taut_film_work *w);
+/* Do the edges of the net double[nu][nv][3], at rest and that of the functional's last gradient, pass each other in corner c?
+ * radius[e]: r of edge e, 0 where it is no cable. */
+int taut_film_passes(const taut_area_functional *f, const taut_film_problem *patch,
+                     const double radius[4], const double *net, int c);
 
 #endif /* TAUT_CONSTRUCT_FILM_MEETING_H */

@@ -55,7 +55,8 @@ typedef struct request {
     int at;                 /* the node of it */
     double off, length_off; /* of given volumes, of given lengths */
     int off_cell, off_rope;
-    int slack; /* a cable that is not drawn, or -1 */
+    int slack;  /* a cable that is not drawn, or -1 */
+    int passed; /* 4 patch + corner, where a cable passes another edge, or -1 */
     int settled;
     double area, area_apart; /* by the last rule, and from the one before */
     double lowest, lowest_user;
@@ -464,6 +465,7 @@ static taut_status settle(request *r)
             judge_volumes(r, &s);
             judge_ropes(r, &s);
             judge_area(r, &s);
+            r->passed = taut_complex_passed(&s);
         }
         taut_arena_free(arena);
         if (status != TAUT_OK) {
@@ -527,6 +529,11 @@ static taut_status add_stationary(const request *r, taut_certificate *certificat
         claim.residual = taut_certify_max(claim.residual, 1);
         snprintf(where, sizeof where, "/surfaces/%d: it folds over at u = %.4g, v = %.4g", p - 1, u,
                  v);
+    } else if (r->passed >= 0) {
+        claim.holds = TAUT_FALSE;
+        claim.residual = taut_certify_max(claim.residual, 1);
+        snprintf(where, sizeof where, "/surfaces/%d: a cable passes another edge in corner u%dv%d",
+                 r->passed / 4, r->passed % 2, r->passed % 4 / 2);
     } else if (r->slack >= 0) {
         claim.holds = TAUT_FALSE;
         snprintf(where, sizeof where, "a cable is slack");

@@ -297,3 +297,59 @@ double taut_complex_sag(const taut_sheets *sheets, int rope)
     }
     return largest;
 }
+
+/* Where edge e of patch p leaves corner `end` of its two, r: T / s of a cable, else 0. */
+static void leave_corner(const taut_sheets *s, int p, int e, int end, double r, double way[3])
+{
+    const taut_film_side side = {p, e, 0};
+    const taut_sheet_axis *axis = &s->axes[2 * p + (e < 2)];
+    const taut_film_problem *patch = &s->complex->problem->patches[p];
+    const taut_basis *basis = e < 2 ? patch->v : patch->u;
+    const double lo = taut_basis_lo(basis), range = taut_basis_hi(basis) - lo;
+
+    memset(way, 0, 3 * sizeof *way);
+    if (r <= 0) {
+        leave_end(s, &side, end, way);
+    }
+    for (int k = 0; r > 0 && k < axis->table->count; k++) {
+        const double t = (axis->at[k] - lo) / range, weight = axis->weights[k] / range;
+        double x[TAUT_SURFACE_VECTORS(1)][3];
+        rim at;
+        find_rim(s, &side, t, &at);
+        look(s, p, e < 2 ? e : t, e < 2 ? t : e - 2, 1, x);
+        const double speed = range * taut_norm(x[e < 2 ? TAUT_XV : TAUT_XU]);
+        if (patch->edges[e].has_plane) {
+            into_plane(&patch->edges[e], at.nu);
+        }
+        taut_add_scaled(weight * (1 - 2 * end), at.t, way);
+        taut_add_scaled(-weight * speed / r * (end ? t : 1 - t), at.nu, way);
+    }
+}
+
+int taut_complex_passed(const taut_sheets *s)
+{
+    const taut_film_complex *complex = s->complex;
+
+    for (int k = 0; k < 4 * complex->problem->patch_count; k++) {
+        const int p = k / 4, c = k % 4, edges[2] = {2 + c / 2, c % 2}, ends[2] = {c % 2, c / 2};
+        const int node = taut_film_complex_corner(complex, p, c);
+        double ways[2][3], x[TAUT_SURFACE_VECTORS(1)][3], n[3];
+        int cables = 0, open = has_threads(s, p) || s->first[node + 1] > s->first[node];
+        for (int d = 0; d < 2 && !open; d++) {
+            const taut_film_edge *edge = &complex->problem->patches[p].edges[edges[d]];
+            const int is_cable = edge->kind == TAUT_FILM_CABLE;
+            open = taut_film_complex_seam(complex->problem, p, edges[d]) >= 0 ||
+                   (!is_cable && edge->kind != TAUT_FILM_FIXED);
+            cables += is_cable;
+            leave_corner(s, p, edges[d], ends[d],
+                         !open && is_cable ? force_of(s, edge) / tension_of(s, p) : 0, ways[d]);
+        }
+        look(s, p, c % 2, c / 2, 1, x);
+        taut_cross(x[TAUT_XU], x[TAUT_XV], n);
+        if (!open && cables > 0 &&
+            !(taut_det(ways[0], ways[1], n) * (c == 1 || c == 2 ? -1 : 1) > 0)) {
+            return k;
+        }
+    }
+    return -1;
+}

@@ -28,4 +28,7 @@ void taut_complex_pulls(const taut_sheets *sheets, double *forces);
 /* The largest distance of a cable from its chord over the chord; 0 where it closes. */
 double taut_complex_sag(const taut_sheets *sheets, int rope);
 
+/* 4 patch + corner: a held corner in which a cable passes another edge that ends there, as certify/film/lines.h has it, or -1. */
+int taut_complex_passed(const taut_sheets *sheets);
+
 #endif /* TAUT_CERTIFY_FILM_COMPLEX_DEFECTS_H */

@@ -33,6 +33,7 @@
 #include "construct/film/complex/pressure.h"
 #include "construct/film/complex/strength.h"
 #include "construct/film/complex/turned.h"
+#include "construct/film/meeting.h"
 #include "core/constants.h"
 #include "core/elementary/elementary.h"
 #include "core/fail.h"
@@ -470,6 +471,53 @@ static taut_status descend_both(work *w)
     return status == TAUT_OK ? descend(w) : status;
 }
 
+/* Does a cable pass another edge in corner k of patch p, which is held? radius: of its cables, else 0. */
+static int is_passed_in(const work *w, int p, const double radius[4], int k)
+{
+    const taut_film_energy *e = w->energy;
+    const taut_film_complex *c = &w->layout->complex;
+    const taut_film_problem *patch = &c->problem->patches[p];
+    const int u = 2 + k / 2, v = k % 2, other = radius[u] > 0 ? v : u;
+    const int ends = radius[other] > 0 || (patch->edges[other].kind == TAUT_FILM_FIXED &&
+                                           taut_film_complex_seam(c->problem, p, other) < 0);
+
+    return radius[u] + radius[v] > 0 && ends && e->size[taut_film_complex_corner(c, p, k)] == 0 &&
+           taut_film_passes(e->areas[p], patch, radius, e->net + 3 * (size_t)c->first[p], k);
+}
+
+static int is_passed(const work *w)
+{
+    const taut_film_energy *e = w->energy;
+    const taut_film_complex *c = &w->layout->complex;
+
+    for (int p = 0; p < c->problem->patch_count; p++) {
+        double radius[4] = {0, 0, 0, 0};
+        for (int k = 0; k < c->strand_count && e->areas[p]->density == NULL; k++) {
+            const taut_film_side *side = &c->strands[k].side;
+            if (side->patch == p && c->strands[k].seam < 0) {
+                radius[side->edge] = fmax(0, e->cables[k].tension) / e->shares[p];
+            }
+        }
+        for (int k = 0; k < 4; k++) {
+            if (is_passed_in(w, p, radius, k)) {
+                return 1;
+            }
+        }
+    }
+    return 0;
+}
+
+static taut_status look_at_corners(work *w)
+{
+    if (!is_passed(w)) {
+        return TAUT_OK;
+    }
+    w->has_ended = 1;
+    return taut_fail(w->error, TAUT_NOT_CONVERGED, "folds", "/patches", taut_none, taut_none,
+                     "a cable is drawn past another edge in the corner where they end, and the "
+                     "film folds there: raise the forces of the cables, or move the corners");
+}
+
 /* Rules, until a finer one agrees that the film is at rest. */
 static taut_status settle(work *w)
 {
@@ -491,7 +539,7 @@ static taut_status settle(work *w)
         if (rule == 0) {
             w->least_start = w->energy->least;
         } else if (w->residual <= 4 * w->aim) {
-            return TAUT_OK;
+            return look_at_corners(w);
         }
         const double before = rule > 0 ? w->residual : 0;
         w->theta = rule == 0 ? 1 : fmin(w->theta, 1e-6);
@@ -505,7 +553,7 @@ static taut_status settle(work *w)
                              before);
         }
     }
-    return status;
+    return status == TAUT_OK ? look_at_corners(w) : status;
 }
 
 /* How many ways lead down from where the film is at rest. */
@@ -583,6 +631,10 @@ static taut_status find_here(work *w, int *found)
     if (*found && has_cables(w)) {
         status = check_turned(w);
         *found = status == TAUT_OK;
+    }
+    if (*found && is_passed(w)) {
+        *found = 0;
+        w->has_ended = 1;
     }
     w->most = most;
     return status == TAUT_NO_MEMORY || status == TAUT_INTERRUPTED ? status : TAUT_OK;

@@ -177,6 +177,12 @@ static void test_coarse_corner(void)
         CHECK(said.limit > exact && said.limit < 1.002 * exact, "%s", said.message);
         write_one(text, sizes[k], 1e-9, 1.0002 * exact);
         CHECK(holds(text, "coarse"), "above the least force");
+        write_two(text, sizes[k], 1e-9, 0.9998 * exact);
+        const taut_error two = check_document_refused(text, TAUT_NO_SOLUTION, "cable-too-weak",
+                                                      "/patches/0/edges/u0/cable/force");
+        CHECK(two.limit > exact && two.limit < 1.005 * exact, "%s", two.message);
+        write_two(text, sizes[k], 1e-9, 1.001 * exact);
+        CHECK(holds(text, "coarse"), "two patches above the least force");
     }
 }
 
