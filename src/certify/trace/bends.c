@@ -1,5 +1,6 @@
 #include "certify/trace/bends.h"
 
+#include "certify/trace/audit.h"
 #include "core/vec3.h"
 #include "numeric/quadrature.h"
 
@@ -99,6 +100,9 @@ int taut_net_spot_at(taut_net_cells *cells, taut_trace_net net, const taut_net_l
         s->x[c] = x[0][c];
         s->tangent[c] = a * x[1][c] + b * x[2][c];
     }
+    s->blur = net == TAUT_TRACE_ASYMPTOTIC || net == TAUT_TRACE_PRINCIPAL
+                  ? taut_net_blur(surface, 1, at, &f)
+                  : 0;
     memcpy(s->normal, f.normal, sizeof s->normal);
     taut_cross(f.normal, s->tangent, s->sideways);
     s->k_n = f.l * a * a + 2 * f.m * a * b + f.n * b * b;

@@ -16,6 +16,7 @@ typedef struct taut_net_spot {
     double x[3], tangent[3], normal[3], sideways[3]; /* sideways: normal x tangent */
     double k_n, tau;                                 /* tau: of the surface along the tangent */
     double speed;                                    /* length per parameter */
+    double blur; /* what rounding of the surface may make of the tangent, over the size */
 } taut_net_spot;
 
 /* Gauss's rule on [-1, 1] and the polynomials through its nodes. */

@@ -33,13 +33,22 @@ static double mean_more(const taut_net_rule *rule, double width, double tau)
 }
 
 static void fill_span(const taut_net_rule *rule, const taut_net_cut *cut, int is_geodesic,
-                      const taut_net_spot *spots, taut_net_bent *span)
+                      double size, const taut_net_spot *spots, taut_net_bent *span)
 {
     const double width = cut->is_cut && !cut->only_bends ? cut->width : 0;
 
-    double k_g[NODES];
+    double k_g[NODES], blur = 0;
 
     taut_net_sideways_bend(rule, spots, span->from, span->to, k_g);
+    for (int i = 0; i < NODES; i++) {
+        double sum =
+            0; /* of what the nodes' directions may be off by, in their difference at this one */
+        for (int k = 0; k < NODES; k++) {
+            sum += fabs(rule->derive[i][k]) * spots[k].blur;
+        }
+        blur = fmax(blur, sum);
+    }
+    span->blur = blur * size / span->half;
     for (int i = 0; i < NODES; i++) {
         span->bend[TAUT_NET_K_N][i] = spots[i].k_n;
         span->bend[TAUT_NET_K_G][i] = is_geodesic ? 0 : k_g[i];
@@ -107,7 +116,8 @@ int taut_net_course_new(taut_net_cells *cells, const taut_net_lines *lines,
         if (!taut_net_spots(cells, lines->net, line, rule, span->from, span->to, spots)) {
             return 0;
         }
-        fill_span(rule, cut, lines->net == TAUT_TRACE_GEODESIC, spots, span);
+        fill_span(rule, cut, lines->net == TAUT_TRACE_GEODESIC, ldexp(lines->size, -unit), spots,
+                  span);
         taut_net_course_at end;
         if (cut->is_cut) {
             sum_to(course, span, 1, &end);
@@ -144,6 +154,7 @@ static void bends_at(const taut_net_course *course, const taut_net_bent *span, d
     for (int k = 0; k < TAUT_NET_BENDS; k++) {
         at->bend[k] = taut_net_rule_at(course->rule, span->bend[k], x);
     }
+    at->blur = span->blur;
     at->skew = course->cut.only_bends ? taut_net_rule_at(course->rule, span->skew, x) : 0;
     at->slope = course->cut.only_bends ? taut_net_rule_at(course->rule, span->slope, x) : 0;
 }
@@ -280,6 +291,7 @@ double taut_net_course_most(const taut_net_course *course, taut_net_measure *mea
                 for (int j = 0; j < TAUT_NET_BENDS; j++) {
                     at.bend[j] = span->bend[j][k];
                 }
+                at.blur = span->blur;
                 at.skew = span->skew[k];
                 at.slope = span->slope[k];
                 const double here = measure(course, &at);

@@ -28,6 +28,7 @@ typedef struct taut_net_bent {
     double half;     /* half of its length, times 2^-unit */
     double bend[TAUT_NET_BENDS][TAUT_NET_NODES];
     double more[TAUT_NET_NODES]; /* mu - 1 */
+    double blur; /* what rounding of the surface may make of k_g, by the nodes' differences */
     double skew[TAUT_NET_NODES],
         slope[TAUT_NET_NODES]; /* of rulings along the axis, and its rate */
     double cut, x, y, theta;   /* where it begins */
@@ -43,7 +44,7 @@ typedef struct taut_net_course {
 
 /* A place of it. */
 typedef struct taut_net_course_at {
-    double bend[TAUT_NET_BENDS], skew, slope;
+    double bend[TAUT_NET_BENDS], blur, skew, slope;
     double cut, x, y, theta;
 } taut_net_course_at;
 

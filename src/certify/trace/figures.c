@@ -270,14 +270,20 @@ static double twist_size(const taut_net_course *course, const taut_net_course_at
 
 static taut_net_measure *const sizes[] = {normal_size, sideways_size, twist_size};
 
+/* What k_g is at least, whatever rounding makes of the directions that it is found by. */
+static double sideways_least(const taut_net_course *course, const taut_net_course_at *at)
+{
+    return fmax(sideways_size(course, at) - at->blur, 0);
+}
+
 /* How far a bend is from what it is at a parameter, from one side of it; `of_size`: from its absolute value. */
 static double bend_beside(const taut_net_audit *audit, const taut_net_line *line,
                           const taut_net_course *course, int bend, double at, int side, double told,
                           int of_size)
 {
-    double value =
-        (side == 0 ? taut_net_course_see : taut_net_course_beyond)(course, at).bend[bend];
-    double away = fabs(told - (of_size ? fabs(value) : value));
+    const taut_net_course_at seen =
+        (side == 0 ? taut_net_course_see : taut_net_course_beyond)(course, at);
+    double value = seen.bend[bend], away = fabs(told - (of_size ? fabs(value) : value));
     double part = closer;
     for (int k = 0; bend == TAUT_NET_K_G && away > close_enough * fabs(told) && k < CLOSER; k++) {
         if (taut_net_course_closer(audit->cells, audit->lines->net, line, course, at, side, part,
@@ -286,7 +292,7 @@ static double bend_beside(const taut_net_audit *audit, const taut_net_line *line
         }
         part *= closer;
     }
-    return away;
+    return bend == TAUT_NET_K_G ? fmax(away - seen.blur, 0) : away;
 }
 
 /* The same from either side, as surfaces may bend otherwise beyond a break; and at the parameter itself, as beside an
@@ -319,7 +325,8 @@ static void look_at_bends(const taut_net_audit *audit, const taut_net_line *line
 
     taut_net_off_take(off, far, name, "seed");
     for (int k = 0; k < TAUT_NET_BENDS; k++) {
-        most[k] = taut_net_course_most(course, sizes[k], clear[0], clear[1], 0);
+        most[k] = taut_net_course_most(course, k == TAUT_NET_K_G ? sideways_least : sizes[k],
+                                       clear[0], clear[1], 0);
         scale = fmax(scale, most[k]);
     }
     const double share = bend_share * (scale * audit->size > tight_bend ? tight_share : 1);
