@@ -228,6 +228,87 @@ static void test_walls(void)
     }
 }
 
+/* Corners turned in space, of bends of 1 one right after the other, which leave `over` of the leg between the
+ * last two. */
+static pipe_random back_to_back(int count, double over)
+{
+    pipe_random r = {.problem = {.route = {.kind = TAUT_PIPE_CORNERS, .count = count + 2},
+                                 .radius = 0.1,
+                                 .bend_radius = 1,
+                                 .elbow = TAUT_PIPE_ELBOW_ARC}};
+    double ahead[3], side[3], up[3], angle = 0, taken = 1;
+    for (int k = 0; k < 3; k++) {
+        ahead[k] = random_in(-1, 1);
+        side[k] = random_in(-1, 1);
+        r.corners[0][k] = random_in(-2, 2);
+    }
+    for (int i = 0; i <= count; i++) {
+        const double next = random_in(0.3, 1.5), tangent = i < count ? tan(next / 2) : 1;
+        const double twist = random_in(-1, 1),
+                     length = taken + tangent + (i == count - 1 ? over : 0);
+        taut_add_scaled(1 / taut_norm(ahead) - 1, ahead, ahead);
+        taut_add_scaled(-taut_dot(side, ahead), ahead, side);
+        taut_add_scaled(1 / taut_norm(side) - 1, side, side);
+        taut_cross(ahead, side, up);
+        for (int k = 0; k < 3; k++) {
+            r.corners[i + 1][k] = r.corners[i][k] + length * ahead[k];
+            side[k] = cos(twist) * side[k] + sin(twist) * up[k];
+            angle = ahead[k];
+            ahead[k] = cos(next) * ahead[k] + sin(next) * side[k];
+            side[k] = cos(next) * side[k] - sin(next) * angle;
+        }
+        taken = tangent;
+    }
+    pipe_attach(&r);
+    return r;
+}
+
+/* Elbows with no straight pipe between them are made wherever rounding puts their corners; they take up what would be
+ * a pipe too short to be one; what they lack is refused. */
+static void test_back_to_back(void)
+{
+    static const double over[] = {0, 0, 1e-12, 1e-9, 5e-8};
+    for (int trial = 0; trial < random_trials(20); trial++) {
+        const int count = 2 + trial % 3;
+        pipe_random r = back_to_back(count, over[trial % 5]);
+        r.problem.wall = trial % 2 == 0 ? 0 : 0.05;
+        pipe_attach(&r);
+        taut_model *model = pipe_run_made(&r.problem, 1e-6);
+        taut_certificate *certificate = pipe_run_proved(model, &r.problem, 1e-6);
+        for (int k = 0; k < 5; k++) {
+            const taut_claim *claim = claim_of(certificate, claims[k]);
+            CHECK(claim->holds == TAUT_TRUE, "trial %d, %s: %g of %g, %s", trial, claims[k],
+                  claim->residual, claim->limit, claim->where);
+        }
+        CHECK_NEAR(figure_of(certificate, "length"), length_of(&r), 1e-12 + 2 * over[trial % 5],
+                   "trial %d", trial);
+        CHECK(taut_model_curve_count(model) == count + 2, "trial %d: %d", trial,
+              taut_model_curve_count(model));
+        taut_certificate_free(certificate);
+        taut_model_free(model);
+        r = back_to_back(count, -1e-11);
+        pipe_attach(&r);
+        pipe_run_refused(&r.problem, TAUT_NO_SOLUTION, "leg-too-short");
+    }
+}
+
+/* One arc cannot take up both. */
+static void test_taken_up(void)
+{
+    double corners[3][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1 + 1e-7, 0}};
+    taut_pipe_run_problem p = pipe_run_of_corners((const double(*)[3])corners, 3);
+    p.elbow = TAUT_PIPE_ELBOW_ARC;
+    p.bend_radius = 1;
+    pipe_run_refused(&p, TAUT_NO_SOLUTION, "too-small");
+    corners[1][0] = corners[2][0] = 1 + 1e-7;
+    taut_model *model = pipe_run_made(&p, 1e-6);
+    CHECK(pipe_run_verdict(model, &p, "joints") == TAUT_TRUE &&
+              pipe_run_verdict(model, &p, "bend_radius") == TAUT_TRUE &&
+              taut_model_surface_count(model) == 1,
+          "an elbow alone");
+    taut_model_free(model);
+}
+
 static void test_refused(void)
 {
     static const double ring[5][3] = {{0, 0, 0}, {4, 0, 0}, {4, 4, 1}, {0, 4, 0}, {-2, 2, 3}};
@@ -271,6 +352,8 @@ int main(void)
     test_broken();
     test_wide();
     test_walls();
+    test_back_to_back();
+    test_taken_up();
     test_refused();
     return check_failures != 0;
 }

@@ -6,6 +6,7 @@
  * Legs: straight pipes stay where they are, handles are chosen as between any two directed ends.
  */
 #include "construct/pipe/run.h"
+#include "core/constants.h"
 #include "core/fail.h"
 #include "core/vec3.h"
 
@@ -191,8 +192,8 @@ static taut_status check_gap(const taut_pipe_run *run, int i, const taut_pipe_st
     snprintf(where, sizeof where, "/run/%d", (i + 1) % run->straight_count);
     return taut_fail(error, TAUT_NO_SOLUTION, "too-small", where, gap, least,
                      "TOO_SMALL: the straight pipe begins where the one before it ends, which "
-                     "leaves no room for blend%d; end the one earlier or begin the other later, "
-                     "make one of both where they are in line, or give corners",
+                     "leaves no room for blend%d; shorten them, make one of both where they are "
+                     "in line, or give corners",
                      i + 1);
 }
 
@@ -266,11 +267,10 @@ static taut_status check_corner(const taut_pipe_run *run, int i, const taut_pipe
                          length, again ? "first, to which the run comes back" : "one before it",
                          least);
     }
-    return taut_fail(error, TAUT_BAD_INPUT, "value", where, 0, 0,
-                     again
-                         ? "the corner is where the first is, to which a closed run comes back by "
-                           "itself: leave it out"
-                         : "the corner is where the one before it is: leave one out");
+    return taut_fail(
+        error, TAUT_BAD_INPUT, "value", where, 0, 0,
+        again ? "the corner is where the first is, to which a closed run comes back: leave it out"
+              : "the corner is where the one before it is: leave one out");
 }
 
 /* Straight pipes from corner to corner. */
@@ -400,6 +400,36 @@ static double largest_bend(const taut_pipe_run *run, const double *curvatures, i
     return run->problem->elbow == TAUT_PIPE_ELBOW_ARC ? largest : largest / (1 + TAUT_PIPE_SLACK);
 }
 
+/* Of a length that ends at a corner, twice over for its direction's. */
+static double rounding_at(const double corner[3], double length)
+{
+    return 16 * TAUT_UNIT_ROUNDOFF * (length + taut_norm(corner));
+}
+
+/* An arc that leaves no straight pipe of a leg takes all of it, and as much of the other: its handle, longer,
+ * or shorter by rounding. */
+static taut_status fit_arc(const taut_pipe_run *run, int i, const double corner[3], double *handle,
+                           taut_error *error)
+{
+    const double asked = *handle, least = no_length * run->problem->radius;
+    const double *const ends[2] = {run->straights[i].from,
+                                   run->straights[(i + 1) % run->straight_count].to};
+    double low = INFINITY, high = 0;
+    for (int end = 0; end < 2; end++) {
+        const double room = taut_distance(ends[end], corner);
+        if (fabs(room - asked) < least) {
+            low = fmin(low, room);
+            *handle = high = fmax(high, room);
+        }
+    }
+    if (low >= fmax(asked, high) - rounding_at(corner, asked)) {
+        return TAUT_OK;
+    }
+    return taut_fail(error, TAUT_NO_SOLUTION, "too-small", "/run", *handle - asked, least,
+                     "TOO_SMALL: %s leaves less than %.6g of a leg, which is no straight pipe",
+                     run->elbows[i].name, least);
+}
+
 /* The elbow in its place: handles h along both legs, which get shorter by them. */
 static taut_status place_elbow(taut_pipe_run *run, int i, double handle, const double corner[3],
                                taut_error *error)
@@ -412,6 +442,12 @@ static taut_status place_elbow(taut_pipe_run *run, int i, double handle, const d
     taut_status status = TAUT_OK;
     begin_elbow(run, i, TAUT_PIPE_POLYGON);
     give_shape(e, shape);
+    if (run->problem->elbow == TAUT_PIPE_ELBOW_ARC) {
+        status = fit_arc(run, i, corner, &handle, error);
+        if (status != TAUT_OK) {
+            return status;
+        }
+    }
     for (int k = 0; k < 3; k++) {
         a->to[k] = corner[k] - handle * a->direction[k];
         polygon[1][k] = polygon[2][k] = corner[k];
@@ -441,25 +477,19 @@ static taut_status fail_short(const taut_pipe_run *run, int leg, int place, doub
                               taut_error *error)
 {
     const double digits = 1e-11, length = run->straights[leg].length;
-    const double needed = length * run->bend_radius / largest * (1 + digits);
-    char where[32], rest[160];
+    const double fits = largest * (1 - digits);
+    char where[32];
     snprintf(where, sizeof where, "/run/%d", place);
-    if (largest * (1 - digits) > run->problem->radius) {
-        snprintf(rest, sizeof rest,
-                 "a bend radius of at most %.12g would work, or a leg of at least %.12g",
-                 largest * (1 - digits), needed);
-    } else { /* no bend is as sharp as the pipe is wide */
-        snprintf(rest, sizeof rest,
-                 "a leg of at least %.12g would work, or a bend radius of at most %.12g with a "
-                 "radius below that",
-                 needed, largest * (1 - digits));
-    }
     return taut_fail(error, TAUT_NO_SOLUTION, "leg-too-short", where, run->bend_radius, largest,
                      "LEG_TOO_SHORT: with a bend radius of %.12g%s the elbows take more than the "
-                     "leg of %.6g that begins here; %s",
+                     "leg of %.6g that begins here; a bend radius of at most %.12g%s would work, "
+                     "or a leg of at least %.12g",
                      run->bend_radius,
                      run->problem->bend_radius > 0 ? "" : " (three radii, where none is given)",
-                     length, rest);
+                     length, fits,
+                     /* no bend is as sharp as the pipe is wide */
+                     fits > run->problem->radius ? "" : " with a radius below that",
+                     length * run->bend_radius / fits);
 }
 
 static taut_status place_elbows(taut_pipe_run *run, const double *curvatures, const int *places,
@@ -468,7 +498,9 @@ static taut_status place_elbows(taut_pipe_run *run, const double *curvatures, co
     int leg = 0;
     const double largest = largest_bend(run, curvatures, &leg);
     taut_status status = TAUT_OK;
-    if (!(run->bend_radius <= largest)) {
+    const double length = run->straights[leg].length;
+    if (!(length * (run->bend_radius / largest - 1) <=
+          rounding_at(run->straights[leg].to, length))) {
         return fail_short(run, leg, places[leg], largest, error);
     }
     for (int i = 0; i < run->elbow_count && status == TAUT_OK; i++) {

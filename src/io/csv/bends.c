@@ -15,6 +15,7 @@
 #include <string.h>
 
 static const double degree = 57.295779513082320877; /* 180 / pi */
+static const double no_length = 1e-6;               /* over the radius: a run has no such pipe */
 
 static double number_of(const taut_record *object, const char *member)
 {
@@ -99,7 +100,8 @@ static double tangent_of(const taut_bend *bend, const double a[3], const double 
     return bend->radius * taut_norm(n) / (1 + taut_dot(a, b));
 }
 
-static void fill_angles(taut_bend *bends, size_t count)
+/* Lengths below `least` are no straight pipes: there two bends meet. */
+static void fill_angles(taut_bend *bends, size_t count, double least)
 {
     double taken = 0; /* of the leg by the bend before it */
     for (size_t k = 1; k < count; k++) {
@@ -116,6 +118,7 @@ static void fill_angles(taut_bend *bends, size_t count)
             bends[k].rotation = rotation_of(before, here, next) * degree;
         }
         bends[k].length = taut_distance(bends[k].point, bends[k - 1].point) - taken - tangent;
+        bends[k].length = fabs(bends[k].length) < least ? 0 : bends[k].length;
         taken = tangent;
     }
 }
@@ -141,7 +144,7 @@ taut_bend *taut_bends_of(const taut_model *model, taut_arena *arena, size_t *cou
     if (bends != NULL) {
         end_of(model, 0, bends[0].point);
         end_of(model, 1, bends[*count - 1].point);
-        fill_angles(bends, *count);
+        fill_angles(bends, *count, no_length * number_of(details, "radius"));
     }
     return bends;
 }
