@@ -3,7 +3,7 @@
 
     tools/claims_table.py TAUT            prints the table
     tools/claims_table.py TAUT --write    puts it into docs/certificate.md, between its two marks
-    tools/claims_table.py TAUT --check    fails where a claim is missing there, or its kind is another
+    tools/claims_table.py TAUT --check    fails where a claim is missing there, its kind is another, or no row says what it is
 
 TAUT is the program, such as build/release/bin/taut. For each construction and claim: its kind, how many examples carry it, the
 largest residual among those that hold, and how far it stays below its limit at least (limit over residual; for claims
@@ -12,6 +12,7 @@ that must be above a limit, residual over limit). Residuals of rounding differ f
 import collections
 import json
 import pathlib
+import re
 import subprocess
 import sys
 
@@ -64,6 +65,15 @@ def table(found):
     return "\n".join(lines + [row_of(c, n, entries) for (c, n), entries in sorted(found.items())])
 
 
+def explained(text):
+    """The pairs (construction, claim) that the table of what claims say has rows of."""
+    pairs, constructs = set(), []
+    for cells in (line.split("|") for line in text.splitlines() if line.startswith("| ")):
+        constructs = re.findall("`([^`]+)`", cells[1]) or (constructs if not cells[1].strip() else [])
+        pairs |= {(c, n) for c in constructs for n in re.findall("`([^`]+)`", cells[2])}
+    return pairs
+
+
 def main(arguments):
     """The command line."""
     if len(arguments) not in (1, 2):
@@ -83,6 +93,8 @@ def main(arguments):
     missing = [f"{c} {n}: not in docs/certificate.md as {kind}" for (c, n), entries in found.items()
                for kind in {e[1]["kind"] for e in entries}
                if not any(line.startswith(f"| {c} | `{n}` |") and kind in line.split("|")[3] for line in old.splitlines())]
+    told = explained(before.partition("## All claims")[2].partition("\n## ")[0])
+    missing += [f"{c} {n}: docs/certificate.md does not say what it says" for c, n in found if n != "identity" and (c, n) not in told]
     print("\n".join(missing or [f"{len(found)} claims, each as docs/certificate.md has it"]))
     return 1 if missing else 0
 
