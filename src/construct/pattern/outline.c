@@ -2,6 +2,7 @@
 
 #include "construct/pattern/line.h"
 #include "core/elementary/elementary.h"
+#include "geometry/keep.h"
 #include "numeric/quadrature.h"
 
 #include <math.h>
@@ -18,6 +19,8 @@ static const double even = 5e-11, settled = 1e-15;
 /* Of a coordinate: rounding, and how much higher than the places that are looked at the curve may be between them. */
 static const double rounding = 1e-13, higher = 1e-3;
 enum { THIRDS = 60 };
+/* An edge may be longer or shorter by so much for ending in the spline's corner, over its length. */
+static const double longer_most = 4e-10;
 
 /* ---- the curve of exact speed ---- */
 
@@ -26,6 +29,7 @@ typedef struct edge_source {
     const taut_pattern_cut *cut;
     int piece, edge;
     const taut_curve *spline;
+    int is_movable; /* some edge of the piece is free to end elsewhere */
 } edge_source;
 
 /* y' and y'' of the curve. */
@@ -58,8 +62,9 @@ static double unevenness(const edge_source *e, const taut_curve *curve, int span
     return most;
 }
 
+/* `moved`: how far from the spline's corner it ends. */
 static taut_status exact_edge(const edge_source *e, taut_arena *arena, const taut_curve **curve,
-                              taut_pattern_outline *outline)
+                              double moved[2], taut_pattern_outline *outline)
 {
     double nodes[NODES], weights[NODES], before = INFINITY;
     taut_gauss_rule(NODES, nodes, weights);
@@ -89,7 +94,14 @@ static taut_status exact_edge(const edge_source *e, taut_arena *arena, const tau
         const double along = (gap[0] * way[0] + gap[1] * way[1]) / taut_hypot(way[0], way[1]);
         outline->closure = fmax(outline->closure, taut_hypot(gap[0], gap[1]));
         outline->longer = fmax(outline->longer, fabs(along) / length);
-        memcpy(at[spans].y[0], y[0], sizeof at[spans].y[0]);
+        const int is_moved = e->is_movable && fabs(along) > longer_most * length;
+        for (int d = 0; d < 2; d++) {
+            moved[d] = is_moved ? -gap[d] : 0;
+        }
+        if (!is_moved) {
+            outline->open = fmax(outline->open, taut_hypot(gap[0], gap[1]));
+            memcpy(at[spans].y[0], y[0], sizeof at[spans].y[0]);
+        }
         const taut_status status = taut_pattern_quintics(spans, at, arena, curve);
         if (status != TAUT_OK) {
             return status;
@@ -227,20 +239,97 @@ void taut_pattern_outline_bound(taut_pattern_outline *outline)
     outline->area = area_of(outline->cut);
 }
 
+/* The corners where edges begin and end, as s or t grows: of right and start, right and end, left and end, left and start. */
+static const int corners_of[TAUT_FLAT_EDGES][2] = {{0, 1}, {1, 2}, {3, 2}, {0, 3}};
+
+/* Moves of corners: along an edge that is held from the one to the other as it is `moved`, and else none. */
+static void move_corners(const int is_rigid[TAUT_FLAT_EDGES],
+                         const double moved[TAUT_FLAT_EDGES][2], double corners[4][2])
+{
+    static const int order[4] = {0, 3, 1, 2};
+    int is_known[4] = {0, 0, 0, 0};
+    memset(corners, 0, sizeof(double[4][2]));
+    for (int k = 0; k < 4; k++) {
+        is_known[order[k]] = 1;
+        for (int e = 0; e < 2 * TAUT_FLAT_EDGES; e++) { /* twice: the way around is one of edges */
+            const int edge = e % TAUT_FLAT_EDGES, a = corners_of[edge][0], b = corners_of[edge][1];
+            for (int d = 0; is_rigid[edge] && d < 2; d++) {
+                if (is_known[a] && !is_known[b]) {
+                    corners[b][d] = corners[a][d] + moved[edge][d];
+                } else if (is_known[b] && !is_known[a]) {
+                    corners[a][d] = corners[b][d] - moved[edge][d];
+                }
+            }
+            is_known[a] |= is_rigid[edge] && is_known[b];
+            is_known[b] |= is_rigid[edge] && is_known[a];
+        }
+    }
+}
+
+/* An edge with its ends moved; one that is held, as it is. */
+static taut_status move_edge(taut_arena *arena, int is_rigid, const double from[2],
+                             const double to[2], const taut_curve **edge)
+{
+    const size_t count = (size_t)taut_basis_count(taut_curve_t(*edge));
+    double *points = taut_arena_copy(arena, taut_curve_points(*edge), count, sizeof(double[3]));
+    taut_curve *moved = NULL;
+    if (points == NULL) {
+        return TAUT_NO_MEMORY;
+    }
+    for (int d = 0; d < 2; d++) {
+        for (size_t k = 0; is_rigid && k < count; k++) {
+            points[3 * k + (size_t)d] += from[d];
+        }
+        if (!is_rigid) {
+            points[d] += from[d];
+            points[3 * (count - 1) + (size_t)d] += to[d];
+        }
+    }
+    const taut_status status =
+        taut_curve_new(NULL, taut_curve_t(*edge), points, NULL, &moved, NULL);
+    *edge = moved;
+    return status == TAUT_OK && taut_keep_curve(arena, moved) ? TAUT_OK : TAUT_NO_MEMORY;
+}
+
+static taut_status move_edges(taut_arena *arena, const int is_rigid[TAUT_FLAT_EDGES],
+                              const double moved[TAUT_FLAT_EDGES][2], taut_pattern_outline *outline)
+{
+    double corners[4][2];
+    taut_status status = TAUT_OK;
+    move_corners(is_rigid, moved, corners);
+    for (int e = 0; status == TAUT_OK && e < TAUT_FLAT_EDGES; e++) {
+        const double *from = corners[corners_of[e][0]], *to = corners[corners_of[e][1]];
+        if (from[0] != 0 || from[1] != 0 || (!is_rigid[e] && (to[0] != 0 || to[1] != 0))) {
+            status = move_edge(arena, is_rigid[e], from, to, &outline->edges[e]);
+        }
+    }
+    return status;
+}
+
 taut_status taut_pattern_outline_new(const taut_pattern_layout *layout, const taut_pattern_cut *cut,
                                      int piece, taut_arena *arena, taut_pattern_outline *outline)
 {
     const taut_pattern_piece *one = &layout->pieces[piece];
     taut_status status = TAUT_OK;
+    double moved[TAUT_FLAT_EDGES][2] = {{0, 0}};
+    int is_held[TAUT_FLAT_EDGES], is_rigid[TAUT_FLAT_EDGES], is_movable = 0;
+    for (int e = 0; e < TAUT_FLAT_EDGES; e++) {
+        double speed[2];
+        is_held[e] = taut_pattern_held_speed(layout, cut, piece, e, 0, speed);
+        is_rigid[e] = is_held[e] || one->bounds[e].is_point;
+        is_movable |= !is_rigid[e] && !cut->is_straight;
+    }
 
     *outline = (taut_pattern_outline){.closure = 0};
     for (int e = 0; status == TAUT_OK && e < TAUT_FLAT_EDGES; e++) {
-        double speed[2];
         outline->edges[e] = one->edges[e];
-        if (taut_pattern_held_speed(layout, cut, piece, e, 0, speed)) {
-            const edge_source source = {layout, cut, piece, e, one->edges[e]};
-            status = exact_edge(&source, arena, &outline->edges[e], outline);
+        if (is_held[e]) {
+            const edge_source source = {layout, cut, piece, e, one->edges[e], is_movable};
+            status = exact_edge(&source, arena, &outline->edges[e], moved[e], outline);
         }
+    }
+    if (status == TAUT_OK && is_movable) {
+        status = move_edges(arena, is_rigid, (const double(*)[2])moved, outline);
     }
     if (status == TAUT_OK) {
         status = close_edges(outline->edges, arena, &outline->cut);

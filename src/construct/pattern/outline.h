@@ -5,7 +5,8 @@
  *     y(s) = y(0) + int l (cos theta, sin theta) ds,    theta = arg y_s of the spline
  *
  * which ends within rounding of the spline's corner, as the constraint is orthogonal to the splines that its tangent is made of.
- * So both pieces of a seam are equally long at every point.
+ * So both pieces of a seam are equally long at every point. Where strain is singular at a corner and it is not rounding, the edges are
+ * laid end to end, and one that is free ends where they do.
  */
 #ifndef TAUT_CONSTRUCT_PATTERN_OUTLINE_H
 #define TAUT_CONSTRUCT_PATTERN_OUTLINE_H
@@ -18,6 +19,7 @@ typedef struct taut_pattern_outline {
     const taut_curve *cut; /* counter-clockwise and closed, from the corner of right and start */
     double closure;        /* how far an edge of exact speed ended from its corner */
     double longer;         /* and by how much it is longer or shorter for it, over its length */
+    double open;           /* closure of what ends in the spline's corner all the same */
     double low[2], high[2], area; /* of the cut */
 } taut_pattern_outline;
 

@@ -596,7 +596,7 @@ static taut_status check_drift(const made_pieces *made, taut_error *error)
         if (drift > drift_most) { /* by all places that are looked at then */
             drift = drift_of(piece, &made->outlines[k], CLAIMED_PLACES) / size;
         }
-        const double closure = made->outlines[k].closure / size;
+        const double closure = made->outlines[k].open / size;
         const int is_open = closure > closure_claimed;
         if (is_open || drift > drift_claimed) {
             return taut_fail(
