@@ -30,7 +30,7 @@ made_cloth cloth_make(const char *surface, const char *members)
     return made;
 }
 
-made_cloth cloth_of_example(const char *name, const char *members)
+made_cloth cloth_try_example(const char *name, const char *members)
 {
     const taut_embedded *file = taut_examples;
     char wanted[128];
@@ -38,7 +38,12 @@ made_cloth cloth_of_example(const char *name, const char *members)
     while (file->name != NULL && strcmp(file->name, wanted) != 0) {
         file++;
     }
-    const made_cloth made = cloth_make(file->name != NULL ? file->text : "{}", members);
+    return cloth_make(file->name != NULL ? file->text : "{}", members);
+}
+
+made_cloth cloth_of_example(const char *name, const char *members)
+{
+    const made_cloth made = cloth_try_example(name, members);
     CHECK(made.status == TAUT_OK, "%s: %s", name, made.error.message);
     return made;
 }

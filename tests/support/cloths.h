@@ -34,7 +34,8 @@ typedef struct made_cloth {
 
 /* "of": surface (JSON), and the rest of the members, such as "\"seams\": [...]". */
 made_cloth cloth_make(const char *surface, const char *members);
-/* Of the problem of examples/, without ".json". */
+/* Of the problem of examples/, without ".json"; `of` must succeed. */
+made_cloth cloth_try_example(const char *name, const char *members);
 made_cloth cloth_of_example(const char *name, const char *members);
 void cloth_free(made_cloth *made);
 

@@ -99,7 +99,6 @@ static taut_status exact_edge(const edge_source *e, taut_arena *arena, const tau
             moved[d] = is_moved ? -gap[d] : 0;
         }
         if (!is_moved) {
-            outline->open = fmax(outline->open, taut_hypot(gap[0], gap[1]));
             memcpy(at[spans].y[0], y[0], sizeof at[spans].y[0]);
         }
         const taut_status status = taut_pattern_quintics(spans, at, arena, curve);

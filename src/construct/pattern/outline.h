@@ -19,7 +19,6 @@ typedef struct taut_pattern_outline {
     const taut_curve *cut; /* counter-clockwise and closed, from the corner of right and start */
     double closure;        /* how far an edge of exact speed ended from its corner */
     double longer;         /* and by how much it is longer or shorter for it, over its length */
-    double open;           /* closure of what ends in the spline's corner all the same */
     double low[2], high[2], area; /* of the cut */
 } taut_pattern_outline;
 

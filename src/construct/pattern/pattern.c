@@ -596,7 +596,7 @@ static taut_status check_drift(const made_pieces *made, taut_error *error)
         if (drift > drift_most) { /* by all places that are looked at then */
             drift = drift_of(piece, &made->outlines[k], CLAIMED_PLACES) / size;
         }
-        const double closure = made->outlines[k].open / size;
+        const double closure = made->outlines[k].closure / size;
         const int is_open = closure > closure_claimed;
         if (is_open || drift > drift_claimed) {
             return taut_fail(
@@ -607,6 +607,21 @@ static taut_status check_drift(const made_pieces *made, taut_error *error)
                 "lengths that are held are too far from what the cloth does near its "
                 "corners; take more strips, compensate both alike, or hold fewer edges",
                 piece->name, closure, drift, closure_claimed, drift_claimed);
+        }
+    }
+    return TAUT_OK;
+}
+
+/* Between the places of quadrature, where W sees it, the last splines may still fold. */
+static taut_status check_folds(const made_pieces *made, taut_error *error)
+{
+    for (int k = 0; k < made->layout.piece_count; k++) {
+        const taut_pattern_piece *piece = &made->layout.pieces[k];
+        if (piece->strains.is_folded) {
+            return taut_fail(error, TAUT_NOT_CONVERGED, "folds", "/seams", taut_none, taut_none,
+                             "flat piece %s folds at (s, t) = (%.4g, %.4g): take more strips, or "
+                             "run them between the other edges",
+                             piece->name, piece->strains.fold[0], piece->strains.fold[1]);
         }
     }
     return TAUT_OK;
@@ -629,6 +644,9 @@ static taut_status make_parts(const request *r, const taut_pattern_ground *own, 
         }
         is_rough = status == TAUT_OK && round < (r->cut.is_straight ? 0 : REFINEMENTS) &&
                    refine(made, round);
+    }
+    if (status == TAUT_OK) {
+        status = check_folds(made, error);
     }
     return status == TAUT_OK ? check_drift(made, error) : status;
 }

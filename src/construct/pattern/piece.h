@@ -36,6 +36,8 @@ typedef struct taut_pattern_strains {
     double low, high, at[2]; /* principal ones; at: of the larger one, in (s, t) */
     double at_low[2];
     double warp[2], weft[2], shear;
+    int is_folded; /* somewhere, at fold */
+    double fold[2];
 } taut_pattern_strains;
 
 typedef struct taut_pattern_piece {

@@ -34,6 +34,11 @@ taut_pattern_strains taut_pattern_strains_of(const taut_pattern_piece *piece, ta
             taut_pattern_piece_shrink(piece, s, t, shrink);
             taut_flat_at(flat, s, t, y);
             taut_flat_strain(shrink, g, (const double(*)[2])y, strain, cloth);
+            if (!all.is_folded && y[1][0] * y[2][1] - y[1][1] * y[2][0] <= 0) {
+                all.is_folded = 1;
+                all.fold[0] = s;
+                all.fold[1] = t;
+            }
             if (strain[1] < all.low) {
                 all.low = strain[1];
                 all.at_low[0] = s;
