@@ -18,12 +18,13 @@
 #     peers      what other programs make of files: FreeCAD of STEP and DXF, Blender and admesh of meshes, each there
 #     plugins    those of FreeCAD, Blender, ParaView and Grasshopper in their hosts
 #     layouts    a thousand random films of many patches, against what is known of them
+#     elementary a million arguments of each elementary function, three million pairs, against MPFR
 #     films      a thousand random sails and rings: films whose claims hold, or refusals that are true by other means
 #     nets       nets of every kind on the surfaces of all examples: they hold, or are refused
 #     forge      forgeries of models against the judge from outside, seed NIGHTLY_SEED (the day)
 set -u
 cd "$(dirname "$0")/.." || exit 1
-all="compilers musl aarch64 sanitize windows wasm studio fuzz mutants generated recipes peers plugins layouts films nets forge"
+all="compilers musl aarch64 sanitize windows wasm studio fuzz mutants generated recipes peers plugins layouts elementary films nets forge"
 page=docs/nightly.md logs=build/nightly
 for name in "$@"; do
     case " $all " in *" $name "*) ;; *)
@@ -77,13 +78,17 @@ do_peers() {
 }
 do_plugins() { tools/deps.sh hosts && tools/plugins.sh test; }
 do_layouts() { cmake --build --preset release --target test-property-layouts && build/release/tests/test-property-layouts 1000; }
+do_elementary() {
+    cmake --build --preset release --target test-unit-core-elementary-elementary &&
+        build/release/tests/test-unit-core-elementary-elementary 333334 "${NIGHTLY_SEED:-21}"
+}
 do_films() { cmake --build --preset release --target test-property-film_laws && build/release/tests/test-property-film_laws 1000 200; }
 do_nets() { tools/nets_night.py "$native"; }
 do_forge() { tools/forge_night.sh "${NIGHTLY_SEED:-$(date +%j)}" "${NIGHTLY_SEED:-$(date +%j)}"; }
 
 # What a step says of itself: of tests how many, of examples how many.
 told() { # told LOG
-    grep -hE '^[a-z]+: installed, |^[0-9]+ of [0-9]+ examples|^[0-9]+ examples take|tests passed, |^# (pass|fail) |^[0-9]+ (passed|failed)|mutants tried|^seed [0-9]|^[0-9]+ films, |^[0-9]+ nets, |^after [0-9]+ (gestures|s of dragging)' "$1" | tail -n 3 |
+    grep -hE '^[a-z]+: installed, |^[0-9]+ of [0-9]+ examples|^[0-9]+ examples take|tests passed, |^# (pass|fail) |^[0-9]+ (passed|failed)|mutants tried|^seed [0-9]|^[0-9]+ films, |^[0-9]+ arguments of |^[0-9]+ nets, |^after [0-9]+ (gestures|s of dragging)' "$1" | tail -n 3 |
         tr '\n|' ' /' | sed 's/  */ /g; s/ $//'
 }
 
