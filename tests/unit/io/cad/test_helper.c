@@ -410,7 +410,7 @@ static void test_limits(const char *program)
     CHECK(taut_system_helper_start(&helper, program, request, 60) == 0, "start");
     fclose(request);
     snprintf(proc, sizeof proc, "/proc/%lld/limits", (long long)helper.process);
-    for (int i = 0; i < 1000 && found[0] != 20; i++) {
+    for (int i = 0; i < 1000 && found[1] != 21; i++) { /* the hard one comes last */
         FILE *file = fopen(proc, "r");
         limits[file != NULL ? fread(limits, 1, sizeof limits - 1, file) : 0] = '\0';
         if (file != NULL) {
