@@ -1,5 +1,6 @@
 #include "certify/common/through.h"
 
+#include "certify/common/field.h"
 #include "certify/common/verdict.h"
 #include "core/constants.h"
 #include "core/fail.h"
@@ -13,6 +14,8 @@
 enum { ROUNDINGS = 64, PASSES = 3 };
 /* A place whose functions are, to this share of their square, those of places before. */
 static const double dependent = 1e-12;
+/* More than all values too small for doubles lose. */
+static const double underflow = 1e-290;
 
 /* The share of every control point in S at a place; 0 at known ones. */
 typedef struct share {
@@ -60,8 +63,7 @@ taut_status taut_certify_through_places(const taut_model *model,
             char where[64];
             snprintf(where, sizeof where, "/details/through/%zu", k);
             return taut_fail(error, TAUT_BAD_INPUT, "details", where, taut_none, taut_none,
-                             "the model does not say at which u and v it passes through point %zu",
-                             k);
+                             "the model has no u and v of this point");
         }
     }
     *places = made;
@@ -88,16 +90,60 @@ static void find_halves(const taut_dirichlet_problem *problem, double *largest, 
     }
 }
 
+/* What the surface is at most away from a place's point, in coordinates times 2^-exponent: by its Bernstein coefficients about
+ * that point, whose errors are known, and de Casteljau's algorithm, which rounds three times a level; at the place's
+ * parameters to three roundings. *bound becomes it where it is larger, no number where nothing is proved. TAUT_NO_MEMORY. */
+static taut_status find_bound(const taut_surface *surface, const taut_through *place, int exponent,
+                              double *bound)
+{
+    taut_arena *arena = taut_arena_new();
+    const taut_basis *const basis[2] = {taut_surface_u(surface), taut_surface_v(surface)};
+    const double t[2] = {place->u, place->v};
+    double weight = NAN, most = 0, s[2];
+    taut_field f[4];
+    int span[2], count = 0;
+
+    for (int d = 0; d < 2; d++) {
+        span[d] = taut_basis_span(basis[d], t[d]);
+        const double *ends = taut_basis_breaks(basis[d]) + span[d];
+        s[d] = (t[d] - ends[0]) / (ends[1] - ends[0]);
+    }
+    if (taut_field_of_surface(arena, surface, span[0], span[1], place->point, exponent, f, NULL) &&
+        taut_arena_status(arena) == TAUT_OK) {
+        count = 4;
+    }
+    while (count > 0) {
+        const taut_field *own = &f[--count];
+        const double value = taut_field_value(own, s[0], s[1]);
+        const double rounding = (4 * (own->p + own->q) + 9) * TAUT_UNIT_ROUNDOFF;
+        for (int k = 0; k < (own->p + 1) * (own->q + 1); k++) {
+            own->a[k] = own->e[k] + rounding * fabs(own->a[k]) + underflow;
+        }
+        const double slip = taut_field_value(own, s[0], s[1]) * (1 + 1e-9); /* its own rounding */
+        if (count == 3) {
+            weight = value - slip;
+        } else {
+            most = taut_certify_max(most, fabs(value) + slip);
+        }
+    }
+    const taut_status status = taut_arena_status(arena);
+    taut_arena_free(arena);
+    *bound = taut_certify_max(*bound, weight > 0 ? most / weight : NAN);
+    return status;
+}
+
 taut_status taut_certify_add_through(const taut_surface *surface,
                                      const taut_dirichlet_problem *problem,
                                      const taut_through *places, taut_certificate *certificate)
 {
     char where[64] = "";
-    double largest, size, worst = 0;
+    double largest, size, worst = 0, bound = 0;
     taut_claim claim = {.claim = "through", .kind = TAUT_CHECK, .where = where};
+    taut_status status = TAUT_OK;
 
     find_halves(problem, &largest, &size);
-    for (int k = 0; k < problem->through_count; k++) {
+    const int exponent = taut_exponent(size);
+    for (int k = 0; status == TAUT_OK && k < problem->through_count; k++) {
         double x[3] = {NAN, NAN, NAN}, apart = 0;
         taut_surface_eval(surface, places[k].u, places[k].v, 0, x);
         for (int c = 0; c < 3; c++) {
@@ -107,13 +153,20 @@ taut_status taut_certify_add_through(const taut_surface *surface,
             worst = apart;
             snprintf(where, sizeof where, "/through/%d", k);
         }
+        status = find_bound(surface, &places[k], exponent, &bound);
     }
     const int local =
         taut_basis_local(taut_surface_u(surface)) + taut_basis_local(taut_surface_v(surface));
     claim.residual = worst == 0 ? 0 : worst / size;
     claim.limit = fmin(ROUNDINGS * local * TAUT_UNIT_ROUNDOFF * fmax(1, largest / size), 1e-6);
     claim.holds = taut_certify_below(claim.residual, claim.limit);
-    return taut_certificate_add(certificate, &claim);
+    bound /= 2 * ldexp(size, -exponent);
+    if (taut_certify_below(bound, claim.limit) == TAUT_TRUE) {
+        claim.kind = TAUT_BOUND;
+        claim.holds = TAUT_TRUE;
+        claim.residual = bound;
+    }
+    return status != TAUT_OK ? status : taut_certificate_add(certificate, &claim);
 }
 
 /* ---- the multipliers ---- */

@@ -22,7 +22,9 @@ taut_status taut_certify_through_places(const taut_model *model,
                                         taut_through **places, taut_error *error);
 
 /* The claim: the largest distance over the size of what the problem gives (known points and points to pass through, the
- * largest difference of a coordinate from the first of these). Limit 64 (k + l) 2^-53 times what rounds, k and l the functions alive: evaluation loses less. TAUT_NO_MEMORY. */
+ * largest difference of a coordinate from the first of these). Limit 64 (k + l) 2^-53 times what rounds, k and l the functions alive: evaluation loses less. A bound, the errors of all that is computed in it, by the Bernstein
+ * coefficients of the span about the point (certify/common/field.h) where these know the basis and that is
+ * below the limit; else a check by evaluation. TAUT_NO_MEMORY. */
 taut_status taut_certify_add_through(const taut_surface *surface,
                                      const taut_dirichlet_problem *problem,
                                      const taut_through *places, taut_certificate *certificate);
