@@ -1,5 +1,6 @@
 #include "construct/film/complex/even.h"
 
+#include "construct/film/complex/places.h"
 #include "construct/film/edges.h"
 #include "core/vec3.h"
 
@@ -19,51 +20,16 @@ typedef struct all_planes {
         *holds; /* [nodes]: directions that a node is not to leave; NULL: all are in one plane */
 } all_planes;
 
-/* Functions and slopes at places of one direction. */
-typedef struct lines {
-    int count, local;
-    int *first;     /* [count] */
-    double *values; /* [count][2][local] */
-} lines;
-
-static taut_status lay_lines(const taut_basis *basis, taut_arena *arena, lines *l)
+static taut_status lay_places(const taut_basis *basis, taut_arena *arena, taut_film_places *l)
 {
-    const double *breaks = taut_basis_breaks(basis);
     const int spans = taut_basis_span_count(basis);
+    const taut_status status = taut_film_places_take(basis, spans * STEPS + 1, arena, l);
 
-    l->count = spans * STEPS + 1;
-    l->local = taut_basis_local(basis);
-    l->first = taut_arena_take(arena, (size_t)l->count, sizeof(int));
-    l->values = taut_arena_take(arena, (size_t)l->count, 2 * (size_t)l->local * sizeof(double));
-    if (taut_arena_status(arena) != TAUT_OK) {
-        return TAUT_NO_MEMORY;
-    }
-    for (int k = 0; k < l->count; k++) {
+    for (int k = 0; status == TAUT_OK && k < l->count; k++) {
         const int span = k / STEPS < spans ? k / STEPS : spans - 1;
-        const double share = (double)(k - span * STEPS) / STEPS;
-        l->first[k] = taut_basis_first(basis, span);
-        (void)taut_basis_eval(basis, span, (1 - share) * breaks[span] + share * breaks[span + 1], 1,
-                              l->values + (size_t)k * 2 * (size_t)l->local);
+        taut_film_places_put(basis, span, (double)(k - span * STEPS) / STEPS, k, l);
     }
-    return TAUT_OK;
-}
-
-/* The area element of a patch at a place, along the plane's normal. node: [nu][nv] */
-static double element_at(const double *x, const int *node, int nv, const lines *u, int i,
-                         const lines *v, int j, const double normal[3])
-{
-    const double *n = u->values + (size_t)i * 2 * (size_t)u->local, *d = n + u->local;
-    const double *m = v->values + (size_t)j * 2 * (size_t)v->local, *e = m + v->local;
-    double xu[3] = {0, 0, 0}, xv[3] = {0, 0, 0};
-
-    for (int a = 0; a < u->local; a++) {
-        for (int b = 0; b < v->local; b++) {
-            const double *p = x + 3 * node[(u->first[i] + a) * nv + v->first[j] + b];
-            taut_add_scaled(d[a] * m[b], p, xu);
-            taut_add_scaled(n[a] * e[b], p, xv);
-        }
-    }
-    return taut_det(xu, xv, normal);
+    return status;
 }
 
 /* Does a patch turn over at one of its places? *folds. */
@@ -74,15 +40,17 @@ static taut_status look_at_patch(const taut_film_complex *c, int p, const double
     const int nv = taut_basis_count(patch->v);
     taut_arena *arena = taut_arena_new();
     double least = INFINITY, most = -INFINITY;
-    lines u, v;
-    taut_status status = lay_lines(patch->u, arena, &u);
+    taut_film_places u, v;
+    taut_status status = lay_places(patch->u, arena, &u);
 
     if (status == TAUT_OK) {
-        status = lay_lines(patch->v, arena, &v);
+        status = lay_places(patch->v, arena, &v);
     }
     for (int i = 0; status == TAUT_OK && i < u.count; i++) {
         for (int j = 0; j < v.count; j++) {
-            const double element = element_at(x, c->node + c->first[p], nv, &u, i, &v, j, normal);
+            double own[3];
+            taut_film_normal(x, c->node + c->first[p], nv, &u, i, &v, j, own);
+            const double element = taut_dot(own, normal);
             least = fmin(least, element);
             most = fmax(most, element);
         }

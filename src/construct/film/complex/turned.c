@@ -1,61 +1,24 @@
 #include "construct/film/complex/turned.h"
 
+#include "construct/film/complex/places.h"
 #include "core/vec3.h"
-
-#include <string.h>
 
 static const double beside = 1e-6; /* of a span: an edge, but for a pole */
 
-/* Functions and slopes at places of one direction. */
-typedef struct places {
-    int count, local;
-    double *at;     /* [count] */
-    int *first;     /* [count] */
-    double *values; /* [count][2][local] */
-} places;
-
-static taut_status lay_places(const taut_basis *basis, taut_arena *arena, places *l)
+static taut_status lay_places(const taut_basis *basis, taut_arena *arena, taut_film_places *l)
 {
-    const double *breaks = taut_basis_breaks(basis);
     const int spans = taut_basis_span_count(basis), each = taut_basis_local(basis) + 2;
+    const taut_status status = taut_film_places_take(basis, spans * each + 2, arena, l);
 
-    l->count = spans * each + 2;
-    l->local = taut_basis_local(basis);
-    l->at = taut_arena_take(arena, (size_t)l->count, sizeof(double));
-    l->first = taut_arena_take(arena, (size_t)l->count, sizeof(int));
-    l->values = taut_arena_take(arena, (size_t)l->count, 2 * (size_t)l->local * sizeof(double));
-    if (taut_arena_status(arena) != TAUT_OK) {
-        return TAUT_NO_MEMORY;
+    if (status != TAUT_OK) {
+        return status;
     }
-    for (int k = 0; k < l->count; k++) {
-        const int is_last = k == l->count - 1, span = k == 0    ? 0
-                                                      : is_last ? spans - 1
-                                                                : (k - 1) / each;
-        const double share = k == 0 ? beside : is_last ? 1 - beside : ((k - 1) % each + 0.5) / each;
-        l->at[k] = (1 - share) * breaks[span] + share * breaks[span + 1];
-        l->first[k] = taut_basis_first(basis, span);
-        (void)taut_basis_eval(basis, span, l->at[k], 1,
-                              l->values + (size_t)k * 2 * (size_t)l->local);
+    taut_film_places_put(basis, 0, beside, 0, l);
+    for (int k = 0; k < spans * each; k++) {
+        taut_film_places_put(basis, k / each, (k % each + 0.5) / each, k + 1, l);
     }
+    taut_film_places_put(basis, spans - 1, 1 - beside, l->count - 1, l);
     return TAUT_OK;
-}
-
-/* node: [nu][nv] */
-static void find_normal(const double *x, const int *node, int nv, const places *u, int i,
-                        const places *v, int j, double normal[3])
-{
-    const double *n = u->values + (size_t)i * 2 * (size_t)u->local, *d = n + u->local;
-    const double *m = v->values + (size_t)j * 2 * (size_t)v->local, *e = m + v->local;
-    double xu[3] = {0, 0, 0}, xv[3] = {0, 0, 0};
-
-    for (int a = 0; a < u->local; a++) {
-        for (int b = 0; b < v->local; b++) {
-            const double *p = x + 3 * node[(u->first[i] + a) * nv + v->first[j] + b];
-            taut_add_scaled(d[a] * m[b], p, xu);
-            taut_add_scaled(n[a] * e[b], p, xv);
-        }
-    }
-    taut_cross(xu, xv, normal);
 }
 
 static taut_status look_at_patch(const taut_film_complex *c, int p, const double *x,
@@ -65,7 +28,7 @@ static taut_status look_at_patch(const taut_film_complex *c, int p, const double
     const int *node = c->node + c->first[p];
     const int nv = taut_basis_count(patch->v);
     taut_arena *arena = taut_arena_new();
-    places u, v;
+    taut_film_places u, v;
     double *normals[2] = {NULL, NULL};
     taut_status status = lay_places(patch->u, arena, &u);
 
@@ -80,7 +43,7 @@ static taut_status look_at_patch(const taut_film_complex *c, int p, const double
         const double *before = normals[(i + 1) % 2];
         for (int j = 0; turned->patch < 0 && j < v.count; j++) {
             double *n = normals[i % 2] + 3 * (size_t)j;
-            find_normal(x, node, nv, &u, i, &v, j, n);
+            taut_film_normal(x, node, nv, &u, i, &v, j, n);
             if ((j > 0 && taut_dot(n, n - 3) < 0) ||
                 (i > 0 && taut_dot(n, before + 3 * (size_t)j) < 0)) {
                 *turned = (taut_film_turned){p, u.at[i], v.at[j]};
