@@ -169,7 +169,7 @@ static void test_broken(void)
  * inside, and so is what rounding of the axis does at a joint. */
 static void test_wide(void)
 {
-    for (int trial = 0; trial < random_trials(60); trial++) {
+    for (int trial = 0; trial < random_trials(160); trial++) {
         pipe_random r;
         pipe_random_run(0, &r);
         r.problem.elbow = TAUT_PIPE_ELBOW_ARC;

@@ -146,6 +146,9 @@ static int is_closed(const taut_pipe_run_parts *run)
                                                            : comes_round(run);
 }
 
+/* Where an arc ends comes from its corner, both legs and its radius: so many roundings of a coordinate for one. */
+static const double arc_roundings = 6;
+
 /* The joint after piece i, as that of a blend, at its end `side`, with what is beside it. The tangent
  * is that of what is beside it: of a straight pipe it is exact, of the polynomial near an arc it is
  * off by rounding, times the longest way along the flow over the least. */
@@ -156,6 +159,9 @@ static taut_status measure_joint(const taut_pipe_run_parts *run, int i, int side
     taut_pipe_parts joint = run->parts;
     joint.blend = run->surfaces[blend];
     joint.pipes[side] = run->surfaces[other];
+    for (int k = 0; k < 3 && taut_basis_degree(taut_surface_u(joint.blend)) == 2; k++) {
+        joint.sizes[k] *= arc_roundings;
+    }
     find_tangent(run, other, 1 - side, joint.line.tangent[side]);
     return (curved ? taut_pipe_measure_curvatures : taut_pipe_measure_joint)(&joint, side, m);
 }
