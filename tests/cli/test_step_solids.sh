@@ -13,6 +13,11 @@ sed 's/"caps": true, "bend_radius": 3/"wall": 0.25, "elbow": "arc", "bend_radius
 run 0 make walled-problem.json --quiet -o walled.json -o walled.step
 ! grep -q B_SPLINE_SURFACE walled.step || complain "walled.step holds a spline"
 material=$(tr -d ' \n' < walled.json | sed -n 's/.*"wall_volume":\([-+.e0-9]*\).*/\1/p')
+# legs of 360, less 24 (2/3 + 1) tangents of half angles each way, and arcs of half a turn about 24
+"$TAUT" example pipe-caps | "$TAUT" make - --quiet -o handle.json -o handle.step
+handle_volume=$(awk 'BEGIN { pi = atan2(0, -1); printf "%.17g", pi * 64 * (280 + 24 * pi) }')
+[ "$(grep -c '=MANIFOLD_SOLID_BREP(' handle.step)" = 1 ] || complain 'pipe-caps is not one solid'
+! grep -q B_SPLINE_SURFACE handle.step || complain 'handle.step holds a spline'
 "$TAUT" example pipe-run-closed > ring-problem.json
 run 0 make ring-problem.json --quiet -o ring.json -o ring.step
 "$TAUT" example harmonic-extension > extension-problem.json
@@ -49,6 +54,9 @@ if "$PROBE"; then
     "$PROBE" walled.step > walled.txt || complain "not read: $(cat walled.txt)"
     contains walled.txt '^walled.step read 1 valid 1 closed 1 solids 1 shells 1 faces 12 .* free 0 '
     near "$(sed -n 's/^walled.step.* volume \([-+.e0-9]*\) .*/\1/p' walled.txt)" "$material" 1e-10 'walled.step, OpenCASCADE'
+    "$PROBE" handle.step > handle.txt || complain "not read: $(cat handle.txt)"
+    contains handle.txt '^handle.step read 1 valid 1 closed 1 solids 1 shells 1 faces 11 .* free 0 '
+    near "$(sed -n 's/^handle.step.* volume \([-+.e0-9]*\) .*/\1/p' handle.txt)" "$handle_volume" 1e-10 'handle.step, OpenCASCADE'
     contains probe.txt '^open.step read 1 valid 1 closed 0 solids 0 shells 1 faces 6 .* free 2 colours 6 '
     contains probe.txt '^extension.step read 1 valid 1 closed 0 solids 0 shells 1 faces 2 '
     # what is read and written again is the same body, of the same planes, cylinders and tori
@@ -80,7 +88,7 @@ else
     missing OpenCASCADE 'tools/deps.sh test, and build anew'
 fi
 if command -v gmsh > /dev/null; then
-    for name in walled capped ring; do
+    for name in walled handle capped ring; do
         rm -f volume.txt
         cat > volume.geo <<GEO
 SetFactory("OpenCASCADE");
@@ -97,6 +105,8 @@ GEO
         # where no accuracy is asked for
         if [ $name = walled ]; then
             near "$(head -n 1 volume.txt)" "$material" 1e-10 "$name.step, gmsh"
+        elif [ $name = handle ]; then
+            near "$(head -n 1 volume.txt)" "$handle_volume" 1e-10 "$name.step, gmsh"
         else
             near "$(head -n 1 volume.txt)" "$(figure $name.json)" 1e-2 "$name.step, gmsh"
         fi
@@ -120,6 +130,15 @@ PY
         contains freecad.txt '^LOOK True 1 True '
         near "$(sed -n 's/^LOOK True 1 True //p' freecad.txt)" "$(figure $name.json)" 3e-4 "$name.step, FreeCAD" # its mesh's: shape.Volume has gmsh's rule
     done
+    cat > look.py <<PY
+import Part
+shape = Part.Shape()
+shape.read("$PWD/handle.step")
+kinds = [type(face.Surface).__name__ for face in shape.Faces]
+print("HANDLE", shape.isValid(), len(shape.Solids), kinds.count("Cylinder"), kinds.count("Toroid"), kinds.count("Plane"), repr(shape.Volume))
+PY
+    freecadcmd look.py > freecad.txt 2>&1 < /dev/null
+    near "$(sed -n 's/^HANDLE True 1 5 4 2 //p' freecad.txt | grep . || echo 0)" "$handle_volume" 1e-10 'handle.step, FreeCAD'
     # arcs are thickened inwards and outwards from their caps, and offset, as tori and cylinders are: pi ((a + t)^2 - a^2) L
     run 0 make "$SOURCE/examples/pipe-run-arcs.json" --quiet -o arcs.step -o arcs.json
     cat > look.py <<PY
