@@ -70,9 +70,14 @@ static int put_note(void *answer, const char *note)
     return taut_cad_put_note(static_cast<FILE *>(answer), note);
 }
 
+static int put_product(void *answer, const char *name)
+{
+    return taut_cad_put_product(static_cast<FILE *>(answer), name);
+}
+
 static void read_file(const taut_cad_job &job, FILE *answer)
 {
-    const occt_sink sink = {answer, put_unit, put_item, put_note};
+    const occt_sink sink = {answer, put_unit, put_item, put_note, put_product};
     occt_names names;
     const TopoDS_Shape shape = job.kind == TAUT_CAD_STEP ? occt_read_step(job, sink, names)
                                                          : occt_read_iges(job, sink, names);

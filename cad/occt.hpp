@@ -34,6 +34,7 @@ struct occt_sink {
     int (*unit)(void *context, const char *unit);
     int (*item)(void *context, const taut_cad_item *item);
     int (*note)(void *context, const char *note);
+    int (*product)(void *context, const char *name);
 };
 
 /* A sentence about the file, for details.notes. */

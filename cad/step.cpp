@@ -10,6 +10,7 @@
 #include <StepBasic_ProductDefinition.hxx>
 #include <StepBasic_ProductDefinitionFormation.hxx>
 #include <StepData_StepModel.hxx>
+#include <StepRepr_NextAssemblyUsageOccurrence.hxx>
 #include <StepRepr_RepresentationItem.hxx>
 #include <StepShape_GeometricSet.hxx>
 #include <StepVisual_ColourRgb.hxx>
@@ -27,6 +28,7 @@
 
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 static void set_option(const char *name, const char *value)
@@ -94,6 +96,28 @@ static void add_products(const Handle(Transfer_TransientProcess) & process, occt
     for (const auto &product : products) {
         names.add_product(product.second.first, product.second.second);
     }
+}
+
+/* The product that an assembly is; "" where there is none, or several. */
+static std::string whole_of(const Handle(Interface_InterfaceModel) & model)
+{
+    std::set<Handle(StepBasic_ProductDefinition)> wholes, parts;
+    for (int i = 1; i <= model->NbEntities(); i++) {
+        const Handle(StepRepr_NextAssemblyUsageOccurrence) use =
+            Handle(StepRepr_NextAssemblyUsageOccurrence)::DownCast(model->Value(i));
+        if (!use.IsNull() && !use->RelatingProductDefinition().IsNull()) {
+            wholes.insert(use->RelatingProductDefinition());
+            parts.insert(use->RelatedProductDefinition());
+        }
+    }
+    for (const auto &part : parts) {
+        wholes.erase(part);
+    }
+    if (wholes.size() != 1 || (*wholes.begin())->Formation().IsNull()) {
+        return "";
+    }
+    const Handle(StepBasic_Product) product = (*wholes.begin())->Formation()->OfProduct();
+    return product.IsNull() || product->Name().IsNull() ? "" : product->Name()->ToCString();
 }
 
 /* 1 + 0xRRGGBB; 0 where it is none. */
@@ -185,6 +209,10 @@ TopoDS_Shape occt_read_step(const taut_cad_job &job, const occt_sink &sink, occt
     } else if (unit_of(lengths.First()) == nullptr) {
         occt_say(sink, std::string("the file is in units of ") + lengths.First().ToCString() +
                            ": its lengths are converted, to be in mm");
+    }
+    const std::string whole = whole_of(reader.Model());
+    if (!sink.product(sink.context, whole.c_str())) {
+        throw occt_failure(TAUT_IO, "write", "what was read could not be passed on");
     }
     reader.TransferRoots();
     const Handle(Transfer_TransientProcess) process =

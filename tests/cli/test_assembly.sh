@@ -21,16 +21,19 @@ for name, patches, place in uses:
     surfaces += [patch(n, p, place) for n, p in patches]
 surfaces.append(patch("loose", plate[0][1], turn(0.2, 100, 0, 0)))
 colours = ["#ff0000" if s["name"] == "head" else "#00ff80" for s in surfaces]
-json.dump({"taut": 1, "unit": "cm", "surfaces": surfaces, "details": {"parts": parts, "colours": colours},
+json.dump({"taut": 1, "unit": "cm", "surfaces": surfaces, "details": {"parts": parts, "colours": colours, "product": "Br\u00fccke"},
            "curves": [{"name": "rope", "t": {"type": "bezier", "degree": 1}, "points": [[0, 0, 0], [1, 2, 3]]}]}, open("/dev/stdout", "w"))
 PY
 run 0 convert parts.json -o parts.step
 [ "$(grep -c '=PRODUCT(' parts.step)" = 3 ] || complain "$(grep '=PRODUCT(' parts.step)"
 [ "$(grep -c '=NEXT_ASSEMBLY_USAGE_OCCURRENCE(' parts.step)" = 4 ] || complain "$(grep NEXT_ASSEMBLY parts.step)"
-contains parts.step "=PRODUCT.'assembly'"
 sed -n 's/^#\([0-9]*\)=.*/\1/p' parts.step | sort -n > there.txt
 sort -nu there.txt | cmp -s - there.txt || complain "an instance is there twice"
 grep -o '#[0-9]*' parts.step | tr -d '#' | sort -nu | cmp -s - there.txt || complain "references and instances differ"
+[ "$(grep -c "=PRODUCT('Br.X2.00FC.X0.cke'" parts.step)" = 1 ] || complain "the whole: $(grep '=PRODUCT(' parts.step)"
+sed 's/, "product": "Br[^"]*"}, "curves"/}, "curves"/' parts.json > plain.json
+run 0 convert plain.json -o plain.step
+contains plain.step "=PRODUCT.'assembly'"
 run 0 convert parts.json -o again.step
 cmp -s parts.step again.step || complain "the same model gives another file"
 
@@ -46,7 +49,8 @@ def parts(model):
         found.append((part["product"], [v for row in part["placement"] for v in row], [(s["name"], [c for l in s["points"] for p in l for c in p])
                       for s in surfaces], [model["details"]["colours"][i] for i in part["surfaces"]]))
     return sorted(found, key=lambda part: (part[0], [round(v, 6) for v in part[1]]))
-ours, theirs = parts(there), [part for part in parts(back) if part[0] != "assembly"]
+ours, theirs = parts(there), parts(back)
+assert back["details"]["product"] == there["details"]["product"] and back["details"]["products"].count("Br\u00fccke") == 1
 assert len(ours) == len(theirs) == 4, [part[0] for part in theirs]
 for a, b in zip(ours, theirs):
     assert a[0] == b[0] and a[3] == b[3], (a[0], b[0], a[3], b[3])
@@ -55,6 +59,24 @@ for a, b in zip(ours, theirs):
         assert name == own and max(abs(x - y) for x, y in zip(p, q)) < 1e-13, (name, own)
 assert back["unit"] == "cm" and len(back["surfaces"]) == 8 and [c["name"] for c in back["curves"]] == ["rope"]
 PY
+    # written once more it is the same assembly, of the same name; so is one of one part
+    run 0 convert parts.step -o twice.step
+    products='s/.*=PRODUCT(\([^,]*\),.*/product \1/p; s/.*=NEXT_ASSEMBLY_USAGE_OCCURRENCE(\([^,]*,[^,]*\),.*/use \1/p'
+    for file in parts twice; do
+        sed -n "$products" $file.step | sort > $file.txt
+    done
+    cmp -s parts.txt twice.txt || complain "written again: $(diff parts.txt twice.txt)"
+    python3 -c 'import json
+model = json.load(open("parts.json"))
+del model["surfaces"][2:], model["details"]["parts"][1:], model["details"]["colours"][2:]
+json.dump(model, open("one.json", "w"))'
+    run 0 convert one.json -o one.step
+    run 0 convert one.step -o two.step
+    for file in one two; do
+        sed -n "$products" $file.step | sort > $file.txt
+    done
+    [ "$(wc -l < one.txt)" = 3 ] || complain "one part: $(cat one.txt)"
+    cmp -s one.txt two.txt || complain "one part written again: $(diff one.txt two.txt)"
 else
     missing OpenCASCADE 'tools/deps.sh test, and build anew'
 fi

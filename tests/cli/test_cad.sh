@@ -173,7 +173,7 @@ PY
     exec 7>&-
     wait
     grep -aq 'the request of taut-cad is cut off' hello.txt || complain "$helper takes no request for one"
-    "$helper" --version | grep -q '^taut-cad, protocol 5, OpenCASCADE [0-9]' || complain "$helper says no version"
+    "$helper" --version | grep -q '^taut-cad, protocol 6, OpenCASCADE [0-9]' || complain "$helper says no version"
     "$helper" model.igs > /dev/null 2>&1 && complain "$helper takes an argument"
 fi
 finish

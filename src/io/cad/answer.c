@@ -5,7 +5,6 @@
 #include "core/fail.h"
 #include "geometry/keep.h"
 #include "io/json/utf8.h"
-#include "taut/limits.h"
 
 #include <string.h>
 
@@ -327,6 +326,17 @@ static taut_status get_note(taut_cad_source *source, taut_cad_result *result, ta
     return TAUT_OK;
 }
 
+static taut_status get_product(taut_cad_source *source, taut_cad_result *result, taut_error *error)
+{
+    int length = 0;
+    if (result->model == NULL || !get_bytes(source, &length, sizeof length, 1) || length < 0 ||
+        length > TAUT_NAME_MAX || !get_bytes(source, result->product, 1, (size_t)length)) {
+        return refuse_stream(error);
+    }
+    mend_name(result->product, (size_t)length);
+    return TAUT_OK;
+}
+
 /* A part of the text of a file that is written. */
 static taut_status get_text(taut_cad_source *source, taut_cad_result *result, taut_error *error)
 {
@@ -379,6 +389,8 @@ taut_status taut_cad_get_all(taut_cad_source *source, taut_cad_result *result, t
             status = get_item(source, result, error);
         } else if (tag == 'N') {
             status = get_note(source, result, error);
+        } else if (tag == 'P') {
+            status = get_product(source, result, error);
         } else if (tag == 'T') {
             status = get_text(source, result, error);
         } else if (tag == 'E') {

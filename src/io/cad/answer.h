@@ -3,6 +3,7 @@
 #define TAUT_IO_CAD_ANSWER_H
 
 #include "io/cad/wire.h"
+#include "taut/limits.h"
 #include "taut/model.h"
 #include "taut/record.h"
 
@@ -35,12 +36,13 @@ typedef struct taut_cad_result {
         *colours; /* of each surface: a text, "" where nothing is said; may be NULL likewise */
     taut_record *
         instances; /* of each surface, numbers; and of each use of a product its name and place, a list of objects; */
-    taut_record *uses;  /* may be NULL likewise */
-    int trimmed;        /* surfaces of which the file has only a part */
-    int edges;          /* curves that are edges of such ones: the last */
-    FILE *text;         /* where the text of a file goes; NULL when reading */
-    int has_ended;      /* the end was seen... */
-    taut_status status; /* ...with this, and *error is filled */
+    taut_record *uses;               /* may be NULL likewise */
+    char product[TAUT_NAME_MAX + 1]; /* the whole of an assembly; "" where nothing is said */
+    int trimmed;                     /* surfaces of which the file has only a part */
+    int edges;                       /* curves that are edges of such ones: the last */
+    FILE *text;                      /* where the text of a file goes; NULL when reading */
+    int has_ended;                   /* the end was seen... */
+    taut_status status;              /* ...with this, and *error is filled */
 } taut_cad_result;
 
 /* Reads up to the end, which may be missing if taut-cad died. What an item has wrong is TAUT_BAD_INPUT; TAUT_IO where

@@ -160,16 +160,45 @@ static int has_products(const taut_record *products)
     return several;
 }
 
-/* The one product of a file, where it says more than the name of the first surface; else "". OpenCASCADE's own words for
- * what has no name are none. */
-static const char *product_of(const taut_cad_result *result)
+/* What a product is called; "" for OpenCASCADE's own words for what has no name. */
+static const char *own_name(const char *name)
 {
     static const char nameless[] = "Open CASCADE STEP translator";
-    const char *name = taut_record_text(taut_record_at(result->products, 0));
-    return strcmp(name, taut_surface_name(taut_model_surface(result->model, 0))) == 0 ||
-                   strncmp(name, nameless, sizeof nameless - 1) == 0
-               ? ""
-               : name;
+    return strncmp(name, nameless, sizeof nameless - 1) == 0 ? "" : name;
+}
+
+/* The whole of an assembly; else the one product of a file, where it says more than the name of the first surface; else "". */
+static const char *product_of(const taut_cad_result *result)
+{
+    const char *whole = own_name(result->product);
+    if (whole[0] != '\0' || taut_record_count(result->products) == 0 ||
+        has_products(result->products)) {
+        return whole;
+    }
+    const char *name = own_name(taut_record_text(taut_record_at(result->products, 0)));
+    return strcmp(name, taut_surface_name(taut_model_surface(result->model, 0))) == 0 ? "" : name;
+}
+
+/* Is this the whole itself, with surfaces that are in no part of it? */
+static int is_whole(const taut_cad_result *result, const taut_record *use)
+{
+    static const double here[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+    int stays = result->product[0] != '\0' &&
+                strcmp(taut_record_text(taut_record_get(use, "product")), result->product) == 0;
+    for (size_t k = 0; k < 12; k++) {
+        const taut_record *row = taut_record_at(taut_record_get(use, "placement"), k / 4);
+        stays = stays && taut_record_number(taut_record_at(row, k % 4)) == here[k];
+    }
+    return stays;
+}
+
+/* More than one use of a product, or one within a whole of another name. */
+static int has_parts(const taut_cad_result *result)
+{
+    const char *whole = own_name(result->product);
+    return taut_record_count(result->uses) > 1 ||
+           (taut_record_count(result->uses) == 1 && whole[0] != '\0' &&
+            !is_whole(result, taut_record_at(result->uses, 0)));
 }
 
 /* Are there colours other than those that taut gives? */
@@ -194,6 +223,9 @@ static void add_parts(const taut_cad_result *result, taut_record *details)
     taut_record *parts = taut_record_add_list(details, "parts");
     for (size_t p = 0; p < taut_record_count(result->uses); p++) {
         const taut_record *use = taut_record_at(result->uses, p);
+        if (is_whole(result, use)) {
+            continue;
+        }
         taut_record *made = taut_record_add_object(parts, NULL);
         taut_record_add_record(made, "product", taut_record_get(use, "product"));
         taut_record_add_record(made, "placement", taut_record_get(use, "placement"));
@@ -229,11 +261,12 @@ static taut_status finish_model(taut_cad_kind kind, taut_cad_result *result, tau
     if (has_products(result->products)) {
         taut_record_add_record(details, "products", result->products);
         is_said = 1;
-    } else if (taut_record_count(result->products) > 0 && product_of(result)[0] != '\0') {
+    }
+    if (product_of(result)[0] != '\0') {
         taut_record_add_text(details, "product", product_of(result));
         is_said = 1;
     }
-    if (taut_record_count(result->uses) > 1 && kind == TAUT_CAD_STEP) {
+    if (has_parts(result) && kind == TAUT_CAD_STEP) {
         add_parts(result, details);
         is_said = 1;
     }

@@ -93,12 +93,23 @@ int taut_cad_put_item(FILE *file, const taut_cad_item *item)
            put_bytes(file, item->weights, sizeof(double), head.is_rational ? n : 0);
 }
 
+/* The first `most` bytes of a text, after their number. */
+static int put_some(FILE *file, const char *tag, const char *text, size_t most)
+{
+    const size_t whole = strlen(text);
+    const int length = (int)(whole < most ? whole : most);
+    return put_bytes(file, tag, 1, 1) && put_bytes(file, &length, sizeof length, 1) &&
+           put_bytes(file, text, 1, (size_t)length);
+}
+
+int taut_cad_put_product(FILE *file, const char *name)
+{
+    return put_some(file, "P", name, TAUT_NAME_MAX);
+}
+
 int taut_cad_put_note(FILE *file, const char *note)
 {
-    const size_t whole = strlen(note);
-    const int length = whole < TAUT_CAD_NOTE_MAX ? (int)whole : TAUT_CAD_NOTE_MAX;
-    return put_bytes(file, "N", 1, 1) && put_bytes(file, &length, sizeof length, 1) &&
-           put_bytes(file, note, 1, (size_t)length);
+    return put_some(file, "N", note, TAUT_CAD_NOTE_MAX);
 }
 
 int taut_cad_put_text(FILE *file, const char *text, size_t length)

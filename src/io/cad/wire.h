@@ -5,6 +5,7 @@
  * a pipe:
  *
  *     request   hello, job, items        answer   hello, then  'U' unit[4]   'I' item   'N' size, text (what was left out)
+ *                                                              'P' size, text (the product that is the whole of an assembly)
  *                                                              'T' size, text (of an IGES file)   'E' status, message: the end
  *
  * Numbers are as the machine has them: both run on the same one, and the hello says how they lie. This file and
@@ -64,7 +65,7 @@ typedef struct taut_cad_job {
 
 /* What stands first, both ways. A version changes with what is said, the layout with compilers. */
 enum {
-    TAUT_CAD_VERSION = 5,
+    TAUT_CAD_VERSION = 6,
     TAUT_CAD_MARK = 8,
     TAUT_CAD_UNIT = 4,
     TAUT_CAD_TEXT_MAX = 1 << 15,
@@ -94,6 +95,8 @@ int taut_cad_put_request(FILE *file, const taut_cad_job *job, int count,
                          const taut_cad_item *items);
 int taut_cad_put_unit(FILE *file, const char *unit);
 int taut_cad_put_item(FILE *file, const taut_cad_item *item);
+/* A name of at most TAUT_NAME_MAX bytes; what is beyond is cut off. */
+int taut_cad_put_product(FILE *file, const char *name);
 /* A sentence of at most TAUT_CAD_NOTE_MAX bytes; what is beyond is cut off. */
 int taut_cad_put_note(FILE *file, const char *note);
 int taut_cad_put_text(FILE *file, const char *text, size_t length);

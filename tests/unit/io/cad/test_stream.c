@@ -34,6 +34,7 @@ static char *written(const taut_cad_item *items, int count, size_t *length)
     for (int i = 0; i < count; i++) {
         CHECK(taut_cad_put_item(file, &items[i]), "item %d", i);
     }
+    CHECK(taut_cad_put_product(file, "a \xff whole"), "product");
     CHECK(taut_cad_put_note(file, "face 3 is left out:\x1b[2J"), "note");
     CHECK(taut_cad_put_end(file, TAUT_OK, &none), "end");
     fclose(file);
@@ -43,7 +44,7 @@ static char *written(const taut_cad_item *items, int count, size_t *length)
 typedef struct outcome {
     taut_status status, said;
     int has_ended, surfaces, curves, notes;
-    char unit[4], name[TAUT_NAME_MAX + 1], last_note[64];
+    char unit[4], name[TAUT_NAME_MAX + 1], product[TAUT_NAME_MAX + 1], last_note[64];
     taut_error error;
 } outcome;
 
@@ -78,6 +79,7 @@ static outcome read_back(const char *bytes, size_t length)
     o.notes = (int)taut_record_count(result.notes);
     snprintf(o.last_note, sizeof o.last_note, "%.60s",
              taut_record_text(taut_record_at(result.notes, (size_t)o.notes - 1)));
+    snprintf(o.product, sizeof o.product, "%s", result.product);
     snprintf(o.unit, sizeof o.unit, "%s", taut_model_unit(result.model));
     if (o.surfaces > 0) {
         snprintf(o.name, sizeof o.name, "%s",
@@ -99,6 +101,7 @@ static void test_whole(void)
           o.notes);
     CHECK(strcmp(o.last_note, "face 3 is left out:?[2J") == 0, "a note that steers: %s",
           o.last_note);
+    CHECK(strcmp(o.product, "a ? whole") == 0, "\"%s\"", o.product);
     CHECK(strcmp(o.unit, "cm") == 0 && strcmp(o.name, "a face") == 0, "%s \"%s\"", o.unit, o.name);
     free(bytes);
 }
