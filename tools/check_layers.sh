@@ -25,7 +25,7 @@ io:        core platform numeric/bernstein.h basis geometry problem measure mesh
 draw:      core platform basis geometry measure mesh io
 page:      core basis geometry measure mesh io draw
 cli:       core/decimal.h core/elementary/elementary.h core/printf.h platform/system.h
-web:       core io draw/flat_page.h measure/cloth/mounted.h measure/dual/density.h mesh/parts.h shell/thick/thick.h numeric/modes_lent.h certify/film/complex/complex.h construct/film/complex/complex.h certify/common certify/certify_ops.h construct/construct_ops.h
+web:       core io draw/flat_page.h measure/cloth/mounted.h measure/dual/density.h mesh/parts.h shell/thick/thick.h numeric/modes_lent.h certify/film/complex/complex.h certify/film/complex/told.h construct/film/complex/complex.h certify/common certify/certify_ops.h construct/construct_ops.h
 modules/*: core draw
 modules/exact: core <flint/fmpq.h>
 modules/cairo: core draw <cairo.h> <cairo-svg.h> <cairo-pdf.h>

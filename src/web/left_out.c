@@ -2,6 +2,7 @@
  * for, and files. */
 #include "certify/certify_ops.h"
 #include "certify/film/complex/complex.h"
+#include "certify/film/complex/told.h"
 #include "construct/construct_ops.h"
 #include "construct/film/complex/complex.h"
 #include "core/fail.h"
@@ -261,6 +262,16 @@ taut_status taut_film_complex_certify(const taut_model *model, const taut_film_p
     (void)crew;
     (void)certificate;
     return taut_fail(error, TAUT_IO, "not-installed", NULL, taut_none, taut_none, "%s", no_patches);
+}
+
+taut_status taut_film_told(const taut_model *model, const taut_film_problem *problem,
+                           const taut_film_complex *complex, taut_certificate *certificate)
+{
+    (void)model;
+    (void)problem;
+    (void)complex;
+    (void)certificate;
+    return TAUT_OK;
 }
 
 void taut_film_complex_identify(const taut_film_problem *problem, taut_identity *identity)

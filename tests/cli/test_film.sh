@@ -22,6 +22,13 @@ cmp -s sail.json other.json && complain "no force was changed"
 run 1 certify film.json other.json
 contains err.txt 'stationary +DOES NOT HOLD'
 
+# forces that are not those of the film do not get into a table unseen
+sed -E '/"cables"/,/"supports"/ s/"force": 2([,.}])/"force": 2.01\1/' film.json > boast.json
+cmp -s film.json boast.json && complain "no force of the details was changed"
+run 1 certify boast.json sail.json
+contains err.txt 'details +DOES NOT HOLD \(check\): 0\.005, limit 1e-08, at details\.cables\.0\.force'
+grep -Eq '^  (stationary|cables|held) .*NOT' err.txt && complain "another claim is false"
+
 film() { # film CODE PATTERN MEMBERS: a flat sail with these members besides
     printf '{ "taut": 1, "construct": "film", "corners": { "u0v0": [0,0,0], "u1v0": [2,0,0], "u0v1": [0,2,0], "u1v1": [2,2,0] }, %s }' "$3" > flat.json
     if [ "$1" = 0 ]; then

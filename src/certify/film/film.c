@@ -24,12 +24,14 @@
  *   least       (energy - bound) / energy (certify/film/least.h). Null where that is above the limit,
  *               1e-6, by fields that the model carries 1e-3, or no bound is known, and why.
  *   equilibrium where it is asked for: the largest defect.
+ *   details     only where they say what the certificate does not find (certify/film/complex/told.h)
  */
 #include "taut/film.h"
 
 #include "certify/certify_ops.h"
 #include "certify/common/verdict.h"
 #include "certify/film/complex/complex.h"
+#include "certify/film/complex/told.h"
 #include "certify/film/edge.h"
 #include "certify/film/folds.h"
 #include "certify/film/images.h"
@@ -870,7 +872,11 @@ static taut_status certify(const taut_model *model, const void *data, const taut
         return status;
     }
     r.crew = audit->crew;
-    return prove(&r, certificate) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
+    if (prove(&r, certificate) != TAUT_OK ||
+        taut_film_told(model, problem, NULL, certificate) != TAUT_OK) {
+        return taut_fail_memory(error);
+    }
+    return TAUT_OK;
 }
 
 static void identify(const taut_model *model, const void *data, taut_identity *identity)

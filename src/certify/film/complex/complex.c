@@ -14,6 +14,7 @@
  *   stable      lowest eigenvalue of the second variation over the moves, scaled; above 1e-6
  *   least       films whose boundary is one closed curve, by what the model carries (certify/film/complex/least.h)
  *   equilibrium where it is asked for: the largest defect
+ *   details     only where they say what the certificate does not find (certify/film/complex/told.h)
  */
 #include "certify/film/complex/complex.h"
 #include "certify/film/folds.h"
@@ -21,6 +22,7 @@
 #include "certify/common/verdict.h"
 #include "certify/film/complex/defects.h"
 #include "certify/film/complex/least.h"
+#include "certify/film/complex/told.h"
 #include "certify/film/edge.h"
 #include "certify/film/images.h"
 #include "certify/film/sheet.h"
@@ -878,6 +880,9 @@ taut_status taut_film_complex_certify(const taut_model *model, const taut_film_p
     }
     if (status == TAUT_OK) {
         status = prove(&r, certificate, error);
+    }
+    if (status == TAUT_OK && taut_film_told(model, whole, &r.complex, certificate) != TAUT_OK) {
+        status = taut_fail_memory(error);
     }
     if (status != TAUT_OK) {
         taut_film_complex_where(whole, error);
