@@ -24,6 +24,8 @@ enum { CELLS = 2, CELLS_MOST = 16, KNOT_CELLS_MOST = 8, NODES = 8 };
 enum { WHOLE_CELLS_MOST = 16384 }; /* of a surface */
 /* A line is looked at in so many parts, and has so many breaks at the most. */
 enum { PARTS = 16, BREAKS = 600, ROUNDS = 80 };
+/* Operations, about, of a place. */
+static const double work_of_place = 4e3;
 
 typedef struct rule {
     double nodes[NODES], weights[NODES];
@@ -39,7 +41,8 @@ static double area_of(const taut_cloth *cloth, const taut_cloth_piece *piece, in
     rule r;
     double sum = 0;
     taut_gauss_rule(NODES, r.nodes, r.weights);
-    for (int i = 0; i < cells * NODES; i++) {
+    for (int i = 0;
+         i < cells * NODES && !taut_crew_beat(cloth->crew, cells * NODES * work_of_place); i++) {
         const double s = (i / NODES + (1 + r.nodes[i % NODES]) / 2) / cells;
         taut_cloth_across across;
         taut_cloth_across_at(cloth, piece, s, 1, &across);
@@ -177,7 +180,9 @@ static double area_between_knots(const taut_cloth *cloth, const taut_cloth_piece
     count = close_breaks(breaks, count);
     for (int k = 0; k + 1 < count; k++) {
         const double width = breaks[k + 1] - breaks[k];
-        for (int q = 0; width > 0 && q < cells * NODES; q++) {
+        for (int q = 0; width > 0 && q < cells * NODES &&
+                        !taut_crew_beat(cloth->crew, cells * NODES * work_of_place);
+             q++) {
             const double x = (q / NODES + (1 + r.nodes[q % NODES]) / 2) / cells;
             sum += r.weights[q % NODES] / 2 * width / cells *
                    across_of(cloth, piece, breaks[k] + x * width, cells, &r);
@@ -189,7 +194,7 @@ static double area_between_knots(const taut_cloth *cloth, const taut_cloth_piece
 /* ---- the whole ---- */
 
 /* Of a surface by so many cells between any two knots. */
-static double area_of_surface(const taut_surface *surface, int cells)
+static double area_of_surface(const taut_surface *surface, int cells, const taut_crew *crew)
 {
     const taut_basis *u = taut_surface_u(surface), *v = taut_surface_v(surface);
     const double *a = taut_basis_breaks(u), *b = taut_basis_breaks(v);
@@ -198,7 +203,7 @@ static double area_of_surface(const taut_surface *surface, int cells)
     rule r;
     double sum = 0;
     taut_gauss_rule(NODES, r.nodes, r.weights);
-    for (int i = 0; i < rows; i++) {
+    for (int i = 0; i < rows && !taut_crew_beat(crew, columns * work_of_place); i++) {
         const int cell = i / NODES, span = cell / cells;
         const double width = (a[span + 1] - a[span]) / cells;
         const double at = a[span] + (cell % cells + (1 + r.nodes[i % NODES]) / 2) * width;
@@ -219,7 +224,7 @@ static double area_of_surface(const taut_surface *surface, int cells)
 
 /* That of taut_surface_area, unless control points that are far larger than the surface leave it less exact than pieces are: then by
  * places of it, of which rounding is that of values. */
-static taut_status whole_of(const taut_surface *surface, double *area)
+static taut_status whole_of(const taut_surface *surface, const taut_crew *crew, double *area)
 {
     const double spans = (double)taut_basis_span_count(taut_surface_u(surface)) *
                          taut_basis_span_count(taut_surface_v(surface));
@@ -228,10 +233,10 @@ static taut_status whole_of(const taut_surface *surface, double *area)
         return TAUT_NO_MEMORY;
     }
     if (error > area_doubt * *area) {
-        double before = area_of_surface(surface, 1), apart = INFINITY;
+        double before = area_of_surface(surface, 1, crew), apart = INFINITY;
         for (int cells = 2; spans * cells * cells <= WHOLE_CELLS_MOST && apart > area_doubt;
              cells *= 2) {
-            const double after = area_of_surface(surface, cells);
+            const double after = area_of_surface(surface, cells, crew);
             apart = fabs(after - before) / after;
             before = after;
         }
@@ -267,7 +272,7 @@ taut_status taut_cloth_add_exhausts(const taut_cloth *cloth, double *area,
 
     for (int k = 0; k < cloth->surface_count; k++) {
         double one = 0;
-        if (whole_of(cloth->surfaces[k], &one) != TAUT_OK) {
+        if (whole_of(cloth->surfaces[k], cloth->crew, &one) != TAUT_OK) {
             return TAUT_NO_MEMORY;
         }
         whole += one;

@@ -38,6 +38,8 @@ static const double stiff = 1e4;
 static const double corner = 0.05;
 /* Two values of iint K dA that are not one. */
 static const double uneven = 1e-4;
+/* Operations, about: of a cell between knots without its Hessian and with it, and of a place on the grid. */
+static const double work_of_cell[2] = {2e5, 6e5}, work_of_place = 5e3;
 
 /* ---- bases at places of quadrature ---- */
 
@@ -215,6 +217,7 @@ typedef struct work {
     int edges[TAUT_CLOTH_EDGES]; /* first row of each, or -1 */
     taut_skyline hessian;
     taut_cloth_state *state;
+    taut_pulse *pulse;
 } work;
 
 static int unknown(const work *w, int i, int j, int d)
@@ -336,7 +339,9 @@ static void integrate(work *w, int solved)
     double matrix_of_cell[2 * CELL][2 * CELL];
     taut_cloth_across across;
 
-    for (int cell = 0; cell < s->spans * t->spans; cell++) {
+    for (int cell = 0;
+         cell < s->spans * t->spans && !taut_pulse_beat(w->pulse, work_of_cell[solved != 0]);
+         cell++) {
         const int a = cell / t->spans, b = cell % t->spans;
         const int i0 = taut_basis_first(s->basis, a), j0 = taut_basis_first(t->basis, b);
         memset(matrix_of_cell, 0, sizeof matrix_of_cell);
@@ -507,7 +512,7 @@ static taut_status fit_multipliers(work *w)
     if (first == NULL || taut_skyline_new(w->arena, m, first, &normal) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
-    for (int i = 0; i < m; i++) {
+    for (int i = 0; i < m && !taut_pulse_beat(w->pulse, 2.0 * i * w->n); i++) {
         for (int k = 0; k <= i; k++) {
             double sum = 0;
             for (int x = 0; x < w->n; x++) {
@@ -523,7 +528,7 @@ static taut_status fit_multipliers(work *w)
     for (int i = 0; i < m; i++) {
         normal.rows[i][i] += 1e-14 * most;
     }
-    if (taut_skyline_factor(&normal)) {
+    if (taut_skyline_factor(&normal, w->pulse)) {
         taut_skyline_solve(&normal, w->pull);
     }
     return TAUT_OK;
@@ -562,20 +567,24 @@ static taut_status judge_stiffness(work *w)
     }
     for (int row = 0; row < w->rows; row++) {
         const double *a = row_of(w, row);
-        double norm = 0;
+        double norm = 0, operations = 2.0 * w->n;
         for (int i = 0; i < w->n; i++) {
             norm += a[i] * a[i];
         }
         for (int i = 0; i < w->n; i++) {
+            operations += a[i] != 0 ? 2.0 * (i - w->hessian.first[i]) : 0;
             for (int k = w->hessian.first[i]; a[i] != 0 && k <= i; k++) {
                 w->hessian.rows[i][k - w->hessian.first[i]] += stiff * most / norm * a[i] * a[k];
             }
+        }
+        if (taut_pulse_beat(w->pulse, operations)) {
+            return TAUT_INTERRUPTED;
         }
     }
     for (int d = 0; d < 2; d++) { /* nor may a corner move */
         w->hessian.rows[d][d - w->hessian.first[d]] += stiff * most;
     }
-    if (!taut_skyline_factor(&w->hessian)) {
+    if (!taut_skyline_factor(&w->hessian, w->pulse)) {
         w->state->stiffness = -1;
         return TAUT_OK;
     }
@@ -583,7 +592,8 @@ static taut_status judge_stiffness(work *w)
         x[i] = 1 + 0.5 * ((i * 7) % 11) / 11.0 -
                (i % 3 == 0 ? 1.7 : 0); /* any start, the same each time */
     }
-    for (int k = 0; k < TURNS; k++) {
+    for (int k = 0; k < TURNS && !taut_pulse_beat(w->pulse, 4 * taut_skyline_room(&w->hessian));
+         k++) {
         double norm = 0;
         for (int i = 0; i < w->n; i++) {
             norm += x[i] * x[i];
@@ -701,7 +711,8 @@ static void look_around(work *w)
     /* at a point there is no strain */
     const int first = w->piece->is_point[TAUT_CLOTH_START];
     const int last = GRID * s->spans - w->piece->is_point[TAUT_CLOTH_END];
-    for (int i = first; i <= last; i++) {
+    for (int i = first; i <= last && !taut_pulse_beat(w->pulse, GRID * t->spans * work_of_place);
+         i++) {
         taut_cloth_across across;
         taut_cloth_across_at(w->cloth, w->piece, (double)i / (GRID * s->spans), 1, &across);
         for (int k = 0; k <= GRID * t->spans; k++) {
@@ -777,9 +788,10 @@ static taut_status look_in(work *w, int solved)
 }
 
 taut_status taut_cloth_look_at(const taut_cloth *cloth, const taut_cloth_piece *piece, int solved,
-                               taut_cloth_state *state)
+                               taut_pulse *pulse, taut_cloth_state *state)
 {
-    work w = {.cloth = cloth, .piece = piece, .arena = taut_arena_new(), .state = state};
+    work w = {
+        .cloth = cloth, .piece = piece, .arena = taut_arena_new(), .state = state, .pulse = pulse};
     *state = (taut_cloth_state){.residual = 0, .torque = (double)NAN, .stiffness = (double)NAN};
     const taut_status status = w.arena != NULL ? look_in(&w, solved) : TAUT_NO_MEMORY;
     taut_arena_free(w.arena);

@@ -25,9 +25,9 @@ typedef struct taut_cloth_state {
     int is_folded; /* det J <= 0 somewhere, or the surface has no metric there */
 } taut_cloth_state;
 
-/* `solved`: nonzero: residual and stiffness too. TAUT_NO_MEMORY. */
+/* `solved`: nonzero: residual and stiffness too. pulse: NULL is fine; once it says stop the state has no meaning. TAUT_NO_MEMORY. */
 taut_status taut_cloth_look_at(const taut_cloth *cloth, const taut_cloth_piece *piece, int solved,
-                               taut_cloth_state *state);
+                               taut_pulse *pulse, taut_cloth_state *state);
 
 /* The principal strain that is larger in size at (s, t); NaN where there is none. */
 double taut_cloth_strain_at(const taut_cloth *cloth, const taut_cloth_piece *piece, double s,

@@ -53,9 +53,9 @@ static void look(void *context, int worker, int64_t task)
 {
     const states *s = context;
     const taut_cloth_piece *piece = &s->cloth->pieces[task];
-    (void)worker;
-    s->status[task] = taut_cloth_look_at(
-        s->cloth, piece, !piece->is_developed && !s->cloth->is_conformal, &s->list[task]);
+    s->status[task] =
+        taut_cloth_look_at(s->cloth, piece, !piece->is_developed && !s->cloth->is_conformal,
+                           worker == 0 ? s->cloth->crew->pulse : NULL, &s->list[task]);
 }
 
 static void find_limit(void *context, int worker, int64_t task)

@@ -21,15 +21,26 @@ taut_status taut_skyline_new(taut_arena *arena, int n, const int *first, taut_sk
     return TAUT_OK;
 }
 
-int taut_skyline_factor(taut_skyline *matrix)
+double taut_skyline_room(const taut_skyline *matrix)
+{
+    double sum = 0;
+    for (int i = 0; i < matrix->n; i++) {
+        sum += i - matrix->first[i] + 1;
+    }
+    return sum;
+}
+
+int taut_skyline_factor(taut_skyline *matrix, taut_pulse *pulse)
 {
     const int *first = matrix->first;
     for (int i = 0; i < matrix->n; i++) {
-        double *row = matrix->rows[i];
+        double *row = matrix->rows[i], work = 0;
         for (int k = first[i]; k < i; k++) {
             const double *other = matrix->rows[k];
             double sum = row[k - first[i]];
-            for (int m = first[i] > first[k] ? first[i] : first[k]; m < k; m++) {
+            const int from = first[i] > first[k] ? first[i] : first[k];
+            work += 2.0 * (k - from);
+            for (int m = from; m < k; m++) {
                 sum -= row[m - first[i]] * other[m - first[k]];
             }
             row[k - first[i]] = sum / other[k - first[k]];
@@ -38,7 +49,7 @@ int taut_skyline_factor(taut_skyline *matrix)
         for (int m = first[i]; m < i; m++) {
             pivot -= row[m - first[i]] * row[m - first[i]];
         }
-        if (!(pivot > 0)) {
+        if (!(pivot > 0) || taut_pulse_beat(pulse, work)) {
             return 0;
         }
         row[i - first[i]] = sqrt(pivot);
