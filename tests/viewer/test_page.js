@@ -472,6 +472,29 @@ async function testFarNet(browser) {
     await page.close();
 }
 
+/* Lines of a net behind its surface are seen through it, so that no point of it floats; a gap is an area beside its bound alone. */
+async function testNetBehind(browser) {
+    const basis = { type: 'bezier', degree: 2 };
+    const sag = { taut: 1, details: { roll: { gap: 3, waste: 0.25 } }, surfaces: [{ name: 'sag', u: basis, v: basis,
+        points: [[[0, 0, 0], [0, 1, 0], [0, 2, 0]], [[1, 0, 0], [1, 1, -2], [1, 2, 0]], [[2, 0, 0], [2, 1, 0], [2, 2, 0]]] }] };
+    const page = await Page.open(browser, makePage('sag', sag, '--view', '0,90'), 900, 600);
+    await page.until(drawn);
+    const inner = async () => {
+        const image = decode(await page.picture('#stage'));
+        const [x, y] = [image.width, image.height].map((n) => Math.round(n / 2));
+        return Array.from({ length: 81 }, (_, k) => image.at(x + k - 40, y + 30)).map((p) => p[0]);
+    };
+    const shown = await inner();
+    await page.click('#net');
+    const bare = await inner();
+    const paler = bare.map((c, k) => c - shown[k]);
+    check(Math.max(...paler) > 8 && Math.max(...paler) < 90, 'lines of a net behind the surface: ' + paler);
+    const told = await page.evaluate('document.getElementById("details").innerText');
+    check(/gap\s+3 mm(?!\u00b2)/.test(told), 'the gap on a roll is no length: ' + told);
+    quiet(page, 'a net behind its surface');
+    await page.close();
+}
+
 /* A net: its nodes are points, and say their names under the pointer; its curves theirs beside them. */
 async function testNodes(browser) {
     const made = path.join(folder, 'net.json');
@@ -548,6 +571,7 @@ async function main() {
         await testPhone(browser);
         await testLarge(browser);
         await testFarNet(browser);
+        await testNetBehind(browser);
         await testNodes(browser);
         await testCloth(browser);
     } finally {

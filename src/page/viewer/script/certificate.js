@@ -40,9 +40,14 @@ const POWERS = new Map(Object.entries({
 /* Films and cloth, whose certificates have an energy, call what has no unit of length by these. */
 const WITHOUT_LENGTH = ['gap', 'lower_bound', 'mean_curvature', 'curvature'];
 
+/* The gap to a bound of an area is an area, the one between pieces on a roll a length; others are shares. */
+function powerOf(key, record) {
+    return key !== 'gap' || 'lower_bound' in record ? POWERS.get(key) : 'waste' in record ? 1 : undefined;
+}
+
 /* " mm²", or nothing: of a number, or a list of them, that a record calls so. */
 function unitText(key, value, record) {
-    const power = POWERS.get(key);
+    const power = powerOf(key, record);
     const isNumeric = typeof value === 'number' || Array.isArray(value) && value.flat(2).every((x) => typeof x === 'number') && value.length > 0;
     if (power === undefined || !isNumeric || 'energy' in record && WITHOUT_LENGTH.includes(key)) {
         return '';

@@ -1,9 +1,11 @@
 /* lines.js -- boundaries, knot lines, nets and curves: lines some pixels wide, and round points. */
+const DEPTH_GREATER = 6; /* THREE.GreaterDepth, which the bundle goes without */
 const lineMaterials = new Map();
-function lineMaterial(colour, width) {
-    const key = colour + ' ' + width;
+function lineMaterial(colour, width, isBehind) {
+    const key = colour + ' ' + width + ' ' + isBehind;
     if (!lineMaterials.has(key)) {
-        const material = new THREE.LineMaterial({ linewidth: width });
+        const behind = { transparent: true, opacity: 0.35, depthFunc: DEPTH_GREATER, depthWrite: false };
+        const material = new THREE.LineMaterial({ linewidth: width, ...(isBehind ? behind : {}) });
         material.userData.ink = colour;
         inkLine(material);
         lineMaterials.set(key, material);
@@ -28,7 +30,13 @@ function addPolyline(pairs, points, order) {
 function lineObject(pairs, colour, width) {
     const geometry = new THREE.LineSegmentsGeometry();
     geometry.setPositions(pairs.length > 0 ? pairs : [0, 0, 0, 0, 0, 0]);
-    return new THREE.LineSegments2(geometry, lineMaterial(colour, width));
+    return new THREE.LineSegments2(geometry, lineMaterial(colour, width, false));
+}
+
+/* The same lines where something is in front of them: thin and paler, as in figures, for points of a net to hang together. */
+function lineBehind(line) {
+    const { userData, linewidth } = line.material;
+    return new THREE.LineSegments2(line.geometry, lineMaterial(userData.ink, 0.7 * linewidth, true));
 }
 
 const row = (i, nv) => Array.from({ length: nv }, (_, j) => i * nv + j);
@@ -62,6 +70,7 @@ function pointMaterial(count) {
     return new THREE.ShaderMaterial({
         uniforms: { size: { value: size }, pixels: pointScale },
         clipping: true,
+        transparent: true, /* drawn with what is, after lines behind the surface */
         vertexShader: `
 uniform float size;
 uniform float pixels;
@@ -88,7 +97,9 @@ void main() {
 function pointsObject(points, count) {
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute('position', new THREE.BufferAttribute(points, 3));
-    return new THREE.Points(geometry, pointMaterial(count));
+    const object = new THREE.Points(geometry, pointMaterial(count));
+    object.renderOrder = 1;
+    return object;
 }
 
 /* A net of nu by nv points, a polygon when nu is 1, or nothing where it is left out. */
@@ -105,7 +116,8 @@ function netObject(net) {
     for (let j = 0; net.nu > 1 && j < net.nv; j++) {
         addPolyline(pairs, points, column(j, net.nu, net.nv));
     }
-    group.add(lineObject(pairs, 'net', net.nu * net.nv <= 100 ? 1.2 : 0.9));
+    const lines = lineObject(pairs, 'net', net.nu * net.nv <= 100 ? 1.2 : 0.9);
+    group.add(lines, lineBehind(lines));
     if (net.nu * net.nv <= 1200) {
         group.add(pointsObject(points, net.nu * net.nv));
     }
