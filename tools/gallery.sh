@@ -18,6 +18,7 @@ words() { # words EXAMPLE
     asymptotic*) echo --no-net --isolines 9 ;;
     harmonic-extension | harmonic-neighbour) echo --no-net --isolines 7 --view 300,15 ;;
     bonnet*-frames*) echo --side-by-side --no-net ;;
+    dirichlet-mast) echo --no-net --isolines 11 --view 120,35 ;;
     film-ridge) echo --no-net --view 300,55 ;;
     film-bubbles | film-gyroid | film-neovius | film-schwarz-* | film-tent) echo --no-net ;;
     film* | *-mast | *-through | biharmonic-c?) echo --no-net --isolines 11 ;;

@@ -389,11 +389,15 @@ static int is_seen(const taut_sheet *sheet, const double *page, const taut_depth
     return 100 * seen >= (nu - 1) * (nv - 1);
 }
 
+static int is_axis(const taut_polyline *line)
+{
+    return strncmp(taut_curve_name(line->curve), "axis", 4) == 0;
+}
+
 /* An axis runs within its pipe: what an open end shows of it is a scratch, no line. */
 static int is_within(const taut_pane *pane, const taut_polyline *line)
 {
-    return pane->sheet_count > 0 && !line->is_seen &&
-           strncmp(taut_curve_name(line->curve), "axis", 4) == 0;
+    return pane->sheet_count > 0 && !line->is_seen && is_axis(line);
 }
 
 taut_status taut_pane_add_curves(taut_pane *pane, const taut_write_options *options,
@@ -408,7 +412,8 @@ taut_status taut_pane_add_curves(taut_pane *pane, const taut_write_options *opti
         const size_t before = scene->stroke_count;
         status = taut_parts_curve(line->count, line->points, &pane->camera,
                                   taut_colour_curve(taut_pane_curve_colour(pane, i)), arena, scene);
-        line->is_seen = length_since(scene, before) > 0.2 * length_of(line, &pane->camera);
+        line->is_seen = length_since(scene, before) >
+                        (is_axis(line) ? 0.2 : 0.02) * length_of(line, &pane->camera);
         scene->stroke_count = is_within(pane, line) ? before : scene->stroke_count;
         if (status == TAUT_OK && draws_net(pane, options, pane->sheet_count + i)) {
             status = taut_parts_net(1, taut_basis_count(taut_curve_t(line->curve)),

@@ -12,7 +12,7 @@ typedef struct taut_polyline {
     const taut_curve *curve;
     size_t count;
     double *points;
-    int is_seen; /* once drawn: at least a fifth of it */
+    int is_seen; /* once drawn: a fiftieth of it, of an axis a fifth */
 } taut_polyline;
 
 typedef struct taut_pane {
