@@ -150,10 +150,10 @@ static const char *read_witness(const taut_record *witness, flows *w)
     if (!read_origin(taut_record_get(witness, "origin"), w->origin) ||
         !read_rows(taut_record_get(witness, "frame"), 3, 3, 0, w->frame[0]) ||
         !is_frame((const double(*)[3])w->frame)) {
-        return "witness: its frame is none";
+        return "witness: invalid frame";
     }
     if (!read_rows(taut_record_get(witness, "quadrilateral"), 4, 2, unit, w->corners[0])) {
-        return "witness: its quadrilateral is none";
+        return "witness: invalid quadrilateral";
     }
     lay_quadrilateral(w);
     if (!read_rows(taut_record_get(witness, "psi"), P + 1, P + 1, unit, numbers)) {

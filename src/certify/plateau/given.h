@@ -6,7 +6,7 @@
 #include "core/arena.h"
 #include "taut/record.h"
 
-#define TAUT_GIVEN_NO_DIRECTION "witness: its direction is none"
+#define TAUT_GIVEN_NO_DIRECTION "witness: invalid direction"
 
 /* task->frame, right-handed, and its error; 0 where rounding leaves none. */
 int taut_given_frame(const taut_record *direction, taut_arena *arena, taut_flux_task *task);

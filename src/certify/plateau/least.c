@@ -59,7 +59,7 @@ static int find_unit(const taut_surface *surface, taut_flux_task *task)
     return 1;
 }
 
-/* Why the witness is none, or NULL. */
+/* Why the witness is not valid, or NULL. */
 static const char *read_witness(const taut_least_request *request, taut_arena *arena,
                                 taut_flux_task *task, double direction[3])
 {

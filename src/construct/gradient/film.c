@@ -751,7 +751,7 @@ taut_status taut_gradient_of_film(const taut_problem *problem, const taut_model 
                                   taut_film_slopes *slopes, taut_error *error)
 {
     if (problem == NULL || problem->construct != TAUT_CONSTRUCT_INDEX_film) {
-        return taut_gradient_refuse("this is a gradient of films, and the problem is none: call "
+        return taut_gradient_refuse("this is a gradient of films, and the problem is no film: call "
                                     "taut_gradient (Python: taut.gradient)",
                                     error);
     }

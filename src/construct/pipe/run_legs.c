@@ -129,7 +129,7 @@ static taut_status measure_straight(taut_pipe_straight *s, const double *directi
     }
     if (s->length > 0 && s->length < fmax(least, no_length * radius)) {
         return taut_fail(error, TAUT_NO_SOLUTION, "too-small", where, s->length, no_length * radius,
-                         "TOO_SMALL: a straight pipe of length %.6g is none; give one place with "
+                         "TOO_SMALL: the straight pipe is %.6g long; give one place with "
                          "its direction, or places farther apart than %.6g",
                          s->length, fmax(least, no_length * radius));
     }

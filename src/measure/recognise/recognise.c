@@ -330,8 +330,8 @@ taut_status taut_surface_recognise(const taut_surface *surface, taut_family_memb
     if (!(best.residual <= close_enough)) {
         return taut_fail(error, TAUT_NO_SOLUTION, "not-in-family", NULL, best.residual,
                          close_enough,
-                         "the surface is none of the minimal surfaces with planar curvature lines "
-                         "and their associates on the bases that hold them");
+                         "the surface is not a minimal surface with planar curvature lines, or an "
+                         "associate of one, on a basis that holds it");
     }
     *member = best;
     return TAUT_OK;
