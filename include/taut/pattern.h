@@ -239,7 +239,7 @@ typedef struct taut_pattern_problem {
     X("ends", "straight ends of a piece whose sides have not one length, or that has a tip",       \
       "leave ends free, or cut strips alike on both sides")                                        \
     X("material", "a material that is not known, or whose moduli are those of no cloth",           \
-      "give a name that the message tells, or E and G above 0 with nu^2 below E_warp/E_weft")      \
+      "give a name that the message gives, or E and G above 0 with nu^2 below E_warp/E_weft")      \
     X("compensation", "a compensation outside [-0.1, 0.3]",                                        \
       "give the share by which the cloth is cut smaller: 2 % is 0.02")                             \
     X("no-geodesic", "no geodesic between the two places was found inside the window",             \

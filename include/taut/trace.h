@@ -155,15 +155,15 @@ typedef struct taut_trace_problem {
     X("too-many-laths", "the net would have too many curves", "ask for fewer")                     \
     X("width", "the width of laths is no positive number", "give one, in the document's unit")     \
     X("material", "a material that has no numbers above 0, or a name that is not known",           \
-      "give E, G and strength in N/mm^2, or a name that the message tells")                        \
+      "give E, G and strength in N/mm^2, or a name that the message gives")                        \
     X("folds", "a strip bends so much in its own plane that it folds over itself",                 \
-      "take a width below the one that the message tells")                                         \
+      "take a width below the one that the message gives")                                         \
     X("developable", "a strip that is only bent does not exist along the curve, or not so wide",   \
-      "take the width that the message tells, or another strip")                                   \
+      "take the width that the message gives, or another strip")                                   \
     X("slots", "slots overlap, or laths turn into each other within their width",                  \
       "take thinner or less wide laths, or fewer")                                                 \
     X("sheet", "a piece is larger than the sheet, and cannot be split between crossings",          \
-      "take sheets of the size that the message tells")
+      "take sheets of the size that the message gives")
 
 /* Makes the model: the surface and a curve a lath, quintic B-splines over arc length, named A1, B1,
  * ...; details as docs/trace.md has them. TAUT_BAD_INPUT, TAUT_NO_SOLUTION and TAUT_NOT_CONVERGED with
