@@ -753,6 +753,7 @@ static taut_status fill_figures(const request *r, taut_record *figures,
         taut_record_add_numbers(figures, "pressures", r->problem->cell_count, pressures);
     }
     add_reactions(r, &s, forces, seen, figures);
+    taut_record_add_number(figures, "balance", taut_complex_balance(&s));
     if (r->below >= 0) {
         taut_record_add_number(figures, "lowest_eigenvalue", r->lowest_user);
     }

@@ -252,6 +252,113 @@ void taut_complex_pulls(const taut_sheets *sheets, double *forces)
     }
 }
 
+/* What is in balance: the sum of forces, and of their sizes; over the tension of the first patch, scaled. */
+typedef struct scales {
+    double sum[3], size;
+} scales;
+
+static void put(scales *on, double times, const double force[3])
+{
+    taut_add_scaled(times, force, on->sum);
+    on->size += fabs(times) * taut_norm(force);
+}
+
+/* What a hold takes of a force. */
+static void take_held(const taut_film_hold *hold, double force[3])
+{
+    double taken[3] = {0, 0, 0};
+    for (int k = 0; k < hold->count; k++) {
+        taut_add_scaled(taut_dot(force, hold->normals[k]), hold->normals[k], taken);
+    }
+    memcpy(force, taken, sizeof taken);
+}
+
+/* What holds an edge that draws with `force`: all of an edge that is held, across its plane of one that moves in it. 0: nothing. */
+static int take_edge(const taut_sheets *s, const taut_film_side *side, double force[3])
+{
+    const taut_film_complex *c = s->complex;
+    const int seam = taut_film_complex_seam(c->problem, side->patch, side->edge);
+    const taut_film_edge *edge = seam < 0 ? &c->problem->patches[side->patch].edges[side->edge]
+                                          : &c->problem->seams[seam].edge;
+
+    if (edge->kind == TAUT_FILM_POLE) {
+        take_held(&c->holds[taut_film_complex_node(c, side, 0)], force);
+        return has_threads(s, side->patch);
+    }
+    if (edge->kind == TAUT_FILM_SLIDE || (edge->kind == TAUT_FILM_CABLE && edge->has_plane)) {
+        double in[3] = {force[0], force[1], force[2]};
+        into_plane(edge, in);
+        taut_add_scaled(-1, in, force);
+        return 1;
+    }
+    return seam < 0 && edge->kind == TAUT_FILM_FIXED;
+}
+
+/* What the sheet pulls inwards with along an edge, and the pressure on it: of its vector area 1/2 oint x x dx. */
+static void weigh_edge(const taut_sheets *s, const taut_film_side *side, scales *on)
+{
+    const int p = side->patch, e = side->edge;
+    const taut_sheet_axis *axis = &s->axes[2 * p + (e < 2)];
+    const taut_basis *basis =
+        e < 2 ? taut_surface_v(s->surfaces[p]) : taut_surface_u(s->surfaces[p]);
+    const double lo = taut_basis_lo(basis), range = taut_basis_hi(basis) - lo;
+    const double *origin = taut_surface_points(s->surfaces[0]);
+
+    for (int k = 0; k < axis->table->count; k++) {
+        const double t = (axis->at[k] - lo) / range;
+        double x[TAUT_SURFACE_VECTORS(1)][3], from[3], area[3], force[3] = {0, 0, 0};
+        look(s, p, e < 2 ? e : t, e < 2 ? t : e - 2, 1, x);
+        for (int d = 0; d < 3; d++) {
+            from[d] = ldexp(x[0][d] - origin[d], -s->unit);
+            x[TAUT_XU][d] = ldexp(x[TAUT_XU][d], -s->unit);
+            x[TAUT_XV][d] = ldexp(x[TAUT_XV][d], -s->unit);
+        }
+        const double *along = x[e < 2 ? TAUT_XV : TAUT_XU], *out = x[e < 2 ? TAUT_XU : TAUT_XV];
+        taut_cross(from, along, area);
+        taut_add_scaled((e == 1 || e == 2 ? 0.5 : -0.5) * s->pull[p] * axis->weights[k], area,
+                        on->sum);
+        if (has_threads(s, p)) {
+            double threads[2];
+            find_threads(s, p, e < 2 ? e : t, e < 2 ? t : e - 2, threads);
+            taut_add_scaled(threads[e < 2 ? 0 : 1] / s->tension, out, force);
+        } else {
+            const double speed = taut_norm(along);
+            taut_add_scaled(1, out, force);
+            taut_add_scaled(-taut_dot(out, along) / (speed * speed), along, force);
+            const double width = taut_norm(force);
+            for (int d = 0; d < 3; d++) {
+                force[d] *= s->shares[p] * speed / width;
+            }
+        }
+        if (take_edge(s, side, force)) {
+            put(on, (e % 2 == 0 ? -1 : 1) * axis->weights[k], force);
+        }
+    }
+}
+
+double taut_complex_balance(const taut_sheets *sheets)
+{
+    const taut_film_complex *c = sheets->complex;
+    scales on = {{0, 0, 0}, 0};
+
+    for (int k = 0; k < 4 * c->problem->patch_count; k++) {
+        const taut_film_side side = {k / 4, k % 4, 0};
+        weigh_edge(sheets, &side, &on);
+        on.size += k % 4 > 0
+                       ? 0
+                       : fabs(sheets->pull[k / 4]) * ldexp(sheets->areas[k / 4], -2 * sheets->unit);
+    }
+    for (int k = 0; k < 2 * c->strand_count; k++) {
+        const taut_film_side *side = &c->strands[k / 2].side;
+        const int last = taut_film_complex_along(&c->problem->patches[side->patch], side->edge) - 1;
+        double t[3];
+        leave_end(sheets, side, k % 2, t);
+        take_held(&c->holds[taut_film_complex_node(c, side, k % 2 * last)], t);
+        put(&on, -sheets->ratios[c->strands[k / 2].rope], t); /* what holds it draws it outwards */
+    }
+    return on.size > 0 ? taut_norm(on.sum) / on.size : 0;
+}
+
 /* The place of part `at` of a strand. */
 static void find_place(const taut_sheets *s, const taut_film_side *side, double at, double x[3])
 {

@@ -25,6 +25,9 @@ void taut_complex_stress(const taut_sheets *sheets, double range[2][2]);
 
 /* forces[nodes][3]: what the cables that end in a node pull it with, in the user's unit. */
 void taut_complex_pulls(const taut_sheets *sheets, double *forces);
+/* What holds the film draws its edges and cables with, and the pressures in it: |sum of these forces| over the sum of their sizes;
+ * of what moves in planes and along lines only the part that these take. 0 where all is in balance. */
+double taut_complex_balance(const taut_sheets *sheets);
 /* The largest distance of a cable from its chord over the chord; 0 where it closes. */
 double taut_complex_sag(const taut_sheets *sheets, int rope);
 
