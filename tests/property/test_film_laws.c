@@ -133,7 +133,10 @@ static void say_sail(const taut_film_problem *problem, int count, int degree)
             printf("{\"line\": {\"direction\": [%.17g, %.17g, %.17g], \"point\": ", d[0], d[1],
                    d[2]);
         }
-        printf("[%.17g, %.17g, %.17g]%s", x[0], x[1], x[2], held ? "" : "}}");
+        printf("[%.17g, %.17g, %.17g]", x[0], x[1], x[2]);
+        if (!held) {
+            printf("}, \"near\": [%.17g, %.17g, %.17g]}", x[0], x[1], x[2]);
+        }
     }
     printf("}, \"edges\": {");
     for (int e = 0; e < 4; e++) {

@@ -59,6 +59,7 @@ static const double residual_held = 1e-7;     /* the same where no line slides a
 static const double residual_rough = 1e-3;    /* of all coordinates, by the method `normal` */
 static const double force_none =
     1e-9; /* of the tension and half the size: a cable that holds nothing */
+static const double guide_room = 1e-12; /* of half the size: above the rounding of sound steps */
 /* Of given lengths: share. Rounding is 1e-15, the certificate's limit 1e-10. */
 static const double length_agreement = 1e-12;
 /* Stiffness of a cable at the start, over force / length. A film of a given length is stable where
@@ -358,6 +359,23 @@ static taut_status approach(taut_film_work *w, taut_newton_step *newton, taut_er
 }
 
 /* Minimises by the rule of the moment. */
+/* Points that near-singular steps have led off their lines and planes are brought back. */
+static void keep_guides(const taut_film_work *w)
+{
+    const taut_film_space *space = w->space;
+
+    for (size_t i = 0; space->allowed != NULL && i < space->count; i++) {
+        double off[3], onto[3];
+        taut_difference(w->net + 3 * i, space->start + 3 * i, onto);
+        memcpy(off, onto, sizeof off);
+        taut_mask_project(space->allowed + 6 * i, onto);
+        taut_difference(onto, off, off);
+        if (taut_norm(off) > guide_room) {
+            taut_add_scaled(1, off, w->net + 3 * i);
+        }
+    }
+}
+
 static taut_status minimise(taut_film_work *w, taut_error *error)
 {
     taut_newton_step *newton = NULL;
@@ -378,6 +396,7 @@ static taut_status minimise(taut_film_work *w, taut_error *error)
                  ? approach(w, newton, &inner)
                  : taut_trust_region_minimise(w->functional, newton, &w->region, w->net, &inner);
     w->region.theta = 0;
+    keep_guides(w);
     taut_film_memory_clear(&w->memory); /* the net is another */
     taut_newton_step_free(newton);
     return status == TAUT_OK ? TAUT_OK : tell_ending(w, &inner, status, error);
