@@ -219,8 +219,9 @@ static face_box box_of(const TopoDS_Face &face, const Handle(Geom_Surface) & sur
 }
 
 /* Surfaces without ends of their own, or of another kind, are taken as far as the face goes; splines so where the face is a box
- * of their parameters, else whole. */
-static Handle(Geom_BSplineSurface) convert_surface(const TopoDS_Face &face, int &notes)
+ * of their parameters, else whole. Where edges are asked for, those of a quadrilateral are the file's own. */
+static Handle(Geom_BSplineSurface)
+    convert_surface(const TopoDS_Face &face, bool with_edges, int &notes)
 {
     const Handle(Geom_Surface) surface = surface_under(face);
     Handle(Geom_BSplineSurface) made = Handle(Geom_BSplineSurface)::DownCast(surface);
@@ -230,6 +231,11 @@ static Handle(Geom_BSplineSurface) convert_surface(const TopoDS_Face &face, int 
     }
     const face_box box = box_of(face, surface);
     bool whole = !is_trimmed(face, box);
+    const Handle(Geom_BSplineSurface) quad =
+        whole || with_edges ? nullptr : occt_quad(face, surface);
+    if (!quad.IsNull()) {
+        return quad;
+    }
     if (!made.IsNull()) {
         made = Handle(Geom_BSplineSurface)::DownCast(made->Copy());
         clamp(made);
@@ -296,7 +302,7 @@ static bool give_face(const TopoDS_Face &face, const occt_about &about, const ch
 {
     occt_surface out = {};
     taut_cad_item &item = out.item;
-    const Handle(Geom_BSplineSurface) s = convert_surface(face, item.notes);
+    const Handle(Geom_BSplineSurface) s = convert_surface(face, whole, item.notes);
     if (whole && (item.notes & TAUT_CAD_TRIMMED) != 0) {
         return false;
     }

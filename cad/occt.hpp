@@ -117,6 +117,10 @@ int occt_name_left_out_iges(const Handle(Interface_InterfaceModel) & model,
 Handle(Geom_BSplineSurface)
     occt_disc(const TopoDS_Face &face, const Handle(Geom_Surface) & surface);
 
+/* A plane within four straight lines that turn one way, as a bilinear surface; null where the face is no such one. */
+Handle(Geom_BSplineSurface)
+    occt_quad(const TopoDS_Face &face, const Handle(Geom_Surface) & surface);
+
 /* A cylinder, cone, sphere, torus or surface of revolution over a range of its parameters, in arcs of a quarter turn at most;
  * null for surfaces of another kind. */
 Handle(Geom_BSplineSurface)

@@ -121,6 +121,31 @@ PY
     ! grep -q '"parts"' cone.json || complain 'a cone is an assembly'
     run 0 convert cone.json -o cone.step
     contains cone.step 'MANIFOLD_SOLID_BREP'
+    # a box of FreeCAD turned in space, 10 by 20 by 30: its faces lie askew in their planes, whose directions OpenCASCADE chooses
+    run 0 convert "$SOURCE/tests/cli/box.igs" -o box.json -o box.step
+    [ ! -s err.txt ] || complain "a box: $(cat err.txt)"
+    contains box.step 'MANIFOLD_SOLID_BREP'
+    run 0 measure box.json --json --grid 2
+    python3 - <<'PY' || complain 'the box of FreeCAD has other faces'
+import json, math
+model, measured = json.load(open("box.json")), json.load(open("out.txt"))["surfaces"]
+assert [s["u"]["degree"] for s in model["surfaces"]] == [1] * 6
+for area, expected in zip(sorted(s["area"] for s in measured), (200, 200, 300, 300, 600, 600)):
+    assert abs(area / expected - 1) < 1e-9, (area, expected)
+corners = {tuple(round(c, 6) for c in p) for s in model["surfaces"] for line in s["points"] for p in line}
+assert len(corners) == 8 and abs(max(math.dist(a, b) for a in corners for b in corners) - math.sqrt(1400)) < 1e-5
+PY
+    # plane faces of FreeCAD: four corners, a corner inwards, five corners, a corner that does not turn, a hole
+    run 4 convert "$SOURCE/tests/cli/quads.step" -o quads.json
+    run 0 convert "$SOURCE/tests/cli/quads.step" --untrim -o quads.json
+    said=$(grep -o 'surface [0-9]' err.txt | tr -d '\n')
+    [ "$said" = 'surface 2surface 3surface 5' ] || complain "trimmed: $(cat err.txt)"
+    run 0 measure quads.json --json --grid 2
+    python3 - <<'PY' || complain 'faces of four corners have other areas'
+import json
+areas = [s["area"] for s in json.load(open("out.txt"))["surfaces"]]
+assert abs(areas[0] - 7.5) < 1e-9 and abs(areas[3] - 8) < 1e-9, areas
+PY
     # the same in IGES: what cannot be read is named, the rest is read; nothing is dropped in silence
     run 0 make problem.json --quiet -o coil.igs
     left_out() { # left_out FACES PATTERN TYPE NTH CHANGE...: so many of the nine faces are read, and this is said once
