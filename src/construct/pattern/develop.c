@@ -11,6 +11,7 @@ enum {
     LOOK_AGAIN = 20, /* nodes that say the same where K is even */
     LOOK_CELLS = 4,
     BORDER_CELLS = 32,
+    GRID = 32,
     LEAST = 4 /* spans along, at first; across half as many, at last as many */,
     LEVELS = 5,
     HALVES = 2,
@@ -100,6 +101,25 @@ void taut_pattern_look_at_curvature(taut_pattern_piece *piece, taut_pulse *pulse
         !piece->bounds[TAUT_FLAT_END].is_point) {
         piece->curvature = curvature_by_border(piece, pulse);
     }
+}
+
+double taut_pattern_largest_curvature(const taut_pattern_piece *piece, double at[2])
+{
+    double most = 0;
+    at[0] = at[1] = 0;
+    for (int i = 0; i <= GRID; i++) {
+        for (int k = 0; k <= GRID; k++) {
+            const double s = (double)i / GRID, t = (double)k / GRID;
+            double bend[2], gauss = 0;
+            taut_pattern_piece_bends(piece, s, t, bend, &gauss);
+            if (isfinite(gauss) && fabs(gauss) > fabs(most)) {
+                most = gauss;
+                at[0] = s;
+                at[1] = t;
+            }
+        }
+    }
+    return most;
 }
 
 /* Where a walk in the plane is. */

@@ -14,7 +14,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { ALONG = 16, ACROSS = 4, EDGE_NODES = 16 };
+enum { ALONG = 16, ACROSS = 4, EDGE_NODES = 16, FINEST_CELLS = 128 * 32 };
 /* Stretches that differ by less are the same. */
 static const double same_stretch = 1e-11;
 /* Sides between straight ends are of one length where they differ by less, over it. */
@@ -351,21 +351,23 @@ static taut_flat_options options_of(const pass *p, const taut_pattern_piece *pie
     return own;
 }
 
-/* A piece on half the spans that took so many steps begins where it ended. */
+/* A piece that took so many steps on some spans begins on twice as many where it ended, and so on. */
 enum { MANY_STEPS = 16 };
 
-static int is_begun(const taut_pattern_piece *piece, const taut_flat *coarse)
+static int is_begun(taut_pattern_piece *piece, int which, const taut_flat *coarse)
 {
-    return coarse->steps >= MANY_STEPS && piece->log_scale == NULL &&
+    piece->is_hard[which] |= coarse->steps >= MANY_STEPS;
+    return piece->is_hard[which] && piece->log_scale == NULL &&
            piece->spans[0] == 2 * coarse->spans[0] && piece->spans[1] == 2 * coarse->spans[1];
 }
 
 /* From a coarser piece where it is one that is begun, else, or where nothing comes of it, from what it is else begun with. */
-static taut_status flatten_from(const taut_pattern_piece *piece, const taut_flat *coarse,
-                                const taut_flat_strip *strip, const taut_flat_options *own,
-                                const taut_flat *other, taut_arena *scratch, taut_flat *flat)
+static taut_status flatten_from(taut_pattern_piece *piece, int which, const taut_flat_strip *strip,
+                                const taut_flat_options *own, const taut_flat *other,
+                                taut_arena *scratch, taut_flat *flat)
 {
-    if (is_begun(piece, coarse)) {
+    const taut_flat *coarse = which == 0 ? &piece->alone : &piece->flat;
+    if (is_begun(piece, which, coarse)) {
         taut_flat start;
         taut_status status = taut_flat_halve(scratch, coarse, &start);
         if (status == TAUT_OK) {
@@ -411,7 +413,7 @@ static void alone(void *context, int worker, int64_t task)
     }
     if (status == TAUT_OK) {
         const taut_flat_strip strip = strip_of(&across);
-        status = flatten_from(piece, &piece->alone, &strip, &own, NULL, scratch, &flat);
+        status = flatten_from(piece, 0, &strip, &own, NULL, scratch, &flat);
     }
     if (status == TAUT_OK) {
         measure(&across, &flat);
@@ -450,7 +452,7 @@ static int hold(const pass *p, int index, int edge, int spans, double *stretch, 
 static taut_status hold_piece(const pass *p, int index, int worker, taut_arena *scratch,
                               taut_flat *flat)
 {
-    const taut_pattern_piece *piece = &p->layout->pieces[index];
+    taut_pattern_piece *piece = &p->layout->pieces[index];
     taut_pattern_kept kept = {.s = NAN};
     const taut_pattern_across across = {piece, &kept};
     const taut_flat_strip strip = strip_of(&across);
@@ -476,7 +478,7 @@ static taut_status hold_piece(const pass *p, int index, int worker, taut_arena *
         return TAUT_OK;
     }
     const taut_status status =
-        flatten_from(piece, &piece->flat, &strip, &own,
+        flatten_from(piece, 1, &strip, &own,
                      piece->is_developable || own.straight ? NULL : &piece->alone, scratch, flat);
     if (status == TAUT_OK) {
         measure(&across, flat);
@@ -503,24 +505,42 @@ static void together(void *context, int worker, int64_t task)
     taut_arena_free(scratch);
 }
 
+/* A piece that was not laid flat: more strips help, unless a place within one of the finest spans turns by itself as a whole piece may. */
+static taut_status fail_piece(const taut_pattern_piece *piece, int is_folded, taut_error *error)
+{
+    const char *reason = is_folded ? "folds" : "not-converged";
+    const char *format = is_folded ? "no flat piece %s without folds was found to begin with: %s"
+                                   : "the flattening of piece %s did not settle: %s";
+    char remedy[160] = "take more strips";
+    double at[2], w[6][2], area = 0, g[3];
+    const double most = taut_pattern_largest_curvature(piece, at);
+    const double gauss = ldexp(most, -2 * piece->carrier->scale);
+    for (int k = 0; k < EDGE_NODES * EDGE_NODES; k++) {
+        taut_pattern_piece_metric(piece, (k / EDGE_NODES + 0.5) / EDGE_NODES,
+                                  (k % EDGE_NODES + 0.5) / EDGE_NODES, g);
+        area += sqrt(fmax(g[0] * g[2] - g[1] * g[1], 0)) / (EDGE_NODES * EDGE_NODES);
+    }
+    const int is_sharp = fabs(most) * area > FINEST_CELLS;
+    if (is_sharp) {
+        taut_pattern_piece_window(piece, at[0], at[1], w);
+        snprintf(remedy, sizeof remedy,
+                 "K is %.3g at (u, v) = (%.5g, %.5g), which no splines follow; leave that place "
+                 "out of the surface, as more strips do not help",
+                 gauss, w[0][0], w[0][1]);
+    }
+    return taut_fail(error, TAUT_NOT_CONVERGED, reason, "/seams", is_sharp ? gauss : taut_none,
+                     taut_none, format, piece->name, remedy);
+}
+
 /* What went wrong with the first piece that went wrong. */
 static taut_status outcome(const pass *p, taut_error *error)
 {
     for (int k = 0; k < p->layout->piece_count; k++) {
-        const char *name = p->layout->pieces[k].name;
         if (p->status[k] == TAUT_NO_MEMORY) {
             return taut_fail_memory(error);
         }
-        if (p->status[k] != TAUT_OK && p->folded[k]) {
-            return taut_fail(error, TAUT_NOT_CONVERGED, "folds", "/seams", taut_none, taut_none,
-                             "no flat piece %s without folds was found to begin with: take more "
-                             "strips",
-                             name);
-        }
         if (p->status[k] != TAUT_OK) {
-            return taut_fail(error, TAUT_NOT_CONVERGED, "not-converged", "/seams", taut_none,
-                             taut_none,
-                             "the flattening of piece %s did not settle: take more strips", name);
+            return fail_piece(&p->layout->pieces[k], p->folded[k], error);
         }
     }
     return TAUT_OK;

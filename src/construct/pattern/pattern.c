@@ -39,6 +39,8 @@ static const double drift_claimed = 1e-6, closure_claimed = 1e-9;
 static const double closure_most = 3e-10, longer_most = 4e-10;
 /* Steps with its seams held after which a piece gets no finest splines, whose steps take a second each. */
 enum { TOO_MANY = 24 };
+/* Edges that are so many times as far off as is claimed, and hardly nearer than on half the spans, come no nearer. */
+static const double far_off = 100, hardly = 0.5;
 enum { HOPED = 10 }; /* what twice the spans gain of these, where strain is singular at a corner */
 /* Strains between the places that are looked at may be larger. */
 static const double strain_room = 0.999;
@@ -585,6 +587,34 @@ static int refine(made_pieces *made, int round)
     return any;
 }
 
+static taut_status fail_drift(const taut_pattern_piece *piece, double closure, double drift,
+                              taut_error *error)
+{
+    const int is_open = closure > closure_claimed;
+    return taut_fail(error, TAUT_NOT_CONVERGED, "not-converged", "/seams",
+                     is_open ? closure : drift, is_open ? closure_claimed : drift_claimed,
+                     "the lines to sew of piece %s end %.2g of the size from its corners and are "
+                     "%.2g of it off its edges, expected %.2g and %.2g at most: lengths that are "
+                     "held are too far from what the cloth does near its corners; take more "
+                     "strips, compensate both alike, or hold fewer edges",
+                     piece->name, closure, drift, closure_claimed, drift_claimed);
+}
+
+/* No piece of which finer splines are no better: the cloth gives way elsewhere on each of them. */
+static taut_status check_settling(made_pieces *made, int round, taut_error *error)
+{
+    const double size = size_of(&made->layout);
+    for (int k = 0; k < made->layout.piece_count; k++) {
+        taut_pattern_piece *piece = &made->layout.pieces[k];
+        const double drift = drift_of(piece, &made->outlines[k], DRIFT_PLACES) / size;
+        if (round > 0 && drift > far_off * drift_claimed && drift > hardly * piece->drift) {
+            return fail_drift(piece, made->outlines[k].closure / size, drift, error);
+        }
+        piece->drift = drift;
+    }
+    return TAUT_OK;
+}
+
 /* The finest splines have edges that are what is sewn, or what is held near their corners is too far from what the cloth beside them
  * does: strain is singular there. */
 static taut_status check_drift(const made_pieces *made, taut_error *error)
@@ -596,17 +626,8 @@ static taut_status check_drift(const made_pieces *made, taut_error *error)
         if (drift > drift_most) { /* by all places that are looked at then */
             drift = drift_of(piece, &made->outlines[k], CLAIMED_PLACES) / size;
         }
-        const double closure = made->outlines[k].closure / size;
-        const int is_open = closure > closure_claimed;
-        if (is_open || drift > drift_claimed) {
-            return taut_fail(
-                error, TAUT_NOT_CONVERGED, "not-converged", "/seams", is_open ? closure : drift,
-                is_open ? closure_claimed : drift_claimed,
-                "the lines to sew of piece %s end %.2g of the size from its corners "
-                "and are %.2g of it off its edges, expected %.2g and %.2g at most: "
-                "lengths that are held are too far from what the cloth does near its "
-                "corners; take more strips, compensate both alike, or hold fewer edges",
-                piece->name, closure, drift, closure_claimed, drift_claimed);
+        if (made->outlines[k].closure / size > closure_claimed || drift > drift_claimed) {
+            return fail_drift(piece, made->outlines[k].closure / size, drift, error);
         }
     }
     return TAUT_OK;
@@ -641,6 +662,9 @@ static taut_status make_parts(const request *r, const taut_pattern_ground *own, 
         status = taut_pattern_flatten(&made->layout, &r->cut, r->crew, error);
         if (status == TAUT_OK) {
             status = make_outlines(r, made, error);
+        }
+        if (status == TAUT_OK) {
+            status = check_settling(made, round, error);
         }
         is_rough = status == TAUT_OK && round < (r->cut.is_straight ? 0 : REFINEMENTS) &&
                    refine(made, round);

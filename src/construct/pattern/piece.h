@@ -49,7 +49,9 @@ typedef struct taut_pattern_piece {
     double shares[2]; /* by which warp and weft are cut smaller, away from `fades` */
     int fade_count;
     const taut_pattern_fade *fades;
-    int spans[2]; /* of its flat piece */
+    int spans[2];   /* of its flat piece */
+    int is_hard[2]; /* in pass 1 and 2: on some spans it took many steps */
+    double drift;   /* of the lines to sew off the edges of the coarser flat piece, over the size */
     const double *
         log_scale; /* coefficients of a spline on these (conformal.h); NULL: what is laid flat is the piece's own metric */
     double curvature; /* iint K dA */

@@ -110,6 +110,35 @@ static void test_folds(void)
     cloth_free(&made);
 }
 
+/* What no splines follow is refused with its place: K of this minimal surface is -((1 + lambda)/(1 - lambda))^2 in a corner, 1e10 times its
+ * mean, for lambda 0.999. */
+static void test_sharp(void)
+{
+    static const char *const asked[] = {
+        "\"seams\": [{ \"across\": [\"u0\", \"u1\"], \"count\": 1 }]",
+        "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 1 }]"};
+    static const char *const reasons[] = {"folds", "not-converged"};
+    for (int k = 0; k < 2; k++) {
+        made_cloth made = cloth_try_example("bonnet-figure-4-limit", asked[k]);
+        CHECK(made.status == TAUT_NOT_CONVERGED && strcmp(made.error.reason, reasons[k]) == 0,
+              "%d: %s", (int)made.status, made.error.message);
+        CHECK_NEAR(made.error.found, -1999.0 * 1999, 1, "K in the corner");
+        cloth_free(&made);
+    }
+}
+
+/* Finer splines that bring lines to sew no nearer to the edges are given up at once, with how far off they are. */
+static void test_unsettled(void)
+{
+    made_cloth made = cloth_try_example(
+        "pipe-paper", "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 1 }]");
+    CHECK(made.status == TAUT_NOT_CONVERGED && strcmp(made.error.reason, "not-converged") == 0,
+          "%d: %s", (int)made.status, made.error.message);
+    CHECK(made.error.limit == 1e-9 && made.error.found > 1e-9, "ends %g from corners",
+          made.error.found);
+    cloth_free(&made);
+}
+
 int main(void)
 {
     test_large_control_points();
@@ -117,5 +146,7 @@ int main(void)
     test_begun();
     test_held();
     test_folds();
+    test_sharp();
+    test_unsettled();
     return check_failures != 0;
 }
