@@ -743,12 +743,32 @@ static taut_status check_length(const request *r, const made_pieces *made, int s
 /* What pieces are to keep within; 0: nothing of this sort. */
 typedef struct wish {
     double width, strain; /* in the carrier's unit */
+    const char *surface;  /* those of this one; NULL: all */
 } wish;
+
+/* Does a rule cut this surface? name: NULL where there is one surface alone. */
+static int is_of(const char *surface, const taut_pattern_ground *ground)
+{
+    return surface == NULL || ground->name == NULL || strcmp(surface, ground->name) == 0;
+}
+
+static double widest_of(const made_pieces *made, const char *surface)
+{
+    double widest = 0;
+    for (int k = 0; k < made->layout.piece_count; k++) {
+        const taut_pattern_ground *ground = &made->layout.grounds[made->layout.pieces[k].ground];
+        const taut_pattern_outline *outline = &made->outlines[k];
+        if (is_of(surface, ground)) {
+            widest = fmax(widest, outline->high[1] - outline->low[1]);
+        }
+    }
+    return widest;
+}
 
 /* By how many times too few strips there are, as widths fall with their number and strains with its square; 1 or less: enough. */
 static double shortage(const made_pieces *made, const wish *w)
 {
-    const double wide = w->width > 0 ? made->widest / w->width : 0;
+    const double wide = w->width > 0 ? widest_of(made, w->surface) / w->width : 0;
     const double strained = w->strain > 0 ? made->strain / (strain_room * w->strain) : 0;
     return fmax(wide, strained > 1 ? sqrt(strained) : strained);
 }
@@ -812,7 +832,7 @@ static taut_status fit(const request *r, const cut_surfaces *all, const wish *w,
     return TAUT_OK;
 }
 
-/* A piece is wider than the roll: of one rule with a number of strips, and with how many they would fit. */
+/* A piece is wider than the roll: where one rule makes so many strips of its surface, with how many they would fit. */
 static taut_status fail_width(const request *r, const cut_surfaces *all, const made_pieces *made,
                               taut_error *error)
 {
@@ -821,25 +841,29 @@ static taut_status fail_width(const request *r, const cut_surfaces *all, const m
     const double roll = problem->cloth.width, extent = ldexp(made->widest, scale);
     taut_pattern_rule *rules =
         taut_arena_copy(made->arena, problem->rules, (size_t)problem->rule_count, sizeof *rules);
-    char remedy[96] = "run seams nearer to each other";
-    int told = 0, count = 0, found = 0;
+    const taut_pattern_ground *ground =
+        &made->layout.grounds[made->layout.pieces[made->widest_piece].ground];
+    char remedy[96] = "run seams nearer to each other", where[32];
+    int told = 0, only = 0, found = 0;
 
     if (rules == NULL) {
         return taut_fail_memory(error);
     }
     for (int k = 0; k < problem->rule_count; k++) {
-        if (rules[k].kind == TAUT_PATTERN_ACROSS || rules[k].kind == TAUT_PATTERN_RADIAL) {
+        if ((rules[k].kind == TAUT_PATTERN_ACROSS || rules[k].kind == TAUT_PATTERN_RADIAL) &&
+            is_of(rules[k].surface, ground)) {
             told++;
-            count = rules[k].count;
-            rules[k].count = 0;
+            only = k;
         }
     }
     if (told == 1) {
+        const int count = rules[only].count;
         taut_pattern_problem other = *problem;
         request more = *r;
         made_pieces fitting = {.arena = NULL};
         taut_error none = {.message = ""};
-        const wish w = {ldexp(roll, -scale), 0};
+        const wish w = {ldexp(roll, -scale), 0, rules[only].surface};
+        rules[only].count = 0;
         other.rules = rules;
         more.problem = &other;
         const taut_status status = fit(&more, all, &w, count + 1, &fitting, &found, &none);
@@ -849,11 +873,15 @@ static taut_status fail_width(const request *r, const cut_surfaces *all, const m
             return taut_fail_status(error, status);
         }
         snprintf(remedy, sizeof remedy,
-                 found > 0 ? "with a count of %d all fit" : "no count that was tried fits", found);
+                 found == 0                    ? "no count that was tried fits"
+                 : rules[only].surface == NULL ? "with a count of %d all fit"
+                                               : "with a count of %d all of this surface fit",
+                 found);
     } else if (told > 1) {
         snprintf(remedy, sizeof remedy, "take more strips");
     }
-    return taut_fail(error, TAUT_NO_SOLUTION, "width", "/seams/0", extent, roll,
+    snprintf(where, sizeof where, "/seams/%d", only);
+    return taut_fail(error, TAUT_NO_SOLUTION, "width", where, extent, roll,
                      "piece %s is %.6g wide, and the roll %.6g: %s",
                      made->layout.pieces[made->widest_piece].name, extent, roll, remedy);
 }
@@ -870,7 +898,7 @@ static taut_status cut_pieces(const request *r, const cut_surfaces *all, made_pi
     }
     if (searched != NULL) {
         const wish w = {ldexp(searched->width > 0 ? searched->width : roll, -scale),
-                        searched->strain};
+                        searched->strain, NULL};
         int found = 0;
         return fit(r, all, &w, 1, made, &found, error);
     }

@@ -215,6 +215,34 @@ static void test_refusals(void)
     cloth_free(&made);
 }
 
+/* A piece that is wider than the roll: of the rule that cuts its surface, with the number of strips of which all pieces of it fit, one less
+ * does not, and the other surface may be too wide besides. */
+static void test_width(void)
+{
+    static const char *const rules = "\"cloth\": { \"width\": 0.5 }, \"seams\": [{ \"across\": "
+                                     "[\"v0\", \"v1\"], \"count\": %d, "
+                                     "\"surface\": \"west\" }, { \"across\": [\"v0\", \"v1\"], "
+                                     "\"count\": %d, \"surface\": \"east\" "
+                                     "}]";
+    static const struct {
+        int west, east;
+        const char *where;
+    } all[] = {{3, 2, "/seams/1"}, {1, 2, "/seams/0"}, {2, 3, "/seams/0"}, {3, 3, NULL}};
+    char text[4096], asked[512];
+    halves(text, sizeof text, 0);
+    for (int k = 0; k < 4; k++) {
+        snprintf(asked, sizeof asked, rules, all[k].west, all[k].east);
+        made_cloth made = cloth_make(text, asked);
+        CHECK(made.status == (all[k].where != NULL ? TAUT_NO_SOLUTION : TAUT_OK), "%d: %s", k,
+              made.error.message);
+        CHECK(all[k].where == NULL || (strcmp(made.error.reason, "width") == 0 &&
+                                       strcmp(made.error.where, all[k].where) == 0 &&
+                                       strstr(made.error.message, "count of 3 ") != NULL),
+              "%d: at %s: %s", k, made.error.where, made.error.message);
+        cloth_free(&made);
+    }
+}
+
 int main(void)
 {
     test_halves();
@@ -222,5 +250,6 @@ int main(void)
     test_told();
     test_left_between();
     test_refusals();
+    test_width();
     return check_failures != 0;
 }
