@@ -46,11 +46,11 @@ for name in $("$taut" example); do
     echo "$construct $name" >> "$work/list"
 done
 
-# Figures of the pages in docs/ that are no plain examples.
-show() { # show EXAMPLE PICTURE WORDS: a figure of an example's model
+# Figures of the pages in docs/ that are no plain examples; EDIT is what sed makes of the document first.
+show() { # [EDIT=...] show EXAMPLE PICTURE WORDS: a figure of an example's model
     example=$1 picture=$2
     shift 2
-    "$taut" example "$example" > "$work/problem.json"
+    "$taut" example "$example" | sed "${EDIT:-}" > "$work/problem.json"
     "$taut" make "$work/problem.json" --quiet -o "$gallery/$picture" "$@"
 }
 show dirichlet-mast figure-isothermality.png --colour I --isolines 8 --no-net --width 600
@@ -58,6 +58,13 @@ show plateau-skew least-skew.png --colour gap --no-net --width 600
 show plateau-saddle least-saddle.png --colour gap --no-net --width 600
 show dirichlet-bicubic-spline plateau-dirichlet.svg --colour H --no-net --divide 30
 show plateau-bicubic-spline plateau-film.svg --colour H --no-net --divide 30
+EDIT='s/"count": 12/&, "trim": 0.6/' show pattern-dome pattern-trim.png --colour strain --no-net --view 285,50 --width 600
+EDIT='/"compensation"/d; s/"seams"/"flatten": "conformal", &/' show pattern-sail pattern-print.png --colour strain --no-net --view 285,50 --width 600
+if command -v pdftoppm > "$work/where"; then # the first sheet of paper, behind the figure and the page of where they are
+    "$taut" example pattern-sail > "$work/problem.json"
+    "$taut" make "$work/problem.json" --quiet -o "$work/sheets.pdf" --tiles a4
+    pdftoppm -f 3 -l 3 -r 50 -png -singlefile "$work/sheets.pdf" "$gallery/pattern-sheet"
+fi
 
 {
     echo '# Gallery'
