@@ -29,6 +29,9 @@ static int print_certificate(const cli_options *options, const taut_certificate 
     } else if (!holds) {
         cli_verdict_print(certificate);
     }
+    if (code == 0 && !options->quiet) {
+        cli_warn_of_curvature(options->files[0], certificate);
+    }
     return code == 0 && !holds ? 1 : code;
 }
 

@@ -103,6 +103,9 @@ static int deliver(const cli_options *options, cli_report *report)
     } else if (code == 0 && !options->quiet) {
         cli_report_print(report);
     }
+    if (code == 0 && !options->quiet) {
+        cli_warn_of_curvature(options->files[0], report->certificate);
+    }
     if (code == 0 && taut_certificate_holds(report->certificate) == TAUT_FALSE) {
         if (!options->json) {
             say_false(options, report->certificate);

@@ -26,6 +26,8 @@ void cli_certificate_record(taut_record *record, const char *key,
 void cli_certificate_print(const taut_certificate *certificate, const taut_model *model);
 /* The last of these: whether the certificate holds, of how many claims, and which are false or undecided. */
 void cli_verdict_print(const taut_certificate *certificate);
+/* Warns of a film whose curvatures are not resolved at some place. */
+void cli_warn_of_curvature(const char *file, const taut_certificate *certificate);
 
 /* Numbers, texts and lists of a record as such lines. */
 void cli_members_print(const taut_record *record, const char *unit);

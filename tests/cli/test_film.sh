@@ -29,6 +29,22 @@ run 1 certify boast.json sail.json
 contains err.txt 'details +DOES NOT HOLD \(check\): 0\.005, limit 1e-08, at details\.cables\.0\.force'
 grep -Eq '^  (stationary|cables|held) .*NOT' err.txt && complain "another claim is false"
 
+# a corner of 152 degrees: the film is right, its curvature there is not, and whoever reads the report is told
+blunt() { # blunt X
+    printf '{ "taut": 1, "construct": "film", "least": false, "corners": { "u0v0": [0,0,0], "u1v0": [2,0,0.3], "u1v1": [%s,%s,0], "u0v1": [0,2,0.3] }, "edges": {' "$1" "$1"
+    printf ' "u0": { "cable": { "force": 4 } }, "u1": { "cable": { "force": 4 } }, "v0": { "cable": { "force": 4 } }, "v1": { "cable": { "force": 4 } } } }'
+}
+blunt 0.9 > blunt.json
+run 0 make blunt.json -o blunt-film.json
+contains err.txt '^taut: blunt.json: warning: curvatures of the film are not resolved everywhere.*mean_curvature is [0-9.]+e\+0[34]'
+run 0 certify blunt-film.json blunt.json --json
+contains err.txt '"warnings".*curvatures of the film are not resolved'
+run 0 make blunt.json -o blunt-film.json --quiet
+grep -q warning err.txt && complain "a quiet make warns"
+blunt 1.6 > round.json
+run 0 make round.json -o round-film.json
+grep -q warning err.txt && complain "a warning of a film without a blunt corner"
+
 film() { # film CODE PATTERN MEMBERS: a flat sail with these members besides
     printf '{ "taut": 1, "construct": "film", "corners": { "u0v0": [0,0,0], "u1v0": [2,0,0], "u0v1": [0,2,0], "u1v1": [2,2,0] }, %s }' "$3" > flat.json
     if [ "$1" = 0 ]; then
