@@ -185,6 +185,30 @@ def outlines():
         judge("an outline of words, of no lath", model, name, "pattern")
 
 
+SHORT = ("trace-bonnet", lambda d: d.update(seeds=[{"at": [0.5, 0.35]}], max_length=0.3))
+RINGS = ("trace-torus", lambda d: d.update(trace="isoparametric", seeds=[{"at": [0, 0]}]))  # closed, on both seams
+WORDS = [sign + edge for sign in ["edge ", "corner "] for edge in ["u0", "u1", "v0", "v1", "u0v0", "u1v0", "u0v1", "u1v1"]] + [
+    "parabolic", "envelope", "flat", "umbilic", "closed", "crease", "singular", "length", "seed", "stalled", "sink", "", "none"]
+
+
+def reasons():
+    """Of one end after the other every other reason that there is; alone, a curve may have been as long as was asked for."""
+    for name, lath, end in [("trace-bonnet", 0, 1), ("trace-planks", 0, 0), ("trace-torus", -1, 0), (SHORT, 0, 0), (RINGS, 0, 1)]:
+        ended = model_of(name)["details"]["laths"][lath]["ended"][end]
+        for word in WORDS:
+            model = model_of(name)
+            model["details"]["laths"][lath]["ended"][end] = word
+            if word not in (ended, "length"):
+                judge(f"{ended} told as {word}", model, name, "ends")
+            elif word != ended:
+                judge(f"{ended} told as {word}", model, name, "ends", problem_of(name))
+    for length in [0.2999999, 0.3000001]:
+        judge("another length", model_of(SHORT), SHORT, "ends",
+              other("trace-bonnet", lambda d: (SHORT[1](d), d.update(max_length=length))))
+    judge("longer than is asked for", model_of("trace-bonnet"), "trace-bonnet", "ends",
+          other("trace-bonnet", lambda d: d.update(max_length=0.3)))
+
+
 CURVED = ("trace-principal", lambda d: d.update(seeds=[{"cells": 8}], laths={"strip": "plank", "width": 0.05},
                                                 sheet={"size": [1, 1.5]}))
 ASIDE = ("trace-principal", lambda d: d.update(seeds=[{"cells": 6, "at": [0.5, 0.3]}]))
@@ -369,6 +393,7 @@ def cloth():
 
 curves()
 details()
+reasons()
 outlines()
 flat_pieces()
 corners()

@@ -95,55 +95,6 @@ static double end_off(const taut_net_audit *audit, const taut_net_line *line,
     return off;
 }
 
-static int is_at(const double a[2], const double b[2], const double room[2])
-{
-    return fabs(a[0] - b[0]) <= room[0] && fabs(a[1] - b[1]) <= room[1];
-}
-
-/* May it be said that the curve ended so? Words that name a border or another place are held to it; what the others say of the
- * surface is the claim `ends`. */
-static int is_ended_so(const taut_net_audit *audit, const taut_net_line *line,
-                       const taut_record *lath, int end)
-{
-    static const char *const others[] = {"parabolic", "envelope", "flat",    "umbilic", "crease",
-                                         "singular",  "length",   "stalled", "sink"};
-    static const char *const edges[] = {"u0", "u1", "v0", "v1"};
-    const char *word =
-        taut_record_text(taut_record_at(taut_record_get(lath, "ended"), (size_t)end));
-    const taut_basis *range = taut_curve_t(line->space);
-    double ends[2][2], room[2];
-    char known[32];
-    int on[2], is_so = 0, touched[4];
-
-    if (!taut_net_line_window(line, taut_basis_lo(range), ends[0], &on[0]) ||
-        !taut_net_line_window(line, taut_basis_hi(range), ends[1], &on[1])) {
-        return 0;
-    }
-    for (int d = 0; d < 2; d++) {
-        const taut_surface *surface = audit->cells->surfaces[on[end]];
-        const taut_basis *basis = d == 0 ? taut_surface_u(surface) : taut_surface_v(surface);
-        room[d] = at_break * (taut_basis_hi(basis) - taut_basis_lo(basis));
-        touched[2 * d] = ends[end][d] <= taut_basis_lo(basis) + room[d];
-        touched[2 * d + 1] = ends[end][d] >= taut_basis_hi(basis) - room[d];
-    }
-    for (int e = 0; e < 4; e++) {
-        snprintf(known, sizeof known, "edge %s", edges[e]);
-        is_so |= touched[e] && strcmp(word, known) == 0;
-        snprintf(known, sizeof known, "corner %s%s", edges[e % 2], edges[2 + e / 2]);
-        is_so |= touched[e % 2] && touched[2 + e / 2] && strcmp(word, known) == 0;
-    }
-    const double seed[2] = {member_of(lath, "seed", 0), member_of(lath, "seed", 1)};
-    const double to[2] = {member_of(lath, end == 0 ? "from" : "to", 0),
-                          member_of(lath, end == 0 ? "from" : "to", 1)};
-    is_so |=
-        strcmp(word, "seed") == 0 && (is_at(ends[end], seed, room) || is_at(ends[end], to, room));
-    is_so |= strcmp(word, "closed") == 0 && on[0] == on[1];
-    for (size_t k = 0; k < sizeof others / sizeof *others; k++) {
-        is_so |= strcmp(word, others[k]) == 0;
-    }
-    return is_so;
-}
-
 static int is_of_family(const taut_net_audit *audit, const taut_net_line *line,
                         const taut_record *lath)
 {
@@ -218,10 +169,9 @@ static double nearest_place(const taut_net_line *line, const double x[3], double
     return best;
 }
 
-/* The parameter at which the line passes the seed: the nearest of some places, then along the tangent. *away: how far it
- * does, over the size. */
-static double seed_at(const taut_net_audit *audit, const taut_net_line *line,
-                      const taut_record *lath, double *away)
+/* The nearest of some places, then along the tangent. */
+double taut_net_seed_at(const taut_net_audit *audit, const taut_net_line *line,
+                        const taut_record *lath, double *away)
 {
     const taut_basis *range = taut_curve_t(line->space);
     const double lo = taut_basis_lo(range), hi = taut_basis_hi(range);
@@ -319,7 +269,7 @@ static void look_at_bends(const taut_net_audit *audit, const taut_net_line *line
     static const char *const names[] = {"k_n", "k_g", "tau_g"};
     const char *name = taut_curve_name(line->space);
     double far = INFINITY;
-    const double seed = seed_at(audit, line, lath, &far);
+    const double seed = taut_net_seed_at(audit, line, lath, &far);
     const int is_seed_clear = !(seed < clear[0]) && !(seed > clear[1]) && !is_on_knot(audit, lath);
     double most[TAUT_NET_BENDS], scale = 1 / audit->size;
 
@@ -524,8 +474,6 @@ void taut_net_figures_of(const taut_net_audit *audit, const taut_net_line *line,
     taut_net_off_take(off, is_of_family(audit, line, lath) ? 0 : INFINITY, name, "family");
     taut_net_off_take(off, end_off(audit, line, lath, 0), name, "from");
     taut_net_off_take(off, end_off(audit, line, lath, 1), name, "to");
-    const int is_so = is_ended_so(audit, line, lath, 0) && is_ended_so(audit, line, lath, 1);
-    taut_net_off_take(off, is_so ? 0 : INFINITY, name, "ended");
     look_at_sums(lath, name, &course, clear, off);
     look_at_bends(audit, line, lath, &course, clear, off);
     taut_net_passed_look(audit, line, lath, off);

@@ -9,4 +9,8 @@
 void taut_net_figures_of(const taut_net_audit *audit, const taut_net_line *line,
                          const double clear[2], taut_net_off *off);
 
+/* The parameter at which the line passes its seed; NaN where there is none. *away: how far it does, over the size. */
+double taut_net_seed_at(const taut_net_audit *audit, const taut_net_line *line,
+                        const taut_record *lath, double *away);
+
 #endif /* TAUT_CERTIFY_TRACE_FIGURES_H */

@@ -13,9 +13,8 @@
  *   geodesic      int |k_g| ds by the curve's own second derivative
  *   isoparametric sine of the angle to the parameter line
  *   length        |int |C'| ds - range| / range, Gauss 16 a span, and that of details
- *   ends          distance of the ends from the nearest place where a curve of this net may end,
- *                 over the size: border, the other end, K = 0, R = 0, a knot across which the normal jumps or the
- *                 curvature, to where there is no net, or the length asked for
+ *   ends          distance of the ends from where a curve of this net may end as it is told to, over the size
+ *                 (certify/trace/ends.h)
  *   seams         where curves go on to another surface: how far its place and normal are from those of the
  *                 first one (certify/trace/seams.h)
  *   nodes         largest distance of the two curves of a node of details at their lengths, and of its point and
@@ -40,6 +39,7 @@
 #include "certify/trace/complete.h"
 #include "certify/trace/compose.h"
 #include "certify/trace/crossings.h"
+#include "certify/trace/ends.h"
 #include "certify/trace/everywhere.h"
 #include "certify/trace/figures.h"
 #include "certify/trace/isometric.h"
@@ -49,7 +49,6 @@
 #include "certify/trace/panels.h"
 #include "certify/trace/pieces.h"
 #include "certify/trace/seams.h"
-#include "certify/trace/side.h"
 #include "certify/trace/spacing.h"
 #include "certify/trace/straight.h"
 #include "certify/trace/told.h"
@@ -65,17 +64,12 @@
 
 enum { PLACES = 8, NODES = 16, QUINTIC = TAUT_NET_QUINTIC };
 static const double tolerance_default = 1e-6, net_limit = 1e-6, length_limit = 1e-9,
-                    ends_limit = 1e-9, crease_limit = 1e-9, spacing_limit = 1e-9,
-                    isometric_limit = 1e-9, figures_limit = 1e-6;
+                    ends_limit = 1e-9, spacing_limit = 1e-9, isometric_limit = 1e-9,
+                    figures_limit = 1e-6;
 /* So near to an end without a border, over the size, the net may be anything. */
 static const double near_end = 1e-3;
 /* Ends and middles of curves that are one, over their length. */
 static const double one_curve = 1e-9;
-/* A curve ends where R is below 1e-8 of its largest value, which a grid sees to a factor of two: nearer to R = 0
- * rounding turns directions. */
-static const double roundness = 2e-8;
-/* -K / R^2 that is 0 but for rounding. */
-static const double no_saddle = 1e-12;
 /* |H| / R of a surface that is seen to be minimal. */
 static const double minimal = 1e-9;
 
@@ -457,161 +451,17 @@ static taut_status add(taut_certificate *certificate, const char *name, taut_cla
 
 /* ---- ends ---- */
 
-/* How far a function that vanishes somewhere near is from there: its value over its slope. */
-static double distance_to_zero(const request *r, const place *p, int of_radius)
-{
-    const taut_surface *surface = r->surfaces[p->on];
-    const taut_basis *basis[2] = {taut_surface_u(surface), taut_surface_v(surface)};
-    const double value = of_radius ? radius_of(&p->forms) : fabs(p->forms.gaussian);
-    double slope = 0;
-
-    for (int d = 0; d < 2; d++) {
-        for (int side = -1; side <= 1; side += 2) {
-            const double lo = taut_basis_lo(basis[d]), hi = taut_basis_hi(basis[d]);
-            double at[2] = {p->at[0], p->at[1]};
-            taut_forms forms;
-            at[d] = fmin(fmax(at[d] + side * 1e-4 * (hi - lo), lo), hi);
-            const double way = fabs(at[d] - p->at[d]) * taut_norm(p->s[1 + d]);
-            if (way > 0 &&
-                taut_surface_forms_points(surface, 1, &at[0], &at[1], 1, &forms) == TAUT_OK) {
-                const double there = of_radius ? radius_of(&forms) : forms.gaussian;
-                slope = fmax(slope, fabs(there - (of_radius ? value : p->forms.gaussian)) / way);
-            }
-        }
-    }
-    return value / slope;
-}
-
-/* Does the net exist on a side of a break? */
-static int has_net(const request *r, const taut_forms *f)
-{
-    const double square = f->mean * f->mean - f->gaussian;
-    return r->lines.net == TAUT_TRACE_ASYMPTOTIC
-               ? f->gaussian < -no_saddle * fabs(square)
-               : r->lines.net != TAUT_TRACE_PRINCIPAL || square > 0;
-}
-
-/* Does the normal jump there, across a break of direction d, or the net end as the curvature jumps? */
-static int is_crease(const request *r, const taut_surface *surface, int d, const double at[2])
-{
-    int span[2] = {0, 0};
-    taut_forms after, before;
-
-    const int is_on = taut_net_on_break(surface, d, at, &span[d]);
-    taut_net_on_break(surface, 1 - d, at, &span[1 - d]);
-    if (!is_on) {
-        return 0;
-    }
-    taut_net_side_forms(surface, span, at, &after);
-    span[d]--;
-    taut_net_side_forms(surface, span, at, &before);
-    return before.regular && after.regular &&
-           (taut_distance(before.normal, after.normal) > crease_limit ||
-            has_net(r, &before) != has_net(r, &after));
-}
-
-/* Two places of the window that differ by rounding alone. */
-static int are_one(const taut_surface *surface, const double a[2], const double b[2])
-{
-    const taut_basis *basis[2] = {taut_surface_u(surface), taut_surface_v(surface)};
-    int near = 1;
-    for (int d = 0; d < 2; d++) {
-        const double room = 1e-12 * (taut_basis_hi(basis[d]) - taut_basis_lo(basis[d]));
-        near &= fabs(a[d] - b[d]) <= room;
-    }
-    return near;
-}
-
-/* Does the document, or without it the lath of details, say that a geodesic begins there, or ends? */
-static int is_told(const request *r, const taut_net_line *line, const place *p, int end)
-{
-    const taut_surface *surface = r->surfaces[p->on];
-    const double *at = p->at;
-    const taut_record *laths = taut_record_get(taut_model_details(r->lines.model), "laths");
-    for (int k = 0; r->problem != NULL && k < r->problem->seed_count; k++) {
-        const taut_trace_seed *seed = &r->problem->seeds[k];
-        if (end == 0 ? !seed->both && are_one(surface, seed->at, at)
-                     : seed->has_to && are_one(surface, seed->to, at)) {
-            return 1;
-        }
-    }
-    for (size_t k = 0; r->problem == NULL && k < taut_record_count(laths); k++) {
-        const taut_record *lath = taut_record_at(laths, k);
-        if (strcmp(taut_record_text(taut_record_get(lath, "name")), taut_curve_name(line->space)) ==
-            0) {
-            const taut_record *known = taut_record_get(lath, end == 0 ? "from" : "to");
-            const taut_record *ended = taut_record_at(taut_record_get(lath, "ended"), (size_t)end);
-            const double told[2] = {taut_record_number(taut_record_at(known, 0)),
-                                    taut_record_number(taut_record_at(known, 1))};
-            return strcmp(taut_record_text(ended), "seed") == 0 && are_one(surface, told, at);
-        }
-    }
-    return 0;
-}
-
-static double longest(const request *r)
-{
-    return r->problem != NULL && r->problem->max_length > 0 ? r->problem->max_length
-                                                            : 20 * r->lines.size;
-}
-
-/* Do curves go on to another surface across this edge? Then it is no end. */
-static int goes_on(const request *r, int surface, int edge)
-{
-    return r->lines.net != TAUT_TRACE_ISOPARAMETRIC &&
-           taut_net_seams_join(&r->seams, surface, edge);
-}
-
-/* How far this end is from where a curve of this net may end, over the size. */
-static double judge_end(const request *r, const taut_net_line *line, const double ends[2], int end)
-{
-    place p, other;
-    double nearest = INFINITY;
-
-    if (!place_at(r, line, ends[end], &p) || !place_at(r, line, ends[1 - end], &other)) {
-        return INFINITY;
-    }
-    const taut_surface *surface = r->surfaces[p.on];
-    const taut_basis *basis[2] = {taut_surface_u(surface), taut_surface_v(surface)};
-    for (int d = 0; d < 2; d++) {
-        const double lo = taut_basis_lo(basis[d]), hi = taut_basis_hi(basis[d]);
-        const double speed = taut_norm(p.s[1 + d]);
-        for (int side = 0; side < 2; side++) {
-            const double away = (side == 0 ? p.at[d] - lo : hi - p.at[d]) * speed;
-            nearest = goes_on(r, p.on, 2 * d + side) ? nearest : fmin(nearest, away);
-        }
-        nearest = is_crease(r, surface, d, p.at) ? 0 : nearest;
-    }
-    if (!p.forms.regular) {
-        nearest = 0;
-    }
-    if (taut_dot(p.tangent, other.tangent) > 0) {
-        nearest = fmin(nearest, taut_distance(p.x, other.x));
-    }
-    if (p.forms.regular && r->lines.net == TAUT_TRACE_ASYMPTOTIC) {
-        nearest = fmin(nearest, distance_to_zero(r, &p, 0));
-    }
-    if (p.forms.regular &&
-        (r->lines.net == TAUT_TRACE_ASYMPTOTIC || r->lines.net == TAUT_TRACE_PRINCIPAL)) {
-        nearest = fmin(nearest, distance_to_zero(r, &p, 1));
-        nearest = taut_net_radius(&p.forms) <= roundness * r->roundest ? 0 : nearest;
-    }
-    if (line->length >= longest(r) * (1 - 1e-9) ||
-        (r->lines.net == TAUT_TRACE_GEODESIC && is_told(r, line, &p, end))) {
-        nearest = 0;
-    }
-    return nearest / r->size;
-}
-
 static taut_status add_ends(const request *r, taut_certificate *certificate)
 {
+    const taut_net_audit audit = audit_of(r);
+    const double longest = taut_net_longest(&audit);
     worst w = {.residual = 0};
     for (int k = 0; k < r->lines.count; k++) {
         const taut_net_line *line = &r->lines.lines[k];
         const taut_basis *basis = taut_curve_t(line->space);
-        const double ends[2] = {taut_basis_lo(basis), taut_basis_hi(basis)};
         for (int end = 0; end < 2; end++) {
-            take(&w, judge_end(r, line, ends, end), taut_curve_name(line->space), ends[end]);
+            take(&w, taut_net_end_away(&audit, line, end, longest), taut_curve_name(line->space),
+                 end == 0 ? taut_basis_lo(basis) : taut_basis_hi(basis));
         }
     }
     return add(certificate, "ends", TAUT_CHECK, &w, ends_limit);
