@@ -16,6 +16,7 @@ enum { BORDER_PIECES = 64 /* a span */, LOOK = 101 };
 static const double least_sine = 1e-6, same_seed = 1e-9, same_end = 1e-6;
 static const double same_curve =
     1e-8; /* of the length: ends, middles and lengths of two curves that are one */
+static const double on_border = 1e-15; /* of the window: rounding */
 static const double no_way = 1e-6; /* of the window: a curve that comes no farther from its seed */
 static const double no_lath =
     1e-6; /* of the size: a curve of several as short touches the window alone */
@@ -55,6 +56,7 @@ typedef struct planned {
     int seed;      /* whose curve must be there, or -1: the place may be left out */
     int may_touch; /* its curve is no lath if it only touches the window */
     int may_turn; /* on a seam of a surface that closes it may be on either side, and is where the curve goes on inside */
+    int is_held;  /* on the border, which its curve runs along there */
     int is_known; /* a lath goes through it already */
     double x[3], along[3], tangent[3];
     taut_linefield_fault fault;
@@ -330,6 +332,9 @@ static taut_status take_lath(taut_net *net, planned *p, taut_error *error)
     if (p->fault != TAUT_LINEFIELD_FINE) {
         leave_out(net, p->family, p->at, p->fault, 0);
     }
+    if (p->fault == TAUT_LINEFIELD_FINE && lath->count == 0 && p->is_held) {
+        leave_out_short(net, p);
+    }
     if (p->fault != TAUT_LINEFIELD_FINE || lath->count == 0) {
         return TAUT_OK;
     }
@@ -556,6 +561,7 @@ typedef struct border_walk {
     int family;
     taut_trace_by by;
     double tangent[3]; /* of the family, carried on */
+    int is_left;       /* the net did not exist somewhere */
 } border_walk;
 
 /* The measure across the family per t; 0 where there is none. */
@@ -573,6 +579,7 @@ static double border_rate(border_walk *w, double t)
     taut_carrier_at(net->carrier, span, at, 2, x);
     taut_carrier_forms((const double(*)[3])x, &forms);
     if (taut_walk_start(net->carrier, kind, at, span, w->tangent, &state) != TAUT_LINEFIELD_FINE) {
+        w->is_left = 1;
         return 0;
     }
     memcpy(w->tangent, state.tangent, sizeof w->tangent);
@@ -762,17 +769,18 @@ static int ends_near(const taut_net *net, int family, double t)
 }
 
 /* Where a lath of the family ends behind t, nearer than `most` on the way: one at t would be the same once more but for
- * that. -1: none does. */
+ * that. -1: none does, before the net ends there. */
 static double end_ahead(border_walk w, double t, double piece, double most)
 {
     double sum = 0;
+    w.is_left = 0;
     for (const double last = t + 4; t < last;) {
         const double next = piece_end(t, piece), end = next_end(w.net, w.family, t, next);
         const double to = end >= 0 ? end : next;
         const double turn = t - wrapped(t);
         sum += border_measure(&w, t - turn, to - turn);
-        if (!(fabs(sum) < most) || end >= 0) {
-            return fabs(sum) < most ? end : -1;
+        if (!(fabs(sum) < most) || w.is_left || end >= 0) {
+            return fabs(sum) < most && !w.is_left ? end : -1;
         }
         t = next;
     }
@@ -833,6 +841,20 @@ static taut_status seed_border(taut_net *net, int family, taut_trace_by by, doub
     return TAUT_OK;
 }
 
+/* A curve along the border is not to begin beside it by rounding. */
+static void hold_on_border(const taut_net *net, planned *p)
+{
+    for (int d = 0; d < 2; d++) {
+        const double lo = p->on->lo[d], hi = p->on->hi[d], room = on_border * (hi - lo);
+        const double border = p->at[d] - lo <= room ? lo : hi, direction[2] = {d, 1 - d};
+        if (p->on == net->carrier && fabs(p->at[d] - border) <= room &&
+            sine_between(net, p->family, p->at, direction) <= least_sine) {
+            p->at[d] = border;
+            p->is_held = 1;
+        }
+    }
+}
+
 /* Seeds of a family at all multiples of the part from s0 of a lath of the other one. */
 static taut_status seed_lattice(taut_net *net, int family, const taut_lath *other, taut_trace_by by,
                                 double part, taut_error *error)
@@ -858,6 +880,7 @@ static taut_status seed_lattice(taut_net *net, int family, const taut_lath *othe
             list[count++] = place_of(net->carrier, family, other->seed);
         } else if (taut_lath_at(kind, other, by, target, &at)) {
             list[count] = place_on(&at, family);
+            hold_on_border(net, &list[count]);
             list[count++].may_touch = 1;
         }
     }

@@ -391,6 +391,19 @@ def cloth():
         judge("another largest strain", model, name, "details")
 
 
+def lattices():
+    """Of surfaces that ask for much: where the net ends on the border and begins again, along a border that rounding leaves, and
+    where rounding makes of k_g what it likes."""
+    for name, surface, net in [("pipe-auto", "blend", "asymptotic"), ("pipe-run-closed", "pipe1", "principal"),
+                               ("plateau-skew", None, "asymptotic")]:
+        save("surface.problem.json", example(name))
+        run("make", "surface.problem.json", "-o", "surface.json", "--quiet")
+        code, _, said = run("trace", "surface.json", *(["--surface", surface] if surface else []), "--net", net, "--cells", "6",
+                            "-o", "lattice.json", "--quiet")
+        if code != 0:
+            complain(f"{name} {net}: exit {code} {said}")
+
+
 curves()
 details()
 reasons()
@@ -400,4 +413,5 @@ corners()
 cloth()
 told()
 torque()
+lattices()
 finish()

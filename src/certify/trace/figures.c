@@ -453,9 +453,12 @@ static void look_at_sums(const taut_record *lath, const char *name, const taut_n
 
     taut_net_off_take(off, twisted * fabs(taut_net_number(lath, "twist") - twist) / fmax(1, twist),
                       name, "twist");
-    taut_net_off_take(
-        off, fmin(soft, turned) * fabs(taut_net_number(lath, "turn") - turn) / fmax(1, turn), name,
-        "turn");
+    double blur = 0; /* what rounding may make of it */
+    for (int i = 0; i < course->count; i++) {
+        blur += 2 * course->spans[i].half * course->spans[i].blur;
+    }
+    const double away = fmax(fabs(taut_net_number(lath, "turn") - turn) - blur, 0);
+    taut_net_off_take(off, fmin(soft, turned) * away / fmax(1, turn), name, "turn");
 }
 
 void taut_net_figures_of(const taut_net_audit *audit, const taut_net_line *line,
