@@ -20,4 +20,5 @@ if ./draw_architecture.py --check; then
 else
     bad=1
 fi
+./claim_mutants.py --check || bad=1
 exit $bad

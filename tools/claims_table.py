@@ -7,7 +7,8 @@
 
 TAUT is the program, such as build/release/bin/taut. For each construction and claim: its kind, how many examples carry it, the
 largest residual among those that hold, and how far it stays below its limit at least (limit over residual; for claims
-that must be above a limit, residual over limit). Residuals of rounding differ from machine to machine.
+that must be above a limit, residual over limit), and how many mutants break what it is judged by (tools/claim_mutants.py).
+Residuals of rounding differ from machine to machine.
 """
 import collections
 import json
@@ -15,6 +16,8 @@ import pathlib
 import re
 import subprocess
 import sys
+
+import claim_mutants
 
 PAGE = pathlib.Path(__file__).resolve().parent.parent / "docs/certificate.md"
 BEGIN, END = "<!-- claims: made by tools/claims_table.py -->", "<!-- end of claims -->"
@@ -41,7 +44,7 @@ def claims_of(taut):
     return found
 
 
-def row_of(construct, name, entries):
+def row_of(construct, name, entries, mutants):
     """One row of the table."""
     holding = [(e, c) for e, c in entries if c["holds"] is True]
     kinds = sorted({c["kind"] for _, c in entries})
@@ -56,13 +59,14 @@ def row_of(construct, name, entries):
         room = min(rooms, default=None)
     count = f"{len(entries)}" + (f", {open_} undecided" if open_ else "") + (f", {len(false)} false by design" if false else "")
     residual = f"{worst[1]['residual']:.1e} (`{worst[0]}`)" if worst and worst[1]["residual"] else "0" if worst else ""
-    return f"| {construct} | `{name}` | {', '.join(kinds)} | {count} | {residual} | {'%.2g' % room if room else ''} |"
+    return f"| {construct} | `{name}` | {', '.join(kinds)} | {count} | {residual} | {'%.2g' % room if room else ''} | {mutants} |"
 
 
 def table(found):
     """The whole table."""
-    lines = ["| construction | claim | kind | examples | largest residual | room below the limit, at least |", "|---|---|---|---|---|---|"]
-    return "\n".join(lines + [row_of(c, n, entries) for (c, n), entries in sorted(found.items())])
+    lines = ["| construction | claim | kind | examples | largest residual | room | mutants |", "|---|---|---|---|---|---|---|"]
+    mutants, _ = claim_mutants.counts(claim_mutants.ROOT, found)
+    return "\n".join(lines + [row_of(c, n, entries, len(mutants[c, n])) for (c, n), entries in sorted(found.items())])
 
 
 def explained(text):
