@@ -163,6 +163,54 @@ static void circle_part(double alpha, const double value[2], const double slope[
     four[3] = value[1];
 }
 
+/* The helicoid (sinh v sin u, -sinh v cos u, u), which has the metric of the catenoid: the same flat pieces. */
+static void test_helicoid(void)
+{
+    static const char *const paths[] = {"flat_area",
+                                        "energy",
+                                        "width_middle",
+                                        "extent/0",
+                                        "edges/right/flat_length",
+                                        "edges/start/flat_length",
+                                        "strain/max"};
+    const double turn = TAUT_PI / 2, from = -1, to = 1.2, beta = to - from;
+    const double reach = (sinh(beta) - beta) / (cosh(beta) - 1);
+    const double along[4] = {sinh(from), sinh(from) + reach * cosh(from),
+                             sinh(to) - reach * cosh(to), sinh(to)};
+    double cosine[4], sine[4], height[4];
+    char text[4096];
+    circle_part(turn, (double[2]){1, 0}, (double[2]){0, -1}, cosine);
+    circle_part(turn, (double[2]){0, 1}, (double[2]){1, 0}, sine);
+    circle_part(turn, (double[2]){0, turn}, (double[2]){1, 1}, height);
+    size_t n = (size_t)snprintf(
+        text, sizeof text,
+        "{ \"taut\": 1, \"surfaces\": [{ \"name\": \"helicoid\", \"u\": { \"type\": "
+        "\"c-bezier\", \"alpha\": %.17g }, \"v\": { \"type\": \"h-bezier\", \"beta\": "
+        "%.17g }, \"points\": [",
+        turn, beta);
+    for (int i = 0; i < 16; i++) {
+        n += (size_t)snprintf(text + n, sizeof text - n, "%s[%.17g, %.17g, %.17g]%s",
+                              i % 4 == 0 ? "[" : "", sine[i / 4] * along[i % 4],
+                              -cosine[i / 4] * along[i % 4], height[i / 4],
+                              i == 15      ? "]] }] }"
+                              : i % 4 == 3 ? "], "
+                                           : ", ");
+    }
+    made_cloth made =
+        cloth_make(text, "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 4 }]");
+    made_cloth other =
+        example("pattern-catenoid", "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 4 }]");
+    CHECK(made.status == TAUT_OK, "%s", made.error.message);
+    check_holds(&made, "helicoid");
+    for (size_t k = 0; k < sizeof paths / sizeof *paths; k++) {
+        const double wanted = cloth_number(&other, "pieces", "P2", paths[k]);
+        CHECK_NEAR(cloth_number(&made, "pieces", "P2", paths[k]), wanted, 1e-9 * wanted, "%s",
+                   paths[k]);
+    }
+    cloth_free(&made);
+    cloth_free(&other);
+}
+
 /* The unit sphere between latitudes -w and w, a quarter of it. */
 static void band_of_sphere(double w, char *text, size_t room)
 {
@@ -1035,6 +1083,14 @@ static void test_sizes(void)
         energy = found;
         cloth_free(&made);
     }
+    char text[1024];
+    const double a = ldexp(1, 160), b = ldexp(0.25, 160);
+    snprintf(text, sizeof text, flat, a, b, a, b, a, a, 2 * a, 2 * a, a, b);
+    made_cloth made =
+        cloth_make(text, "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": 2 }]");
+    CHECK(made.status == TAUT_NO_SOLUTION && strcmp(made.error.reason, "extreme-size") == 0,
+          "2^160: %s", made.error.message);
+    cloth_free(&made);
 }
 
 /* The thread at any angle: of cloth that is alike both ways the same pieces, turned. */
@@ -1089,6 +1145,7 @@ int main(void)
     test_cylinder();
     test_cone();
     test_curved();
+    test_helicoid();
     test_held();
     test_straight();
     test_unavoidable();
