@@ -197,8 +197,9 @@ static void test_walls(void)
         r.problem.radius = 0.02;
         r.problem.elbow = trial % 4 < 2 ? TAUT_PIPE_ELBOW_ARC : TAUT_PIPE_ELBOW_BLEND;
         r.problem.joint = trial % 4 < 3 ? TAUT_PIPE_G1 : TAUT_PIPE_G2;
-        r.problem.wall = 1e-3;
-        model = pipe_random_made(&r, 1e-6);
+        taut_model_free(pipe_random_made(&r, 1e-6)); /* at a radius that fits */
+        r.problem.wall = 0.05 * r.problem.radius;
+        model = pipe_run_made(&r.problem, 1e-6);
         taut_certificate *certificate = pipe_run_proved(model, &r.problem, 1e-6);
         const double a = r.problem.radius, b = a - r.problem.wall;
         CHECK(claim_of(certificate, "inner_joints")->holds == TAUT_TRUE &&
@@ -273,7 +274,13 @@ static void test_back_to_back(void)
         pipe_random r = back_to_back(count, over[trial % 5]);
         r.problem.wall = trial % 2 == 0 ? 0 : 0.05;
         pipe_attach(&r);
-        taut_model *model = pipe_run_made(&r.problem, 1e-6);
+        taut_error error = {.message = ""};
+        taut_model *model = NULL;
+        if (taut_pipe_run_make(&r.problem, NULL, &model, &error) == TAUT_NO_SOLUTION &&
+            strcmp(error.reason, "self-intersect-global") == 0) {
+            continue; /* it happens to cross itself */
+        }
+        CHECK(model != NULL, "trial %d: %s %s", trial, error.where, error.message);
         taut_certificate *certificate = pipe_run_proved(model, &r.problem, 1e-6);
         for (int k = 0; k < 5; k++) {
             const taut_claim *claim = claim_of(certificate, claims[k]);
