@@ -70,6 +70,16 @@ film 0 '' '"edges": { "u0": "fixed" }, "tolerance": 1e-9, "name": "plate", "meth
 contains err.txt 'area +4 mm\^2$'
 film 4 'cable-too-weak /edges/u0/cable found 1\.4 expected 1\.414213562[0-9]*' "\"edges\": { $(cables 1.4) }"
 contains err.txt 'too weak'
+# the quarter circles of cables by length: pi / sqrt 2, and unstressed ones that these forces draw to it, over 1 + sqrt 2 / 10
+laws() { # laws LAW: of all four edges
+    printf '"edges": { "u0": { "cable": { %s } }, "u1": { "cable": { %s } }, "v0": { "cable": { %s } }, "v1": { "cable": { %s } } }' "$1" "$1" "$1" "$1"
+}
+film 4 'cable-too-weak /edges/u0/cable found 1\.27369712[0-9]* expected 1\.414213562[0-9]*' "$(laws '"length": 2.3')"
+contains err.txt '\(1\.414213562[0-9]* for edge u0, of a length of 2\.22144146908\)'
+film 0 '' "$(laws '"length": 2.2214')"
+film 4 'cable-too-weak' "$(laws '"unstressed": 2.05, "stiffness": 10')"
+contains err.txt 'of a length of 1\.94620633'
+film 0 '' "$(laws '"unstressed": 1.946, "stiffness": 10')"
 film 3 'value /edges/u0/cable/force found 0 expected a positive number' "\"edges\": { $(cables 0) }"
 film 3 'type /edges/u0/cable/force' "\"edges\": { $(cables '"strong"') }"
 film 3 'type /edges/u0/cable found 2 expected a law, such as' '"edges": { "u0": { "cable": 2 } }'

@@ -30,10 +30,14 @@ double taut_film_arc_angle(double chord, double length)
     return 0.5 * (low + high);
 }
 
+double taut_film_arc_length(double chord, double radius)
+{
+    return 2 * radius * taut_asin(fmin(1, chord / (2 * radius)));
+}
+
 double taut_film_arc_of_sag(double chord, double sag)
 {
-    const double radius = chord * (1 + 4 * sag * sag) / (8 * sag);
-    return 2 * radius * taut_asin(fmin(1, chord / (2 * radius)));
+    return taut_film_arc_length(chord, chord * (1 + 4 * sag * sag) / (8 * sag));
 }
 
 double taut_film_arc_elastic(double chord, double unstressed, double k)

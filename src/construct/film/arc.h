@@ -8,6 +8,9 @@
 /* a of an arc of length L > c > 0. */
 double taut_film_arc_angle(double chord, double length);
 
+/* The length of an arc of up to half a circle. */
+double taut_film_arc_length(double chord, double radius);
+
 /* The length of the arc that rises by sag times the chord, 0 < sag < 1/2. */
 double taut_film_arc_of_sag(double chord, double sag);
 

@@ -1,5 +1,7 @@
 #include "construct/film/flat.h"
 
+#include "construct/film/arc.h"
+#include "construct/film/equilibrium.h"
 #include "construct/film/polygon.h"
 #include "core/fail.h"
 #include "core/vec3.h"
@@ -105,20 +107,28 @@ static void make_polygon(const taut_film_space *space, double flat[4][2], quad *
 static taut_status refuse_weak(const taut_film_space *space, quad *q, taut_error *error)
 {
     const double factor = taut_film_polygon_factor(&q->polygon);
-    char where[32];
+    char where[32], given[64] = "";
     int e = -1;
 
     for (int k = 0; e < 0 && k < 4; k++) {
         e = space->ratios[k] > 0 ? k : -1;
     }
     const double force = taut_film_force(space, e, 1);
+    const taut_film_edge *edge = &space->problem->edges[e];
+    if (edge->law != TAUT_FILM_FORCE) { /* the length that comes to that force */
+        const double most =
+                         taut_film_arc_length(taut_film_chord(space, e), factor * space->ratios[e]),
+                     strain = edge->law == TAUT_FILM_ELASTIC ? factor * force / edge->stiffness : 0;
+        snprintf(given, sizeof given, ", of a length of %.12g",
+                 ldexp(most / (1 + strain), space->scaling.outer + space->scaling.inner));
+    }
     snprintf(where, sizeof where, "/edges/%s/cable", taut_film_edge_names[e]);
     return taut_fail(error, TAUT_NO_SOLUTION, "cable-too-weak", where, force, factor * force,
                      "the cables are too weak for this flat sail of tension %g: with these forces "
                      "their arcs touch or do not span their chords; expected more than %.15g times "
-                     "the forces (%.15g for edge %s), or so much less tension",
+                     "the forces (%.15g for edge %s%s), or so much less tension",
                      taut_film_tension(space->problem), factor, factor * force,
-                     taut_film_edge_names[e]);
+                     taut_film_edge_names[e], given);
 }
 
 taut_status taut_film_flat_check(const taut_film_space *space, taut_error *error)
