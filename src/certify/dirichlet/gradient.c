@@ -27,9 +27,9 @@
 #include <string.h>
 
 enum {
-    BLOCK = 4,    /* sets of lines a task, at least */
-    HALVINGS = 6, /* of cells, for the sake of a bound */
-    ROUNDS = 10,  /* of halvings, for the sake of fewer nodes */
+    BLOCK = 4,     /* sets of lines a task, at least */
+    HALVINGS = 10, /* of cells, for the sake of a bound */
+    ROUNDS = 10,   /* of halvings, for the sake of fewer nodes */
     FEW_NODES = 20,
     NODE_WORK = 200 /* operations at a node */
 };
