@@ -20,16 +20,12 @@ KNOWN = {
     "dirichlet-hammock": "principal",
     "dirichlet-mast": "principal",
     "film-cap": "principal isoparametric",
-    "pipe-auto": "asymptotic",
-    "pipe-auto-curvature": "asymptotic",
-    "pipe-cubic": "asymptotic",
     "pipe-flat-start": "asymptotic",
     "pipe-legal": "asymptotic",
     "pipe-ones": "asymptotic principal",
-    "pipe-paper": "asymptotic principal",
+    "pipe-paper": "principal",
     "pipe-run-closed": "asymptotic",
     "plateau-mast": "principal",
-    "plateau-skew": "asymptotic",
 }
 
 

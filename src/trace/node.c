@@ -116,21 +116,27 @@ static void describe(const search *w, const taut_station at[2], taut_node *node)
     node->is_on_border = is_border(w->carrier, node->at);
 }
 
+/* Are two lengths on a lath one place of it? On one that is closed its beginning is its end. */
+static int is_one_length(const search *w, int index, double a, double b)
+{
+    const taut_lath *lath = &w->laths[index];
+    const double room = 1e3 * same * w->carrier->size, apart = fabs(a - b);
+    return apart <= room ||
+           (lath->ended[1] == TAUT_END_CLOSED && fabs(apart - lath->length) <= room);
+}
+
 /* Is there one like it already, of these two laths? A curve that winds about another comes to the same place at other
- * lengths; one that is closed has two at its end. */
+ * lengths. */
 static int is_known(const search *w, const taut_node *node)
 {
-    const double room = 1e3 * same * w->carrier->size;
-    const int is_closed = w->laths[node->laths[1]].ended[1] == TAUT_END_CLOSED;
-
     for (int k = w->nodes->count - 1; k >= 0; k--) {
         const taut_node *other = &w->nodes->list[k];
         if (other->laths[0] != node->laths[0] || other->laths[1] != node->laths[1]) {
             return 0;
         }
         if (taut_length_between(other->x, node->x) <= same * w->carrier->size &&
-            fabs(other->s[0] - node->s[0]) <= room &&
-            (is_closed || fabs(other->s[1] - node->s[1]) <= room)) {
+            is_one_length(w, node->laths[0], other->s[0], node->s[0]) &&
+            is_one_length(w, node->laths[1], other->s[1], node->s[1])) {
             return 1;
         }
     }

@@ -14,6 +14,7 @@
 /* The nodes of a lath along it. */
 typedef struct row {
     int *nodes, count;
+    int is_ring; /* it closes: behind the last one is the first */
 } row;
 
 static double s_on(const taut_net *net, int node, int lath)
@@ -31,6 +32,7 @@ static taut_status make_rows(const taut_net *net, row *rows)
     }
     for (int i = 0; i < net->count; i++) {
         rows[i].nodes = taut_arena_take(net->arena, (size_t)rows[i].count + 1, sizeof(int));
+        rows[i].is_ring = net->laths[i].ended[1] == TAUT_END_CLOSED && rows[i].count > 2;
         rows[i].count = 0;
         if (rows[i].nodes == NULL) {
             return TAUT_NO_MEMORY;
@@ -46,6 +48,13 @@ static taut_status make_rows(const taut_net *net, row *rows)
         r->nodes[i] = k / 2;
     }
     return TAUT_OK;
+}
+
+/* The place next to one, forwards or backwards; -1 where there is none. */
+static int beside(const row *r, int place, int step)
+{
+    const int next = place + step;
+    return next >= 0 && next < r->count ? next : r->is_ring ? (next + r->count) % r->count : -1;
 }
 
 static int place_in(const row *r, int node)
@@ -85,8 +94,8 @@ static int next_beside(const taut_net *net, const row *rows, int lath, int node,
     tangent_at(net, lath, node, along);
     tangent_at(net, other, node, across);
     taut_cross(n->normal, along, left);
-    const int next = side * taut_dot(left, across) > 0 ? place + 1 : place - 1;
-    return next >= 0 && next < rows[other].count ? rows[other].nodes[next] : -1;
+    const int next = beside(&rows[other], place, side * taut_dot(left, across) > 0 ? 1 : -1);
+    return next >= 0 ? rows[other].nodes[next] : -1;
 }
 
 /* The distance of the diagonals of a quad p, q, t, r over their mean length. */
@@ -108,7 +117,7 @@ static double planarity_of(const taut_net *net, const int corners[4])
 static void look_beside(const taut_net *net, const row *rows, int lath, int k, int side,
                         taut_panels *panels)
 {
-    const int p = rows[lath].nodes[k], q = rows[lath].nodes[k + 1];
+    const int p = rows[lath].nodes[k], q = rows[lath].nodes[beside(&rows[lath], k, 1)];
     const int r = next_beside(net, rows, lath, p, side), t = next_beside(net, rows, lath, q, side);
 
     if (r < 0 || t < 0 || net->nodes.list[r].laths[0] != net->nodes.list[t].laths[0] ||
@@ -117,10 +126,10 @@ static void look_beside(const taut_net *net, const row *rows, int lath, int k, i
     }
     const int far = net->nodes.list[r].laths[0];
     const int from = place_in(&rows[far], r), to = place_in(&rows[far], t);
-    if (far == lath || abs(from - to) != 1) {
+    const int is_against = beside(&rows[far], to, 1) == from; /* to this side of that one too */
+    if (far == lath || (!is_against && beside(&rows[far], from, 1) != to)) {
         return;
     }
-    const int is_against = to < from; /* then it lies to this side of that one too */
     if (is_against ? far < lath : side < 0) {
         return;
     }
@@ -142,7 +151,8 @@ taut_status taut_panels_of(const taut_net *net, taut_panels *panels)
         return TAUT_NO_MEMORY;
     }
     for (int i = 0; i < net->count; i++) {
-        for (int k = 0; net->laths[i].family == 0 && k + 1 < rows[i].count; k++) {
+        for (int k = 0;
+             net->laths[i].family == 0 && k < rows[i].count && beside(&rows[i], k, 1) >= 0; k++) {
             look_beside(net, rows, i, k, 1, panels);
             look_beside(net, rows, i, k, -1, panels);
         }

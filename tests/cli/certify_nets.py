@@ -185,6 +185,8 @@ def outlines():
         judge("an outline of words, of no lath", model, name, "pattern")
 
 
+CLOSED = ("trace-torus", lambda d: d.update(trace="principal", panels=True,
+                                            seeds=[{"edge": "u0", "count": 7}, {"edge": "v0", "count": 9}]))
 SHORT = ("trace-bonnet", lambda d: d.update(seeds=[{"at": [0.5, 0.35]}], max_length=0.3))
 RINGS = ("trace-torus", lambda d: d.update(trace="isoparametric", seeds=[{"at": [0, 0]}]))  # closed, on both seams
 WORDS = [sign + edge for sign in ["edge ", "corner "] for edge in ["u0", "u1", "v0", "v1", "u0v0", "u1v0", "u0v1", "u1v1"]] + [
@@ -404,6 +406,17 @@ def lattices():
             complain(f"{name} {net}: exit {code} {said}")
 
 
+def rings():
+    """Of curves that close: each crossing of a torus once, at the seeds of both too, and the panels all the way round."""
+    model = model_of(CLOSED)
+    nodes = [node["node"] for node in model["details"]["nodes"]]
+    if len(nodes) != 63 or any("." in node for node in nodes) or model["details"]["panel_count"] != 63:
+        complain(f"7 x 9 circles of a torus have {len(nodes)} nodes, {model['details']['panel_count']} panels")
+    del model["details"]["panels"][-1]
+    model["details"]["panel_count"] -= 1
+    judge("a panel left out", model, CLOSED, "figures")
+
+
 curves()
 details()
 reasons()
@@ -414,4 +427,5 @@ cloth()
 told()
 torque()
 lattices()
+rings()
 finish()

@@ -9,9 +9,13 @@
 
 #include "certify/common/verdict.h"
 #include "certify/trace/crossings.h"
+#include "certify/trace/laths.h"
 #include "core/vec3.h"
 
 #include <string.h>
+
+/* Of a curve's length: its ends are one place. */
+static const double one_place = 1e-9;
 
 typedef struct spot {
     const char *name;
@@ -76,6 +80,29 @@ static void find_neighbours(spots *all)
                     one->next[side][way] = j;
                 }
             }
+        }
+    }
+}
+
+/* Behind the last node of a curve that closes is the first one, unless the two are one place, as nets of version 0.1 had it. */
+static void close_rings(const taut_net_audit *audit, spots *all)
+{
+    for (int i = 0; i < audit->lines->count; i++) {
+        const taut_net_line *line = &audit->lines->lines[i];
+        const taut_record *ended = taut_record_get(taut_net_lath_of(audit->lines, line), "ended");
+        const int side = line->family;
+        int count = 0, first = -1, last = -1;
+        for (int k = 0; k < all->count; k++) {
+            if (all->list[k].line[side] == i) {
+                count++;
+                first = all->list[k].next[side][0] < 0 ? k : first;
+                last = all->list[k].next[side][1] < 0 ? k : last;
+            }
+        }
+        if (count > 2 && strcmp(taut_record_text(taut_record_at(ended, 0)), "closed") == 0 &&
+            all->list[last].s[side] - all->list[first].s[side] < line->length * (1 - one_place)) {
+            all->list[last].next[side][1] = first;
+            all->list[first].next[side][0] = last;
         }
     }
 }
@@ -169,6 +196,7 @@ taut_status taut_net_panels_look(const taut_net_audit *audit, taut_arena *arena,
         return TAUT_NO_MEMORY;
     }
     find_neighbours(&all);
+    close_rings(audit, &all);
     for (size_t k = 0; k < count; k++) {
         const taut_record *panel = taut_record_at(panels, k);
         const double planarity = planarity_of(audit, panel);
