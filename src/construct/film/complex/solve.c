@@ -22,7 +22,8 @@
  *
  * What is stationary and no minimum is found from a start, or from films of given volumes, by steps of the Hessian alone, cut by halves
  * until derivatives get less. Films under pressures that no minimum has are often minima of given volumes: V is changed to
- * V (p / p_given)^3, as of balls, and then by the secant of the logarithms, until it leads to that pressure.
+ * V (p / p_given)^3, as of balls, and then by the secant of the logarithms, until it leads to that pressure nearly. Nets that are
+ * rough do not come to rest by such steps, so it is met as a minimum too, by dV = S (p_given - p), S = dV/dp of the border.
  */
 #include "construct/film/complex/solve.h"
 
@@ -74,6 +75,7 @@ static const double neck_most =
 static const double weaker_least = 0x1p-10; /* of the logarithm of all forces */
 static const double above_told = 1.1;       /* times what is told: a film is there too */
 static const double pressure_near = 1e-4, volume_most = 1; /* of logarithms */
+static const double pressure_met = 1e-12; /* where steps to what is stationary take over */
 enum {
     NEARER = 8,
     SMALLER = 12,
@@ -111,6 +113,7 @@ typedef struct work {
     int is_narrowed; /* nonzero: it was once */
     int narrow;      /* the moves that are seen alone */
     int any;         /* nonzero: steps to what is stationary, up or down */
+    int is_near;     /* nonzero: these in the moves that are seen alone */
     int has_ended;   /* nonzero: the last way ended in a fold, or where no rule settles */
     taut_film_method method;
     double gain; /* of the method `normal` */
@@ -463,7 +466,8 @@ static taut_status descend_both(work *w)
     if (status == TAUT_OK) {
         status = look(w);
     }
-    if (status == TAUT_OK && w->residual > residual_all && !(is_normal(w) && w->is_narrowed)) {
+    if (status == TAUT_OK && w->residual > residual_all && !w->is_near &&
+        !(is_normal(w) && w->is_narrowed)) {
         status = descend(w);
     }
     w->narrow = w->is_narrowed = 1;
@@ -1048,6 +1052,73 @@ static taut_status find_changed(work *w, const double *before, int *found)
     return status;
 }
 
+/* How far the pressures of given volumes are from those that are asked for, over these: the farthest. */
+static double pressures_off(const work *w, const double *given)
+{
+    double off = 0;
+    for (int i = 0; i < w->border.cells; i++) {
+        const double p = given[w->border.which[i]];
+        off = p != 0 ? fmax(off, fabs(w->multipliers[i] / p - 1)) : off;
+    }
+    return off;
+}
+
+/* dV = S (p_given - p) of cells whose pressures are given, S as its factors stand; others are let be. */
+static void add_volumes(work *w, const double *given)
+{
+    const int m = w->border.count;
+    const double *s = w->border.s;
+
+    for (int i = 0; i < w->border.cells; i++) {
+        double by = 0;
+        for (int j = 0; j <= i; j++) { /* (L D L')_i: column j of L' */
+            double sum = 0;
+            for (int k = j; k < w->border.cells; k++) {
+                const double p = given[w->border.which[k]];
+                sum += p != 0 ? (k == j ? 1 : s[k * m + j]) * (p - w->multipliers[k]) : 0;
+            }
+            by += (i == j ? 1 : s[i * m + j]) * s[j * m + j] * sum;
+        }
+        w->own.volumes[w->border.which[i]] += given[w->border.which[i]] != 0 ? by : 0;
+    }
+}
+
+/* The minimum of volumes whose pressures are those asked for, as near as these can be told. Each from the start: nets that were led
+ * are not at rest in all coordinates. TAUT_NOT_CONVERGED: none is found. */
+static taut_status meet_pressures(work *w, const double *given)
+{
+    const int most = w->most;
+    double off = INFINITY, before = INFINITY;
+    int down = 0;
+    taut_status status = TAUT_OK;
+
+    w->method = TAUT_FILM_FULL;
+    w->soft = 1;
+    for (int k = 0; status == TAUT_OK && k < NEARER && off > pressure_met; k++) {
+        memcpy(w->x, w->layout->start, 3 * w->nodes * sizeof(double));
+        memset(w->multipliers, 0, (size_t)w->border.count * sizeof(double));
+        w->is_fresh = 1;
+        w->is_narrowed = 0;
+        w->most = w->iterations + LED;
+        status = settle(w);
+        if (status == TAUT_OK) {
+            status = count_down(w, &down);
+        }
+        off = pressures_off(w, given);
+        if (status == TAUT_OK && (down != 0 || !(off < 10 * pressure_near))) {
+            status = TAUT_NOT_CONVERGED;
+        }
+        if (off > before / 2) {
+            break;
+        }
+        before = off;
+        add_volumes(w, given);
+    }
+    w->is_near = status == TAUT_OK;
+    w->most = most;
+    return status;
+}
+
 /* TAUT_OK: x is at a film under the pressures that is a minimum of its volumes, and none of pressures. */
 static taut_status lead_volumes(work *w, taut_arena *arena, taut_film_rest *rest)
 {
@@ -1074,6 +1145,15 @@ static taut_status lead_volumes(work *w, taut_arena *arena, taut_film_rest *rest
             status = find_changed(w, before, &found);
         }
     }
+    if (status == TAUT_OK && off <= pressure_near && kept.complex.problem->accepts_stationary) {
+        memcpy(w->led_from, w->x, 3 * w->nodes * sizeof(double));
+        const taut_status met = meet_pressures(w, kept.pressures);
+        if (met == TAUT_NO_MEMORY || met == TAUT_INTERRUPTED) {
+            status = met;
+        } else if (met != TAUT_OK) {
+            memcpy(w->x, w->led_from, 3 * w->nodes * sizeof(double));
+        }
+    }
     w->own = kept;
     w->border = border;
     if (status != TAUT_OK || off > pressure_near) {
@@ -1081,6 +1161,7 @@ static taut_status lead_volumes(work *w, taut_arena *arena, taut_film_rest *rest
     }
     memset(w->multipliers, 0, (size_t)w->border.count * sizeof(double));
     status = find_any(w, rest);
+    w->is_near = 0;
     return status == TAUT_OK && rest->negative == 0 ? TAUT_NOT_CONVERGED : status;
 }
 

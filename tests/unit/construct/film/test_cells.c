@@ -223,8 +223,10 @@ static void put_cap_seams(text *t, char n)
         n, n);
 }
 
+static const char volume[] = "\"volume\":0.25", little[] = "\"volume\":0.1";
+
 /* Bubbles of volumes V and v in one another's side: the page has the closed form. */
-static void put_double(text *t, int count, const char *small)
+static void put_double(text *t, int count, const char *small, const char *V, const char *v)
 {
     static const char on[] = "\"plane\":{\"point\":[0,0,0],\"normal\":[0,0,1]},";
     t->length = 0;
@@ -240,9 +242,9 @@ static void put_double(text *t, int count, const char *small)
     put_cap_seams(t, 's');
     put(t,
         "[\"l1.u1\",\"m1.u1\",\"s1.u1\"],[\"l2.v1\",\"m2.v1\",\"s2.v1\"]],\"cells\":[{\"sides\":["
-        "\"m0\",\"m1\",\"m2\",\"-l0\",\"-l1\",\"-l2\"],\"volume\":0.25},{\"name\":\"small\","
-        "\"sides\":[\"s0\",\"s1\",\"s2\",%s],\"volume\":0.1}]}",
-        small);
+        "\"m0\",\"m1\",\"m2\",\"-l0\",\"-l1\",\"-l2\"],%s},{\"name\":\"small\","
+        "\"sides\":[\"s0\",\"s1\",\"s2\",%s],%s}]}",
+        V, small, v);
 }
 
 static void test_bubbles(void)
@@ -250,7 +252,7 @@ static void test_bubbles(void)
     static text t;
     const double degrees[2][3] = {{6, 2e-9, 2e-8}, {8, 2e-10, 3e-9}};
     for (int k = 0; k < 2; k++) {
-        put_double(&t, (int)degrees[k][0], "\"-m0\",\"-m1\",\"-m2\"");
+        put_double(&t, (int)degrees[k][0], "\"-m0\",\"-m1\",\"-m2\"", volume, little);
         const found f = find(t.at, 2, "double bubble");
         CHECK_NEAR(f.energy, 1.77043418650916306, degrees[k][1], "double bubble");
         CHECK_NEAR(f.pressures[0], 3.12456246147921699, degrees[k][2], "its large one");
@@ -279,31 +281,70 @@ static const char ball[] =
     "\"c.u1\"],[\"b.u1\",\"c.v1\"]]"
     ",\"cells\":[{\"name\":\"air\",\"sides\":[\"a\",\"b\",\"c\"],\"pressure\":3}]";
 
-static void test_stationary(void)
+/* What is proved of a film that is no minimum: E - p V, and volumes. */
+static void find_stationary(const char *document, int cells, const char *what, found *f)
 {
-    static text t;
     taut_problem *problem = NULL;
     taut_model *model = NULL;
     taut_certificate *proof = NULL;
     taut_error error = {.status = TAUT_OK};
 
-    put(&t, "%s,\"accept\":\"stationary\"}", ball);
-    CHECK(taut_problem_read_text(t.at, strlen(t.at), "text", &problem, &error) == TAUT_OK &&
+    CHECK(taut_problem_read_text(document, strlen(document), "text", &problem, &error) == TAUT_OK &&
               taut_make(problem, NULL, &model, &error) == TAUT_OK &&
               taut_certify(model, problem, NULL, &proof, &error) == TAUT_OK,
-          "ball: %s", error.message);
+          "%s: %s", what, error.message);
     if (proof != NULL) {
-        CHECK(taut_certificate_holds(proof) != TAUT_FALSE, "ball of radius 2/3");
-        CHECK_NEAR(figure(proof, "area", -1), pi * 4 * 4 / 9 / 8, 1e-6, "ball of radius 2/3");
-        CHECK_NEAR(figure(proof, "volumes", 0), pi * 4 / 3 * 8 / 27 / 8, 1e-6, "its volume");
-        CHECK(figure(proof, "lowest_eigenvalue", -1) < 0, "it is no minimum");
+        CHECK(taut_certificate_holds(proof) != TAUT_FALSE, "%s: a claim is false", what);
+        f->energy = figure(proof, "energy", -1);
+        f->area = figure(proof, "area", -1);
+        f->lowest = figure(proof, "lowest_eigenvalue", -1);
+        for (int k = 0; k < cells; k++) {
+            f->volumes[k] = figure(proof, "volumes", k);
+        }
     }
     taut_certificate_free(proof);
     taut_model_free(model);
     taut_problem_free(problem);
+}
+
+/* Bubbles of pressures: those of the closed form, and others, whose scaled film has the volumes of the scale. */
+static void test_pressures(void)
+{
+    static text t;
+    const double p[2] = {3.12456246147921699, 3.99148842302971126};
+    for (int k = 0; k < 2; k++) {
+        const double scale = k == 0 ? 1 : 1.02; /* of lengths */
+        char laws[2][64];
+        found f = {.energy = NAN};
+        for (int i = 0; i < 2; i++) {
+            snprintf(laws[i], sizeof laws[i], "\"pressure\":%.17g", p[i] / scale);
+        }
+        put_double(&t, 6, "\"-m0\",\"-m1\",\"-m2\"", laws[0], laws[1]);
+        t.length--; /* the last brace */
+        put(&t, ",\"accept\":\"stationary\"}");
+        find_stationary(t.at, 2, "double bubble of two pressures", &f);
+        CHECK_NEAR(f.energy, scale * scale * (1.77043418650916306 - 0.25 * p[0] - 0.1 * p[1]), 1e-9,
+                   "E - p V");
+        CHECK_NEAR(f.volumes[0], 0.25 * scale * scale * scale, 1e-8, "the large one");
+        CHECK_NEAR(f.volumes[1], 0.1 * scale * scale * scale, 1e-8, "the small one");
+        CHECK(f.lowest < 0, "it is no minimum");
+    }
+}
+
+static void test_stationary(void)
+{
+    static text t;
+    found f = {.energy = NAN};
+
+    put(&t, "%s,\"accept\":\"stationary\"}", ball);
+    find_stationary(t.at, 1, "ball of radius 2/3", &f);
+    CHECK_NEAR(f.area, pi * 4 * 4 / 9 / 8, 1e-8, "ball of radius 2/3");
+    CHECK_NEAR(f.volumes[0], pi * 4 / 3 * 8 / 27 / 8, 1e-8, "its volume");
+    CHECK(f.lowest < 0, "it is no minimum");
     t.length = 0;
     put(&t, "%s}", ball);
-    error = check_document_refused(t.at, TAUT_NO_SOLUTION, "unstable", "/cells/0/pressure");
+    const taut_error error =
+        check_document_refused(t.at, TAUT_NO_SOLUTION, "unstable", "/cells/0/pressure");
     CHECK(error.found == 1, "%s", error.message);
 }
 
@@ -335,11 +376,11 @@ static void test_refused(void)
             CHECK_NEAR(error.limit, 2, 1e-6, "the pressure that the unit circle holds");
         }
     }
-    put_double(&t, 6, "\"-m0\",\"-m1\",\"-l2\"");
+    put_double(&t, 6, "\"-m0\",\"-m1\",\"-l2\"", volume, little);
     check_document_refused(t.at, TAUT_BAD_INPUT, "cell-sides", "/cells/1/sides/5");
-    put_double(&t, 6, "\"-m0\",\"-m1\"");
+    put_double(&t, 6, "\"-m0\",\"-m1\"", volume, little);
     check_document_refused(t.at, TAUT_NO_SOLUTION, "open-cell", "/cells/1/from");
-    put_double(&t, 6, "\"-m0\",\"-m1\",\"-n2\"");
+    put_double(&t, 6, "\"-m0\",\"-m1\",\"-n2\"", volume, little);
     check_document_refused(t.at, TAUT_BAD_INPUT, "name", "/cells/1/sides/5");
 }
 
@@ -373,6 +414,7 @@ int main(void)
     test_unduloid();
     test_bubbles();
     test_stationary();
+    test_pressures();
     test_refused();
     test_led();
     return check_failures != 0;
