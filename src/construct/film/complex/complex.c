@@ -490,6 +490,7 @@ taut_status taut_film_complex_make(const taut_film_problem *problem,
     taut_film_lone room;
     request r = {.problem = taut_film_complex_of(problem, &room),
                  .options = options != NULL ? options : &none};
+    const taut_error before = error != NULL ? *error : (taut_error){.status = TAUT_OK};
     taut_status status = check_problem(r.problem, error);
 
     if (status == TAUT_OK && model == NULL) {
@@ -501,6 +502,8 @@ taut_status taut_film_complex_make(const taut_film_problem *problem,
     }
     if (status != TAUT_OK) {
         taut_film_complex_where(r.problem, error);
+    } else if (error != NULL) {
+        *error = before; /* what ways say that led to no film, where another did */
     }
     return status;
 }
