@@ -356,18 +356,30 @@ static int take_bows(const taut_film_layout *l, double *at, double *bow)
     return found;
 }
 
-/* One sweep: lines take the mean of what is opposite to them. The most that one changed by. */
-static double even_bows(const taut_film_complex *c, double *bow, double *sums)
+/* One sweep: lines take the mean of what is opposite to them, across the chord where both have the same two ends. The most that one
+ * changed by. */
+static double even_bows(const taut_film_layout *l, double *bow, double *sums)
 {
+    const taut_film_complex *c = &l->complex;
     double most = 0;
 
     memset(sums, 0, 4 * (size_t)c->nodes * sizeof(double));
     for (int k = 0; k < 4 * c->problem->patch_count; k++) {
         const taut_film_side side = {k / 4, k % 4, 0}, other = {k / 4, k % 4 ^ 1, 0};
         const int n = taut_film_complex_along(&c->problem->patches[side.patch], side.edge);
+        const int first = taut_film_complex_node(c, &side, 0),
+                  last = taut_film_complex_node(c, &side, n - 1);
+        double chord[3] = {0, 0, 0};
+        if (first == taut_film_complex_node(c, &other, 0) &&
+            last == taut_film_complex_node(c, &other, n - 1)) {
+            taut_difference(l->points + 3 * last, l->points + 3 * first, chord);
+        }
+        const double square = taut_dot(chord, chord);
         for (int i = 1; may_bow(c, side.patch, side.edge) && i < n - 1; i++) {
+            const double *from = bow + 3 * taut_film_complex_node(c, &other, i);
             double *sum = sums + 4 * taut_film_complex_node(c, &side, i);
-            taut_add_scaled(1, bow + 3 * taut_film_complex_node(c, &other, i), sum);
+            taut_add_scaled(1, from, sum);
+            taut_add_scaled(square > 0 ? -taut_dot(from, chord) / square : 0, chord, sum);
             sum[3]++;
         }
     }
@@ -396,7 +408,7 @@ static taut_status bow_edges(taut_film_layout *l, taut_arena *arena, taut_error 
         return TAUT_OK;
     }
     const double size = taut_film_complex_size(c->problem);
-    for (int k = 0; k < SWEEPS && even_bows(c, bow, sums) > swept * size; k++) {
+    for (int k = 0; k < SWEEPS && even_bows(l, bow, sums) > swept * size; k++) {
     }
     for (int a = 0; a < c->nodes; a++) {
         if (sums[4 * a + 3] > 0) {

@@ -127,10 +127,42 @@ static void test_refused(void)
         TAUT_NO_SOLUTION, "point-support", "/edges/v0/pole");
 }
 
+/* Three sheets from the line that they share to arcs between its ends. */
+static double book_energy(int degree, int count, const double angles[3], const double radii[3])
+{
+    char text[4096];
+    int used = snprintf(text, sizeof text, "{\"taut\":1,\"construct\":\"film\",\"patches\":[");
+    for (int k = 0; k < 3; k++) {
+        const double angle = angles[k] * acos(-1) / 180;
+        used += snprintf(
+            text + used, sizeof text - (size_t)used,
+            "%s{\"name\":\"s%d\",\"u\":{\"type\":\"bspline\",\"degree\":%d,\"count\":%d},\"v\":{"
+            "\"type\":\"bspline\",\"degree\":%d,\"count\":%d},\"edges\":{\"u1\":{\"fixed\":{"
+            "\"arc\":[[0,"
+            "0,-1],[%.17g,%.17g,0],[0,0,1]]}},\"v0\":{\"pole\":[0,0,-1]},\"v1\":{\"pole\":[0,0,1]}}"
+            "}",
+            k > 0 ? "," : "", k, degree, count, degree, count, radii[k] * cos(angle),
+            radii[k] * sin(angle));
+    }
+    (void)snprintf(text + used, sizeof text - (size_t)used,
+                   "],\"seams\":[[\"s0.u0\",\"s1.u0\",\"s2.u0\"]]}");
+    return energy_of(text);
+}
+
+static void test_books(void)
+{
+    const double even[3] = {0, 120, 240}, ones[3] = {1, 1, 1};
+    const double angles[3] = {0, 100, 230}, radii[3] = {1.2, 0.9, 0.7};
+    CHECK_NEAR(book_energy(5, 10, even, ones), 1.5 * acos(-1), 1e-9, "three half discs");
+    CHECK_NEAR(book_energy(4, 8, angles, radii), book_energy(5, 12, angles, radii), 2e-5,
+               "three sheets on two spaces");
+}
+
 int main(void)
 {
     test_triangles();
     test_space();
+    test_books();
     test_refused();
     return check_failures != 0;
 }
