@@ -22,6 +22,7 @@
 #include "certify/common/verdict.h"
 #include "certify/film/complex/defects.h"
 #include "certify/film/complex/least.h"
+#include "certify/film/complex/paired.h"
 #include "certify/film/complex/told.h"
 #include "certify/film/edge.h"
 #include "certify/film/images.h"
@@ -668,9 +669,36 @@ static void add_stress(const taut_film_problem *problem, const taut_sheets *shee
     }
 }
 
-static taut_status add_least(const request *r, double tension, taut_record *figures,
-                             taut_certificate *certificate, taut_error *error)
+static int has_lines(const taut_film_problem *problem)
 {
+    int has = 0;
+    for (int k = 0; k < problem->seam_count; k++) {
+        has |= problem->seams[k].count > 2;
+    }
+    return has;
+}
+
+/* Films with lines of three sheets, where constant fields prove them. */
+static taut_status add_paired(const taut_sheets *s, double energy, taut_record *figures,
+                              taut_claim *claim)
+{
+    double bound = NAN;
+    const taut_status status = taut_complex_paired(s, &bound);
+
+    if (status == TAUT_OK && energy > 0 && (energy - bound) / energy <= claim->limit) {
+        taut_record_add_number(figures, "lower_bound", bound);
+        taut_record_add_number(figures, "gap", energy - bound);
+        claim->residual = fabs(energy - bound) / energy;
+        claim->holds = bound <= energy ? TAUT_TRUE : TAUT_UNDECIDED;
+        claim->where = "";
+    }
+    return status;
+}
+
+static taut_status add_least(const request *r, const taut_sheets *s, double energy,
+                             taut_record *figures, taut_certificate *certificate, taut_error *error)
+{
+    const double tension = s->shares[0] * s->tension;
     const taut_record *details = taut_model_details(r->model);
     taut_least_finding found = {.why = "declined: the problem asks for no bound"};
     taut_claim claim = {.claim = "least",
@@ -692,6 +720,10 @@ static taut_status add_least(const request *r, double tension, taut_record *figu
         claim.holds = taut_certify_below(claim.residual, claim.limit);
     } else {
         claim.where = found.why;
+    }
+    if (!r->problem->without_least && found.why != NULL && has_lines(r->problem) &&
+        add_paired(s, energy, figures, &claim) != TAUT_OK) {
+        return taut_fail_memory(error);
     }
     if (claim.holds == TAUT_FALSE) {
         claim.holds = TAUT_UNDECIDED;
@@ -739,7 +771,7 @@ static taut_status fill_figures(const request *r, taut_record *figures,
         energy -= cell->has_volume ? 0 : cell->pressure * s.volumes[k];
     }
     taut_record_add_number(figures, "energy", energy);
-    const taut_status status = add_least(r, s.shares[0] * s.tension, figures, certificate, error);
+    const taut_status status = add_least(r, &s, energy, figures, certificate, error);
     if (status != TAUT_OK) {
         return status;
     }

@@ -173,7 +173,7 @@ static void test_changed(void)
         witness_change c;
         const char *why;
     } rows[] = {
-        {{.at = -1, .without = "direction"}, "witness: its direction"},
+        {{.at = -1, .without = "direction"}, "witness: invalid direction"},
         {{.at = -1, .without = "patches"}, "witness: it is not one of as many patches"},
         {{.at = -1, .without = "knots"}, "witness: its bases"},
         {{.at = -1, .without = "coefficients"}, "witness: its coefficients"},
@@ -243,6 +243,64 @@ static void test_obstacles(void)
         taut_model_free(model);
         taut_problem_free(problem);
     }
+}
+
+/* ---- lines of three sheets ---- */
+
+/* Walls of height 1 from a line to the corners of a triangle, between planes; the line starts, or is held, at a place. */
+static void write_walls(const double at[2], int is_held, char text[4096])
+{
+    static const double corner[3][2] = {{0, 0}, {2, 0}, {0.5, 1.5}};
+    size_t used = (size_t)snprintf(text, 4096, "{\"taut\":1,\"construct\":\"film\",\"patches\":[");
+    for (int k = 0; k < 3; k++) {
+        used += (size_t)snprintf(
+            text + used, 4096 - used,
+            "%s{\"name\":\"%c\",\"u\":{\"type\":\"bspline\",\"degree\":2,\"count\":3},"
+            "\"v\":{\"type\":\"bspline\",\"degree\":2,\"count\":3},\"corners\":{",
+            k > 0 ? "," : "", 'a' + k);
+        for (int z = 0; z < 2; z++) {
+            used += (size_t)snprintf(text + used, 4096 - used,
+                                     is_held ? "\"u0v%d\":[%.17g,%.17g,%d],"
+                                             : "\"u0v%d\":{\"near\":[%.17g,%.17g,%d]},",
+                                     z, at[0], at[1], z);
+        }
+        used += (size_t)snprintf(text + used, 4096 - used,
+                                 "\"u1v0\":[%g,%g,0],\"u1v1\":[%g,%g,1]},\"edges\":{"
+                                 "\"v0\":{\"slide\":{\"point\":[0,0,0],\"normal\":[0,0,1]}},"
+                                 "\"v1\":{\"slide\":{\"point\":[0,0,1],\"normal\":[0,0,1]}}}}",
+                                 corner[k][0], corner[k][1], corner[k][0], corner[k][1]);
+    }
+    (void)snprintf(text + used, 4096 - used, "],\"seams\":[[\"a.u0\",\"b.u0\",\"c.u0\"]]}");
+}
+
+/* Fermat's point is proved least; no place of the line leads to a bound above it. */
+static void test_walls(void)
+{
+    const double least = sqrt(5.5 + 3 * sqrt(3)), fermat[2] = {0.65108474, 0.52337289};
+    char text[4096];
+
+    write_walls((double[2]){0.9, 0.4}, 0, text);
+    taut_problem *asked = read_problem(text);
+    taut_model *model = make(asked);
+    const proof p = prove(model, asked);
+    CHECK(p.holds == TAUT_TRUE && p.residual < 1e-12, "%g, %s", p.residual, p.where);
+    CHECK(p.lower <= least, "%.17g is no lower bound of %.17g", p.lower, least);
+    CHECK_NEAR(p.lower, least, 1e-12, "bound");
+    taut_model_free(model);
+    for (int trial = 0; trial < random_trials(40); trial++) {
+        const double by = random_log(1e-9, 0.1), angle = random_in(0, 6.28);
+        const double at[2] = {fermat[0] + by * cos(angle), fermat[1] + by * sin(angle)};
+        write_walls(at, 1, text);
+        taut_problem *held = read_problem(text);
+        model = make(held);
+        const proof other = prove(model, asked);
+        CHECK(!(other.lower > least), "%g away: %.17g is above the least", by, other.lower);
+        CHECK(other.holds != TAUT_FALSE && (by < 1e-2 || other.holds == TAUT_UNDECIDED), "%g away",
+              by);
+        taut_model_free(model);
+        taut_problem_free(held);
+    }
+    taut_problem_free(asked);
 }
 
 /* ---- sides, in turn ---- */
@@ -413,6 +471,7 @@ int main(void)
     test_quad();
     test_changed();
     test_obstacles();
+    test_walls();
     test_rims();
     test_round(1, 1, NULL);
     test_round(1, -1, NULL);
