@@ -122,7 +122,7 @@ typedef struct joint_edge {
     const double *ring, *weights; /* weights may be NULL */
     double (*ways)[3];
     int count;
-    int exponent;    /* 2^exponent is about the radius: coordinates are of unit size over it */
+    int exponent;    /* 2^exponent is about the ring's size: coordinates are of unit size over it */
     double sideways; /* what rounding of control points moves them by across the axis */
     double unlike;   /* how far rounding of the next ring's weights moves the ways, at most */
 } joint_edge;
@@ -140,6 +140,19 @@ static double unlike_weights(const taut_surface *s, int a, int b)
     return worst;
 }
 
+/* Of the blend's ring, for both: a radius that is told may be far from it, and squares out of range. */
+static int exponent_of(const taut_pipe_parts *parts, int side)
+{
+    const int nv = taut_basis_count(taut_surface_v(parts->blend));
+    const int row = side == 1 ? taut_basis_count(taut_surface_u(parts->blend)) - 1 : 0;
+    const double *ring = taut_surface_points(parts->blend) + (size_t)row * 3 * (size_t)nv;
+    double wide = 0;
+    for (int k = 3; k < 3 * nv; k++) {
+        wide = fmax(wide, fabs(ring[k] - ring[k % 3]));
+    }
+    return wide > 0 && isfinite(wide) ? ilogb(wide) : 0;
+}
+
 static int edge_of(const taut_pipe_parts *parts, int side, const taut_surface *surface, int last,
                    taut_arena *arena, joint_edge *edge)
 {
@@ -154,7 +167,7 @@ static int edge_of(const taut_pipe_parts *parts, int side, const taut_surface *s
                          .weights = weights != NULL ? weights + (size_t)row * (size_t)nv : NULL,
                          .ways = taut_arena_take(arena, (size_t)nv, sizeof *edge->ways),
                          .count = nv,
-                         .exponent = ilogb(parts->radius)};
+                         .exponent = exponent_of(parts, side)};
     if (edge->ways == NULL) {
         return 0;
     }
