@@ -306,7 +306,9 @@ static void test_taken_up(void)
     taut_pipe_run_problem p = pipe_run_of_corners((const double(*)[3])corners, 3);
     p.elbow = TAUT_PIPE_ELBOW_ARC;
     p.bend_radius = 1;
-    pipe_run_refused(&p, TAUT_NO_SOLUTION, "too-small");
+    const taut_error error = pipe_run_refused(&p, TAUT_NO_SOLUTION, "too-small");
+    CHECK_NEAR(error.found, 1, 1e-15, "the shorter leg");
+    CHECK_NEAR(error.limit, 1 + 1e-7, 1e-15, "what it should have");
     corners[1][0] = corners[2][0] = 1 + 1e-7;
     taut_model *model = pipe_run_made(&p, 1e-6);
     CHECK(pipe_run_verdict(model, &p, "joints") == TAUT_TRUE &&

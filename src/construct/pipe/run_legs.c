@@ -422,12 +422,13 @@ static taut_status fit_arc(const taut_pipe_run *run, int i, const double corner[
             *handle = high = fmax(high, room);
         }
     }
-    if (low >= fmax(asked, high) - rounding_at(corner, asked)) {
+    high = fmax(asked, high);
+    if (low >= high - rounding_at(corner, asked)) {
         return TAUT_OK;
     }
-    return taut_fail(error, TAUT_NO_SOLUTION, "too-small", "/run", *handle - asked, least,
-                     "TOO_SMALL: %s leaves less than %.6g of a leg, which is no straight pipe",
-                     run->elbows[i].name, least);
+    return taut_fail(error, TAUT_NO_SOLUTION, "too-small", "/run", low, high,
+                     "TOO_SMALL: %s needs %.15g of both legs, and one has %.15g: lengthen it",
+                     run->elbows[i].name, high, low);
 }
 
 /* The elbow in its place: handles h along both legs, which get shorter by them. */
