@@ -58,7 +58,6 @@ static taut_status solve_net(const taut_biharmonic_rows *rows, taut_arena *arena
     const taut_unit_map map = taut_unit_map_of(points, rows->points, rows->known);
     taut_space space;
     taut_rim boundary;
-    taut_twice *scratch = NULL;
     taut_status status = TAUT_OK;
 
     if (n > DEGREE_MAX) {
@@ -76,13 +75,11 @@ static taut_status solve_net(const taut_biharmonic_rows *rows, taut_arena *arena
     if (status != TAUT_OK) {
         return status;
     }
-    scratch = taut_arena_take(arena, 3 * ((size_t)(8 * n) + points), sizeof *scratch);
-    if (scratch == NULL) {
-        return taut_fail_memory(error);
-    }
     memcpy(net, rows->points, 3 * points * sizeof(double));
     taut_unit_map_apply(&map, points, net);
-    taut_rim_net(&boundary, net, scratch, net);
+    if (!taut_rim_net(&boundary, arena, net, net)) {
+        return taut_fail_memory(error);
+    }
     taut_unit_map_undo(&map, points, net);
     for (size_t k = 0; k < points; k++) {
         if (rows->known[k]) {

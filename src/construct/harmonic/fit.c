@@ -47,14 +47,11 @@ taut_status taut_harmonic_fit(taut_harmonic_task *task, taut_error *error)
         !taut_rim_solve(&space, task->arena, &boundary)) {
         return taut_fail_memory(error);
     }
-    taut_twice *scratch = taut_arena_take(
-        task->arena, 3 * ((size_t)space.count + (size_t)boundary.count + points), sizeof *scratch);
-    if (scratch == NULL) {
-        return taut_fail_memory(error);
-    }
     task->map = taut_unit_map_of(points, problem->boundary.points, problem->boundary.known);
     taut_unit_map_apply(&task->map, points, task->net);
-    taut_rim_net(&boundary, task->net, scratch, task->net);
+    if (!taut_rim_net(&boundary, task->arena, task->net, task->net)) {
+        return taut_fail_memory(error);
+    }
     taut_unit_map_undo(&task->map, points, task->net);
     task->amplification = taut_rim_amplification(&boundary);
     return TAUT_OK;

@@ -8,16 +8,30 @@
 #include <math.h>
 #include <string.h>
 
-void taut_rim_place(int n, int m, int k, int *i, int *j)
+enum {
+    WAYS = 4
+}; /* to be odd and even, as taut_space.odd has them; and to be mirrored: 1, u <-> 1 - u, 2, v <-> 1 - v */
+
+/* x, or -x where what is odd so changes sign when it is mirrored so. */
+static taut_twice mirrored(int odd, int how, taut_twice x)
 {
-    if (k <= 2 * m + 1) {
-        *i = k <= m ? 0 : n;
-        *j = k <= m ? k : k - m - 1;
-    } else {
-        const int rest = k - 2 * (m + 1);
-        *i = rest < n - 1 ? rest + 1 : rest - n + 2;
-        *j = rest < n - 1 ? 0 : m;
-    }
+    const int both = odd & how;
+    return both == 1 || both == 2 ? taut_twice_negative(x) : x;
+}
+
+/* The first point of orbit k: along row 0 to the middle, then along column 0. */
+static void place_orbit(const taut_space *space, int k, int *i, int *j)
+{
+    const int row = space->m / 2;
+    *i = k <= row ? 0 : k - row;
+    *j = k <= row ? k : 0;
+}
+
+/* Where point (i, j) of a net of points is, mirrored. */
+static int place_mirrored(const taut_space *space, int how, int i, int j)
+{
+    return ((how & 1) != 0 ? space->n - i : i) * (space->m + 1) +
+           ((how & 2) != 0 ? space->m - j : j);
 }
 
 /* B[d,i](t), i = 0..d. */
@@ -34,29 +48,32 @@ static void bernstein(int d, taut_twice t, taut_twice *b)
     }
 }
 
-/* The value on side 0..3 (u0, u1, v0, v1) of a net, given the functions along it. */
+/* The value on the edge u = 0 (side 0) or v = 0 (side 1) of a net, given the functions along it. */
 static taut_twice on_side(const taut_space *space, int side, const taut_twice *net,
                           const taut_twice *along)
 {
-    const int d = side < 2 ? space->m : space->n, columns = space->m + 1;
-    const int first = side == 1 ? space->n * columns : side == 3 ? space->m : 0;
-    const int stride = side < 2 ? 1 : columns;
+    const int d = side == 0 ? space->m : space->n, stride = side == 0 ? 1 : space->m + 1;
     taut_twice sum = {0, 0};
     for (int i = 0; i <= d; i++) {
-        sum = taut_twice_gain(sum, along[i], net[first + i * stride]);
+        sum = taut_twice_gain(sum, along[i], net[i * stride]);
     }
     return sum;
 }
 
-/* Of boundary point k the function on a side, 0 where the point is not of it. */
-static taut_twice point_on_side(const taut_space *space, int side, int k, const taut_twice *along)
+/* The same of points that are odd and even, 1 and -1 on orbit k and 0 elsewhere. */
+static taut_twice orbit_on_side(const taut_space *space, int side, int k, int odd,
+                                const taut_twice *along)
 {
+    const int d = side == 0 ? space->m : space->n;
     int i = 0, j = 0;
-    taut_rim_place(space->n, space->m, k, &i, &j);
-    if (side < 2) {
-        return i == (side == 0 ? 0 : space->n) ? along[j] : taut_twice_of(0);
+    place_orbit(space, k, &i, &j);
+    const int at = side == 0 ? j : i;
+    if ((side == 0 ? i : j) != 0) {
+        return taut_twice_of(0);
     }
-    return j == (side == 2 ? 0 : space->m) ? along[i] : taut_twice_of(0);
+    const taut_twice other = mirrored(odd, side == 0 ? 2 : 1, along[d - at]);
+    return 2 * at == d ? taut_twice_scale(0.5, taut_twice_add(along[at], other))
+                       : taut_twice_add(along[at], other);
 }
 
 /* Nonzero when it is to end: so many rows of so many numbers. */
@@ -65,110 +82,201 @@ static int beat(const taut_space *space, int rows, int numbers)
     return taut_pulse_beat(space->pulse, (double)TAUT_TWICE_WORK * rows * numbers);
 }
 
+/* The functions that are odd and even in one way, and room to solve for them. */
+typedef struct way {
+    int odd, count, width;
+    const int *functions; /* [count] */
+    taut_twice *r, *block, *scratch;
+} way;
+
+/* Their values and those of all orbits at a node of a side. */
+static void fill_row(const taut_space *space, const way *w, int side, const taut_twice *along,
+                     taut_twice weight, taut_twice *row)
+{
+    const size_t numbers = (size_t)(space->n + 1) * (size_t)(space->m + 1);
+    for (int k = 0; k < w->count; k++) {
+        const taut_twice *net = space->nets + (size_t)w->functions[k] * numbers;
+        row[k] = taut_twice_times(weight, on_side(space, side, net, along));
+    }
+    for (int k = w->count; k < w->width; k++) {
+        row[k] = taut_twice_times(weight, orbit_on_side(space, side, k - w->count, w->odd, along));
+    }
+}
+
+/* Nodes to the middle, which counts by half: the other half of a side is as this one. */
+static void solve_way(const taut_space *space, int nodes, const way *w)
+{
+    double t[TAUT_GAUSS_MAX], weights[TAUT_GAUSS_MAX];
+    const int half = (nodes + 1) / 2;
+
+    memset(w->r, 0, (size_t)w->count * (size_t)w->width * sizeof *w->r);
+    taut_gauss_rule(nodes, t, weights);
+    for (int s = 0; s < 2 * half && !beat(space, w->width, half); s++) {
+        const int k = s / 2, side = s % 2;
+        taut_twice along[TAUT_SPACE_DEGREE_MAX + 1];
+        bernstein(side == 0 ? space->m : space->n, taut_twice_sum(t[k] / 2, 0.5), along);
+        fill_row(space, w, side, along,
+                 taut_twice_root(taut_twice_of(2 * k + 1 == nodes ? weights[k] / 2 : weights[k])),
+                 w->block + s * w->width);
+    }
+    taut_wide_append(w->count, w->width, w->r, 2 * half, w->block, w->scratch, space->pulse);
+    taut_wide_back(w->count, w->width, w->r, space->pulse);
+}
+
 int taut_rim_solve(const taut_space *space, taut_arena *arena, taut_rim *boundary)
 {
-    const int unknowns = space->count, points = 2 * (space->n + space->m),
-              width = unknowns + points;
+    const int orbits = space->n / 2 + space->m / 2 + 1, most = space->count + orbits;
     const int nodes = (space->n > space->m ? space->n : space->m) + 2;
-    const size_t numbers = (size_t)(space->n + 1) * (size_t)(space->m + 1);
-    double t[TAUT_GAUSS_MAX], w[TAUT_GAUSS_MAX];
-    taut_twice *r = taut_arena_take(arena, (size_t)unknowns * (size_t)width, sizeof *r);
-    taut_twice *block = taut_arena_take(arena, (size_t)nodes * (size_t)width, sizeof *block);
-    taut_twice *scratch = taut_arena_take(arena, (size_t)width, sizeof *scratch);
+    int functions[4 * TAUT_SPACE_DEGREE_MAX];
+    way w = {.functions = functions,
+             .r = taut_arena_take(arena, (size_t)space->count * (size_t)most, sizeof *w.r),
+             .block = taut_arena_take(arena, (size_t)(nodes + 1) * (size_t)most, sizeof *w.block),
+             .scratch = taut_arena_take(arena, (size_t)most, sizeof *w.scratch)};
     taut_twice *response =
-        taut_arena_take(arena, (size_t)unknowns * (size_t)points, sizeof *response);
+        taut_arena_take(arena, (size_t)space->count * (size_t)orbits, sizeof *response);
 
-    if (r == NULL || block == NULL || scratch == NULL || response == NULL) {
+    if (w.r == NULL || w.block == NULL || w.scratch == NULL || response == NULL) {
         return 0;
     }
-    taut_gauss_rule(nodes, t, w);
-    for (int side = 0; side < 4; side++) {
-        for (int s = 0; s < nodes && !beat(space, unknowns, nodes); s++) {
-            taut_twice along[TAUT_SPACE_DEGREE_MAX + 1], *row = block + s * width;
-            const taut_twice weight = taut_twice_root(taut_twice_of(w[s] / 2));
-            const taut_twice at = taut_twice_sum(t[s] / 2, 0.5);
-            bernstein(side < 2 ? space->m : space->n, at, along);
-            for (int k = 0; k < unknowns; k++) {
-                row[k] = taut_twice_times(
-                    weight, on_side(space, side, space->nets + (size_t)k * numbers, along));
-            }
-            for (int k = 0; k < points; k++) {
-                row[unknowns + k] = taut_twice_times(weight, point_on_side(space, side, k, along));
-            }
+    for (w.odd = 0; w.odd < WAYS; w.odd++) {
+        w.count = 0;
+        for (int f = 0; f < space->count; f++) {
+            functions[w.count] = f;
+            w.count += space->odd[f] == w.odd;
         }
-        taut_wide_append(unknowns, width, r, nodes, block, scratch, space->pulse);
+        w.width = w.count + orbits;
+        solve_way(space, nodes, &w);
+        for (int k = 0; k < w.count; k++) {
+            memcpy(response + functions[k] * orbits, w.r + k * w.width + w.count,
+                   (size_t)orbits * sizeof *response);
+        }
     }
-    taut_wide_back(unknowns, width, r, space->pulse);
-    for (int i = 0; i < unknowns; i++) {
-        memcpy(response + i * points, r + i * width + unknowns, (size_t)points * sizeof *r);
-    }
-    *boundary = (taut_rim){space, points, response};
+    *boundary = (taut_rim){space, orbits, response};
     return !taut_pulse_is_stopped(space->pulse);
 }
 
-/* net += sum_k coefficient_k net_k with the coefficients of the rest: given minus net so far. */
-static void improve_net(const taut_rim *boundary, const double *given, taut_twice *rest,
-                        taut_twice *coefficients, taut_twice *net)
+/* parts [WAYS][orbits][3]: what is odd and even in each way of the boundary points of given - net. */
+static void take_apart(const taut_rim *boundary, const double *given, const taut_twice *net,
+                       taut_twice *parts)
 {
     const taut_space *space = boundary->space;
-    const int columns = space->m + 1, numbers = (space->n + 1) * columns;
-
-    for (int k = 0; k < boundary->count; k++) {
+    memset(parts, 0, (size_t)(WAYS * 3 * boundary->orbits) * sizeof *parts);
+    for (int k = 0; k < boundary->orbits; k++) {
         int i = 0, j = 0;
-        taut_rim_place(space->n, space->m, k, &i, &j);
-        for (int c = 0; c < 3; c++) {
-            const int at = 3 * (i * columns + j) + c;
-            rest[3 * k + c] = taut_twice_less(taut_twice_of(given[at]), net[at]);
-        }
-    }
-    for (int f = 0; f < space->count && !beat(space, 3, boundary->count); f++) {
-        const taut_twice *response = boundary->response + f * boundary->count;
-        memset(coefficients + 3 * f, 0, 3 * sizeof *coefficients);
-        for (int k = 0; k < boundary->count; k++) {
-            taut_wide_gain(3, response[k], rest + 3 * k, coefficients + 3 * f);
-        }
-    }
-    for (int f = 0; f < space->count && !beat(space, 3, numbers); f++) {
-        const taut_twice *function = space->nets + (size_t)f * (size_t)numbers;
-        for (int k = 0; k < numbers; k++) {
-            taut_wide_gain(3, function[k], coefficients + 3 * f, net + 3 * k);
+        place_orbit(space, k, &i, &j);
+        for (int t = 0; t < 3 * WAYS; t++) {
+            const int c = t % 3, from = 3 * place_mirrored(space, t / 3, i, j) + c;
+            const taut_twice rest =
+                taut_twice_scale(0.25, taut_twice_less(taut_twice_of(given[from]), net[from]));
+            for (int odd = 0; odd < WAYS; odd++) {
+                taut_twice *const to = parts + 3 * (odd * boundary->orbits + k) + c;
+                *to = taut_twice_add(*to, mirrored(odd, t / 3, rest));
+            }
         }
     }
 }
 
-void taut_rim_net(const taut_rim *boundary, const double *given, taut_twice *scratch, double *net)
+/* net += the sum of the ways' nets, of each of which there is the quarter with u, v <= 1/2. */
+static void put_together(const taut_space *space, const taut_twice *quarters, taut_twice *net)
 {
-    const size_t numbers = 3 * (size_t)(boundary->space->n + 1) * (size_t)(boundary->space->m + 1);
-    taut_twice *rest = scratch, *coefficients = rest + 3 * boundary->count;
-    taut_twice *sum = coefficients + 3 * boundary->space->count;
+    const int lines = space->n / 2 + 1, columns = space->m / 2 + 1;
+    for (int k = 0; k < lines * columns; k++) {
+        const int i = k / columns, j = k % columns;
+        for (int how = 0; how < WAYS; how++) {
+            if (((how & 1) != 0 && 2 * i == space->n) || ((how & 2) != 0 && 2 * j == space->m)) {
+                continue; /* it is its own image */
+            }
+            for (int t = 0; t < 3 * WAYS; t++) {
+                const int c = t % 3, odd = t / 3;
+                taut_twice *const to = net + 3 * place_mirrored(space, how, i, j) + c;
+                *to = taut_twice_add(
+                    *to, mirrored(odd, how, quarters[3 * (odd * lines * columns + k) + c]));
+            }
+        }
+    }
+}
 
-    memset(sum, 0, numbers * sizeof *sum);
+/* net += the nearest net to what is left: given minus net so far. */
+static void improve_net(const taut_rim *boundary, const double *given, taut_twice *parts,
+                        taut_twice *quarters, taut_twice *net)
+{
+    const taut_space *space = boundary->space;
+    const int lines = space->n / 2 + 1, columns = space->m / 2 + 1, orbits = boundary->orbits;
+
+    take_apart(boundary, given, net, parts);
+    memset(quarters, 0, (size_t)(WAYS * 3 * lines * columns) * sizeof *quarters);
+    for (int f = 0; f < space->count && !beat(space, 3, orbits + lines * columns); f++) {
+        const taut_twice *function =
+            space->nets + (size_t)f * (size_t)((space->n + 1) * (space->m + 1));
+        taut_twice sum[3] = {{0, 0}, {0, 0}, {0, 0}};
+        taut_twice *to = quarters + 3 * space->odd[f] * lines * columns;
+        for (int k = 0; k < orbits; k++) {
+            taut_wide_gain(3, boundary->response[f * orbits + k],
+                           parts + 3 * (space->odd[f] * orbits + k), sum);
+        }
+        for (int k = 0; k < lines * columns; k++) {
+            taut_wide_gain(3, function[k / columns * (space->m + 1) + k % columns], sum,
+                           to + 3 * k);
+        }
+    }
+    put_together(space, quarters, net);
+}
+
+int taut_rim_net(const taut_rim *boundary, taut_arena *arena, const double *given, double *net)
+{
+    const taut_space *space = boundary->space;
+    const size_t numbers = 3 * (size_t)(space->n + 1) * (size_t)(space->m + 1);
+    taut_twice *sum = taut_arena_take(arena, numbers, sizeof *sum);
+    taut_twice *parts = taut_arena_take(arena, (size_t)(WAYS * 3 * boundary->orbits), sizeof *sum);
+    taut_twice *quarters = taut_arena_take(
+        arena, (size_t)(WAYS * 3 * (space->n / 2 + 1) * (space->m / 2 + 1)), sizeof *sum);
+
+    if (sum == NULL || parts == NULL || quarters == NULL) {
+        return 0;
+    }
     for (int pass = 0; pass < 3; pass++) { /* the second and third take out what rounding left */
-        improve_net(boundary, given, rest, coefficients, sum);
+        improve_net(boundary, given, parts, quarters, sum);
     }
     for (size_t k = 0; k < numbers; k++) {
         net[k] = taut_twice_round(sum[k]);
     }
+    return 1;
+}
+
+/* The sum over boundary points of what one of them makes of point `at` of the net, in size: a quarter of the sum of what it makes
+ * in all ways, as its orbit and as what is left of it when mirrored. */
+static double growth_at(const taut_rim *boundary, int at)
+{
+    const taut_space *space = boundary->space;
+    const int numbers = (space->n + 1) * (space->m + 1), orbits = boundary->orbits;
+    taut_twice entries[WAYS * (TAUT_SPACE_DEGREE_MAX + 1)];
+    double sum = 0;
+
+    memset(entries, 0, (size_t)(WAYS * orbits) * sizeof *entries);
+    for (int f = 0; f < space->count; f++) {
+        taut_wide_gain(orbits, space->nets[(size_t)f * (size_t)numbers + (size_t)at],
+                       boundary->response + f * orbits, entries + space->odd[f] * orbits);
+    }
+    for (int k = 0; k < WAYS * orbits; k++) {
+        taut_twice all = {0, 0};
+        for (int odd = 0; odd < WAYS; odd++) {
+            all =
+                taut_twice_add(all, mirrored(odd, k / orbits, entries[odd * orbits + k % orbits]));
+        }
+        sum += fabs(taut_twice_round(all));
+    }
+    return sum / 4;
 }
 
 double taut_rim_amplification(const taut_rim *boundary)
 {
     const taut_space *space = boundary->space;
-    const int numbers = (space->n + 1) * (space->m + 1);
+    const int lines = space->n / 2 + 1, columns = space->m / 2 + 1;
     double most = 0;
 
-    for (int at = 0; at < numbers && !beat(space, space->count, boundary->count); at++) {
-        double sum = 0;
-        taut_twice entries[4 * TAUT_SPACE_DEGREE_MAX];
-        memset(entries, 0, (size_t)boundary->count * sizeof *entries);
-        for (int f = 0; f < space->count; f++) {
-            taut_wide_gain(boundary->count, space->nets[(size_t)f * (size_t)numbers + (size_t)at],
-                           boundary->response + f * boundary->count, entries);
-        }
-        for (int k = 0; k < boundary->count; k++) {
-            sum += fabs(taut_twice_round(entries[k]));
-        }
-        most = taut_larger_growth(most, sum);
+    for (int k = 0; k < lines * columns && !beat(space, space->count, boundary->orbits); k++) {
+        const int at = k / columns * (space->m + 1) + k % columns;
+        most = taut_larger_growth(most, growth_at(boundary, at));
     }
     return most;
 }
