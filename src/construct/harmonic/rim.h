@@ -12,8 +12,9 @@
 
 typedef struct taut_rim {
     const taut_space *space;
-    int orbits;           /* boundary points that u <-> 1 - u and v <-> 1 - v do not make of others */
-    taut_twice *response; /* [space->count][orbits]: coefficients of the nearest, for each orbit alone where boundary points are
+    int orbits; /* boundary points that u <-> 1 - u and v <-> 1 - v do not make of others */
+    taut_twice *
+        response; /* [space->count][orbits]: coefficients of the nearest, for each orbit alone where boundary points are
                              odd and even as the function is */
 } taut_rim;
 

@@ -18,9 +18,10 @@ enum { TAUT_SPACE_DEGREE_MAX = 64 };
 
 typedef struct taut_space {
     int n, m;
-    int count;         /* functions */
-    taut_twice *nets;  /* [count][n+1][m+1] */
-    unsigned char *odd; /* [count]: 1, odd about u = 1/2; 2, about v = 1/2; 3, about both; 0, about neither: even */
+    int count;        /* functions */
+    taut_twice *nets; /* [count][n+1][m+1] */
+    unsigned char *
+        odd; /* [count]: 1, odd about u = 1/2; 2, about v = 1/2; 3, about both; 0, about neither: even */
     taut_pulse *pulse; /* told of the work with it, or NULL */
 } taut_space;
 
