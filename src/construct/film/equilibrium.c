@@ -32,6 +32,7 @@
 #include "construct/plateau/small.h"
 #include "core/elementary/elementary.h"
 #include "core/fail.h"
+#include "core/memory.h"
 #include "core/pulse.h"
 #include "core/vec3.h"
 
@@ -358,15 +359,14 @@ static taut_status approach(taut_film_work *w, taut_newton_step *newton, taut_er
                                                                                            : status;
 }
 
-/* Minimises by the rule of the moment. */
-/* Points that near-singular steps have led off their lines and planes are brought back. */
-static void keep_guides(const taut_film_work *w)
+/* Points that near-singular steps from `before` have led off their lines and planes are brought back. */
+static void keep_guides(const taut_film_work *w, const double *before)
 {
     const taut_film_space *space = w->space;
 
     for (size_t i = 0; space->allowed != NULL && i < space->count; i++) {
         double off[3], onto[3];
-        taut_difference(w->net + 3 * i, space->start + 3 * i, onto);
+        taut_difference(w->net + 3 * i, before + 3 * i, onto);
         memcpy(off, onto, sizeof off);
         taut_mask_project(space->allowed + 6 * i, onto);
         taut_difference(onto, off, off);
@@ -376,27 +376,35 @@ static void keep_guides(const taut_film_work *w)
     }
 }
 
+/* Minimises by the rule of the moment. */
 static taut_status minimise(taut_film_work *w, taut_error *error)
 {
     taut_newton_step *newton = NULL;
     taut_error inner = {.status = TAUT_OK};
-    taut_status status = taut_newton_step_new(w->functional, &w->form, &w->space->mask, NULL, 1,
-                                              w->monitor, &newton);
+    double *before = taut_alloc(w->space->count, 3 * sizeof(double));
+    taut_status status = before != NULL
+                             ? taut_newton_step_new(w->functional, &w->form, &w->space->mask, NULL,
+                                                    1, w->monitor, &newton)
+                             : TAUT_NO_MEMORY;
 
     if (status == TAUT_NO_MEMORY) {
+        taut_free(before);
         return taut_fail_memory(error);
     }
     if (status != TAUT_OK) {
+        taut_free(before);
         return taut_fail(error, TAUT_NOT_CONVERGED, "ill-conditioned", NULL, taut_none, taut_none,
                          "the system is too ill-conditioned for double precision: the knots or "
                          "the degree are too extreme");
     }
     w->method = taut_newton_step_method(newton);
+    memcpy(before, w->net, 3 * w->space->count * sizeof(double));
     status = w->space->problem->method == TAUT_FILM_NORMAL
                  ? approach(w, newton, &inner)
                  : taut_trust_region_minimise(w->functional, newton, &w->region, w->net, &inner);
     w->region.theta = 0;
-    keep_guides(w);
+    keep_guides(w, before);
+    taut_free(before);
     taut_film_memory_clear(&w->memory); /* the net is another */
     taut_newton_step_free(newton);
     return status == TAUT_OK ? TAUT_OK : tell_ending(w, &inner, status, error);

@@ -1,6 +1,7 @@
 #include "certify/film/complex/paired.h"
 
 #include "certify/film/sheet.h"
+#include "core/elementary/elementary.h"
 #include "core/vec3.h"
 
 #include <math.h>
@@ -84,7 +85,7 @@ static int find_leaf(const taut_sheets *s, const taut_film_side *side, double pa
         taut_cross(frame[0], frame[1], frame[2]);
     }
     taut_cross(frame[0], in, across);
-    to->angle = atan2(taut_dot(in, frame[2]), taut_dot(in, frame[1]));
+    to->angle = taut_atan2(taut_dot(in, frame[2]), taut_dot(in, frame[1]));
     to->left = 2 * side->patch + (taut_dot(n, across) > 0 ? 0 : 1);
     return 1;
 }
