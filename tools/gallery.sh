@@ -75,6 +75,7 @@ fi
         printf '\n## %s\n\n' "$construct"
         sed -n "s/^$construct //p" "$work/list" | while read -r name; do
             printf '[![%s](%s.png)](%s.png "%s")\n' "$name" "$name" "$name" "$name"
+            printf '`%s`: %s\n\n' "$name" "$(sed -n "s/^$name: //p" examples/titles.txt)"
         done
     done
 } > "$gallery/README.md"

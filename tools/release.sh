@@ -3,7 +3,7 @@
 # tree whose commit has the tag vVERSION: the tarball, the Debian package, the wheel, the zip and the wheel for Windows, the studio page,
 # the site, the notes out of CHANGELOG.md, and checksums of them all. Refuses anything else, and leaves no folder then.
 #
-#     parts   tarball deb wheel windows studio site notes (all unless said with --parts; checksums always)
+#     parts   tarball deb wheel windows studio site notes (all without --parts; checksums always)
 set -eu
 cd "$(dirname "$0")/.."
 parts="tarball deb wheel windows studio site notes"

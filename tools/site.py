@@ -24,7 +24,7 @@ COPIED = (".md", ".svg", ".png", ".json", ".bib", ".step", ".cff")
 # Groups of the navigation: title, pages; the rest of docs/ comes under "More".
 NAVIGATION = [
     ("Start", ["index.md", "tutorial/README.md", "tutorial/1-tent.md", "tutorial/2-film.md", "tutorial/3-roof.md",
-               "tutorial/4-pipes.md", "tutorial/5-certificate.md", "tutorial/6-gridshell.md", "gallery/README.md", "search.md"]),
+               "tutorial/4-pipes.md", "tutorial/5-certificate.md", "tutorial/6-gridshell.md", "tutorial/7-sail.md", "gallery/README.md", "search.md"]),
     ("Constructions", ["dirichlet.md", "plateau.md", "film.md", "harmonic.md", "biharmonic.md", "asymptotic.md",
                        "bonnet.md", "pipe.md", "trace.md", "pattern.md"]),
     ("Reference", ["commands.md", "format.md", "formats.md", "errors.md", "limits.md", "figures.md", "view.md",

@@ -243,7 +243,8 @@ typedef struct taut_pattern_problem {
     X("compensation", "a compensation outside [-0.1, 0.3]",                                        \
       "give the share by which the cloth is cut smaller: 2 % is 0.02")                             \
     X("no-geodesic", "no geodesic between the two places was found inside the window",             \
-      "take more strips, or run them between the other edges")                                     \
+      "take fewer, wider strips (beside an edge that bows in a geodesic leaves the surface), or "  \
+      "run them between the other edges")                                                          \
     X("crossing", "two seams cross, or a piece turns over between them",                           \
       "take other strips: the message names the place")                                            \
     X("shape", "a seam leaves a piece that has two sides, or five",                                \

@@ -24,7 +24,7 @@ typedef struct taut_surface taut_surface;
     X("bases-differ", "opposite curves are on c- or h- bases that differ",                         \
       "give both on the same basis, or convert them to B-splines")                                 \
     X("basis", "a basis of this type has no such operation", "convert it to NURBS first")          \
-    X("close-knots", "knots of two curves lie too close to be told apart",                         \
+    X("close-knots", "knots of two curves lie too close to be distinguished",                      \
       "make the knots that are meant to be one the same number")                                   \
     X("corner-weights", "weights of four curves do not agree at the corners they share",           \
       "scale the weights until both ways around give the same ones")                               \

@@ -94,7 +94,7 @@ REMEDIES = {
     'no-corner': 'hold it, or keep it on a line or in a plane',
     'no-curvature': 'move its second control point off the leg',
     'no-drawing': 'write another format, or `taut panels`',
-    'no-geodesic': 'take more strips, or run them between the other edges; or bring them nearer to each other',
+    'no-geodesic': 'take fewer, wider strips (beside an edge that bows in a geodesic leaves the surface), or run them between the other edges; or bring them nearer to each other',
     'no-gradient': 'see docs/gradient.md for what has one',
     'no-leg': 'move it off the corner',
     'no-minimum': 'change legs, curvatures or the degree',

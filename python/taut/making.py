@@ -196,7 +196,7 @@ def make(document: Document, tolerance: float | None = None, threads: int | None
 
 def read(path: str | os.PathLike[str], threads: int | None = None, progress: Progress | None = None, strict: bool = False) -> Model:
     """A model from a file: .json, .step, .iges, and what else `taut convert` reads (docs/formats.md). What it holds is not proved by
-    that: `certify` does. One thread reads; progress is told of it, the part done not known; strict: CheckFailed where the certificate in
+    that: `certify` does. One thread reads; progress is called, the part done unknown; strict: CheckFailed where the certificate in
     the file says that a claim does not hold. Raises FileError, InputError."""
     thread_count(threads)
     with Watch(progress).begun("read") as watch:

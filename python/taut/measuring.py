@@ -66,7 +66,7 @@ def join(a: Surface, edge_a: str, b: Surface, edge_b: str, threads: int | None =
          strict: bool = False) -> dict[str, Any]:
     """How two surfaces meet along an edge each ("u0", "u1", "v0", "v1"): max_gap, angles, c_order, g_order, kind.
 
-    One thread works; progress is told of it, the part done not known; strict as of measure, of both surfaces.
+    One thread works; progress is called, the part done unknown; strict as of measure, of both surfaces.
 
     Errors: InputError: another edge (`name`) or object (`type`)."""
     expect(a, Surface)
@@ -143,7 +143,7 @@ def pieces(model: Model, name: str | None = None, threads: int | None = None, pr
 
 
 def to_unit(model: Model, unit: str, threads: int | None = None, progress: Progress | None = None, strict: bool = False) -> Model:
-    """The same model told in "mm", "cm", "m", "in" or "ft". threads, progress, strict as of split.
+    """The same model in "mm", "cm", "m", "in" or "ft". threads, progress, strict as of split.
 
     Errors: InputError: no such unit (`argument`), or no text (`type`)."""
     if not isinstance(unit, str):

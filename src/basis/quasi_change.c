@@ -55,7 +55,7 @@ static void cut_segment(const taut_quasi_kind *kind, const taut_quasi_segment *s
     }
 }
 
-/* Both parts must be long enough for parameters to be told apart within them. */
+/* Both parts must be long enough for parameters to be distinguished within them. */
 static taut_status check_cut(double lo, double hi, double t, taut_error *error)
 {
     const double shorter = fmin(t - lo, hi - t);
@@ -63,7 +63,7 @@ static taut_status check_cut(double lo, double hi, double t, taut_error *error)
     if (!(shorter >= limit)) {
         return taut_fail(error, TAUT_NO_SOLUTION, "short-span", NULL, shorter, limit,
                          "a cut at %.17g leaves a piece of length %g, too short for its parameters "
-                         "to be told apart: cut further from %.17g",
+                         "to be distinguished: cut further from %.17g",
                          t, shorter, t - lo < hi - t ? lo : hi);
     }
     return TAUT_OK;

@@ -109,10 +109,12 @@ const cli_command cli_command_boundary = {
     .name = "boundary",
     .usage = "FILE [--json]",
     .summary = "list the curves and edges that a \"boundary\" may name",
-    .text = "One line a curve of the file, and an edge of its surfaces, of trimmed ones those that "
-            "trim them:\nnumber, kind, name, length, ends. A document\ntakes four of them by "
-            "number or name: \"boundary\": { \"file\": "
-            "\"FILE\", \"edges\": [1, 2, \"face.u0\", 7] }.\n",
+    .text =
+        "Lists the curves of a file and the edges of its surfaces (of a trimmed face the curves "
+        "that\n"
+        "trim it), one a line: number, kind, name, length, ends. A problem takes four of them by\n"
+        "number or name: \"boundary\": { \"file\": \"FILE\", \"edges\": [1, 2, \"face.u0\", 7] "
+        "}.\n",
     .example = "taut boundary hull.step\n",
     .files_min = 1,
     .files_max = 1,

@@ -199,8 +199,8 @@ const cli_command cli_command_make = {
             "FILE-0.obj, FILE-1.obj, ... A % in the name takes the number, in JSON too. One that "
             "fails\n"
             "leaves no file of any.\n"
-            "With --lines problems and models stand one a line (JSON Lines), and one that fails is "
-            "a line\n"
+            "With --lines each line is a problem, and each line out a model (JSON Lines); one that "
+            "fails is a line\n"
             "too; started again it makes the lines that are missing. With --watch it goes on: each "
             "time the\n"
             "file is saved it is made again.\n",

@@ -333,10 +333,9 @@ void cli_warn_of_curvature(const char *file, const taut_certificate *certificate
         const int is_mean = mean > most[0];
         snprintf(
             text, sizeof text,
-            "curvatures of the film are not resolved everywhere, as at a corner that is all but "
-            "straight, or more: %s is %.3g, and of the continuous film 0; area, energy, lengths "
-            "and forces are as the certificate says, but for curvatures there take several "
-            "patches, or other corners",
+            "the film's curvatures are not resolved everywhere, as at a nearly straight corner: "
+            "%s is %.3g where the continuous film has 0; area, energy, lengths and forces are as "
+            "certified; for curvatures use several patches, or move the corners",
             is_mean ? "mean_curvature" : "cable_geodesic", is_mean ? mean : cable);
         cli_warn(file, text);
     }

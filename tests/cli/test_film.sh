@@ -36,9 +36,9 @@ blunt() { # blunt X
 }
 blunt 0.9 > blunt.json
 run 0 make blunt.json -o blunt-film.json
-contains err.txt '^taut: blunt.json: warning: curvatures of the film are not resolved everywhere.*mean_curvature is [0-9.]+e\+0[34]'
+contains err.txt '^taut: blunt.json: warning: the film.s curvatures are not resolved everywhere.*mean_curvature is [0-9.]+e\+0[34]'
 run 0 certify blunt-film.json blunt.json --json
-contains err.txt '"warnings".*curvatures of the film are not resolved'
+contains err.txt '"warnings".*the film.s curvatures are not resolved'
 run 0 make blunt.json -o blunt-film.json --quiet
 grep -q warning err.txt && complain "a quiet make warns"
 blunt 1.6 > round.json

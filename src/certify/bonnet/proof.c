@@ -520,7 +520,7 @@ static void refute(search *s)
             j.claim[c] = (amount){INFINITY, INFINITY};
             (void)settle(s, c, &j, &piece, DEPTH);
             if (s->proofs[c].holds == TAUT_UNDECIDED) {
-                s->proofs[c].why = "warning: its bases are none that such surfaces are written in,";
+                s->proofs[c].why = "warning: such surfaces are not written in its bases,";
             }
         }
     }

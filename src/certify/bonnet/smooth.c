@@ -74,8 +74,9 @@ static void judge_seam(const seam *s, taut_bonnet_proof *proof)
                           : proof->holds == TAUT_TRUE && !(residual <= proof->residual);
     if (worse) {
         *proof = (taut_bonnet_proof){holds, residual, limit, {s->at[0], s->at[1]}, NULL};
-        proof->why =
-            holds == TAUT_UNDECIDED ? "the derivatives across a knot cannot be told apart" : NULL;
+        proof->why = holds == TAUT_UNDECIDED
+                         ? "the derivatives across a knot cannot be distinguished"
+                         : NULL;
     }
 }
 

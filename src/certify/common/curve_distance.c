@@ -196,7 +196,7 @@ static taut_status find_bound(const taut_curve *a, const taut_curve *b, pair *p,
     }
     if (taut_model_curve_count(p->of_a) != taut_model_curve_count(p->of_b)) {
         return taut_fail(error, TAUT_NO_SOLUTION, "close-knots", NULL, taut_none, taut_none,
-                         "knots of two curves lie too close to be told apart");
+                         "knots of two curves lie too close to be distinguished");
     }
     degrees = taut_basis_degree(taut_curve_t(p->a)) + taut_basis_degree(taut_curve_t(p->b)) + 1;
     p->work = taut_alloc((size_t)degrees * (CUTS + 1), CHANNELS * sizeof(double));

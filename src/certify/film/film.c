@@ -160,7 +160,7 @@ static taut_status add_boundary(const request *r, taut_certificate *certificate,
                         .holds = taut_certify_below(b.residual, b.limit),
                         .where = edge_names[worst]};
     if (claim.holds == TAUT_UNDECIDED) {
-        claim.where = "the certificate's own fit finds no place to stand";
+        claim.where = "the certificate's own fit fails";
     }
     return taut_certificate_add(certificate, &claim) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 }

@@ -179,7 +179,7 @@ void taut_pipe_add_torsion(taut_record *figures, double torsion)
     taut_record_add_number(figures, "total_torsion", torsion);
     if (isnan(torsion)) {
         taut_record_add_text(figures, "total_torsion_open",
-                             "the curvature at an end of the axis cannot be told from none");
+                             "the curvature at an end of the axis cannot be told from 0");
     }
 }
 

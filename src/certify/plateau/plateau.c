@@ -797,7 +797,7 @@ static taut_status add_boundary(const request *r, taut_certificate *certificate,
     };
     claim.holds = taut_certify_below(claim.residual, claim.limit);
     if (claim.holds == TAUT_UNDECIDED) {
-        claim.where = "the certificate's own fit finds no place to stand";
+        claim.where = "the certificate's own fit fails";
     } else if (claim.holds == TAUT_TRUE && r->deviation > 0 &&
                !(told <= claim.residual + rounding && claim.residual <= 1.25 * told + rounding)) {
         claim.holds = TAUT_FALSE;

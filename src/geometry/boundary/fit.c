@@ -182,7 +182,7 @@ static taut_status share_basis(taut_curve **curve, const taut_curve *other, taut
     taut_status status = TAUT_OK;
     if (taut_basis_count(taut_curve_t(*curve)) != taut_basis_count(taut_curve_t(other))) {
         return taut_fail(error, TAUT_NO_SOLUTION, "close-knots", NULL, taut_none, taut_none,
-                         "the knots of two opposite curves lie too close to be told apart");
+                         "the knots of two opposite curves lie too close to be distinguished");
     }
     status = taut_curve_new(taut_curve_name(*curve), taut_curve_t(other), taut_curve_points(*curve),
                             taut_curve_weights(*curve), &next, error);

@@ -32,8 +32,7 @@ static taut_status unknown_member(const taut_json *object, const char *key,
     const char *near = taut_nearest_word(key, members, &edits);
     char list[512];
     /* no slip of a finger: what there is helps more */
-    const int is_far =
-        edits > (int)strnlen(key, 64) / 3 + 1 && list_words(members, list, sizeof list);
+    const int is_far = edits > (int)strnlen(key, 64) / 3 && list_words(members, list, sizeof list);
     const taut_status status =
         is_far ? taut_json_fail(&at, error, "unknown-member", taut_none, taut_none,
                                 "there is no such member here, expected %s", list)
