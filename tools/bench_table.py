@@ -96,7 +96,9 @@ def summary():
          digits(taut["position"] / sisl["position"], 2)],
         ["the same with first and second derivatives", "SISL s1506",
          digits(taut["second"] / sisl["second"], 2)]]
-    return (f"From file to file: {origin(whole)};\nthe others: {origin(solve)}.\n\n"
+    made = origin(whole)
+    said = f"{made}." if made == origin(solve) else f"From file to file: {made};\nthe others: {origin(solve)}."
+    return (f"{said}\n\n"
             + table(["", "beside", "times as fast"], rows))
 
 

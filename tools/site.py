@@ -254,7 +254,7 @@ def main():
     for line in wrong:
         print(line)
     if not wrong:
-        print("%d pages in %s%s" % (len(found), os.path.relpath(out), ", with the studio" if studio else ""))
+        print("%d pages in %s%s" % (len(found), os.path.relpath(out), ", with the studio" if studio else "; without the studio: make studio first"))
     return 1 if wrong else 0
 
 
