@@ -9,6 +9,8 @@
 #include <string.h>
 
 static const double limit = 1e-8;
+/* Of forces that follow from a film at rest so much less is known: a cable that is nearly straight hardly moves it. */
+static const double follows = 10;
 static const char *const edge_names[4] = {"u0", "u1", "v0", "v1"};
 static const char *const corner_names[4] = {"u0v0", "u1v0", "u0v1", "u1v1"};
 
@@ -117,7 +119,8 @@ static void look_at_cables(look *l)
                      length = taut_record_number(taut_record_at(lengths, (size_t)k));
         compare_text(l, taut_record_get(cable, "edge"), name, "cables", k, "edge");
         look_along(l, k, cable);
-        compare_number(l, taut_record_get(cable, "force"), force, most, "cables", k, "force");
+        compare_number(l, taut_record_get(cable, "force"), force,
+                       law->law == TAUT_FILM_FORCE ? most : follows * most, "cables", k, "force");
         compare_number(l, taut_record_get(cable, "length"), length, length, "cables", k, "length");
         if (law->law == TAUT_FILM_ELASTIC || taut_record_get(cable, "unstressed") != NULL) {
             compare_number(l, taut_record_get(cable, "unstressed"), law->unstressed, length,
