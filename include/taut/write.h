@@ -92,7 +92,7 @@ typedef struct taut_write_options {
     int short_knots; /* json: nonzero leaves out the outermost two knots, as openNURBS does */
     /* figures */
     taut_colour colour;
-    int no_net;   /* 0: control nets, but of pipes and films; 1: none; -1: all */
+    int no_net;   /* 0: control nets, but of pipes, films, traces, patterns; 1: none; -1: all */
     int has_view; /* nonzero: azimuth and elevation in degrees below */
     double view[2];
     const char *title; /* NULL: none */

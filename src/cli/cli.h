@@ -253,7 +253,7 @@ typedef struct cli_command {
          0,                                                                                        \
          0,                                                                                        \
          NULL,                                                                                     \
-         "figures: the control net, of pipes and films too, which are shown without"},             \
+         "figures: the control net, of pipes, films, traces and patterns too"},                    \
     {                                                                                              \
         "--column", CLI_FLAG, offsetof(cli_options, column), 0, 0, 0, NULL,                        \
             "figures: 88 mm wide, for a paper's column"                                            \

@@ -165,14 +165,18 @@ static size_t size_of(net n)
     return (size_t)n.nu * (size_t)n.nv;
 }
 
-/* Unless it is asked for, pipes are shown without: their nets are far off, and say nothing of them; and films, whose nets
- * nobody has chosen, dense enough to hide them. */
+/* Unless it is asked for, pipes are shown without: their nets are far off, and say nothing of them; and films, traces and patterns,
+ * whose nets nobody has chosen, dense enough to hide them. */
 static int has_nets(const taut_pane *pane, const taut_write_options *options)
 {
     const taut_certificate *certificate = taut_model_certificate(pane->model);
     const char *name = certificate != NULL ? taut_certificate_construct(certificate) : "";
-    return options->no_net < 0 ||
-           (options->no_net == 0 && strcmp(name, "pipe") != 0 && strcmp(name, "film") != 0);
+    static const char *const without[] = {"pipe", "film", "trace", "pattern"};
+    int shows = options->no_net == 0;
+    for (int k = 0; k < 4; k++) {
+        shows = shows && strcmp(name, without[k]) != 0;
+    }
+    return options->no_net < 0 || shows;
 }
 
 static int draws_net(const taut_pane *pane, const taut_write_options *options, int i)
