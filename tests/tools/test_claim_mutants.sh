@@ -1,16 +1,7 @@
 #!/bin/sh
 # test_claim_mutants.sh -- tools/claim_mutants.py counts what breaks the code of a claim, at any distance and no other, and fails where
 # the page says more.
-set -u
-: "${SOURCE:?the source tree}"
-tree=$(mktemp -d)
-trap 'rm -rf "$tree"' EXIT
-failures=0
-
-fail() {
-    echo "FAIL: $*"
-    failures=$((failures + 1))
-}
+. "${SOURCE:?the source tree}/tests/tools/tools.sh"
 
 # Two claims: one by a function of its own that has a constant, one by what both call.
 mkdir -p "$tree/tools" "$tree/docs" "$tree/src/certify/pipe" "$tree/tests/mutants"
@@ -66,4 +57,4 @@ said=$("$tree/tools/claim_mutants.py" pipe ends)
 test "$said" = both || fail "rows of ends: $said"
 : > "$tree/docs/certificate.md"
 said=$("$tree/tools/claim_mutants.py" --check 2>&1) && fail "there is no table: $said"
-test $failures -eq 0
+finish
