@@ -19,7 +19,7 @@ KNOWN = {
     "asymptotic-6": "principal isoparametric",
     "dirichlet-hammock": "principal",
     "dirichlet-mast": "principal",
-    "film-cap": "principal isoparametric",
+    "film-cap": "principal",
     "pipe-flat-start": "asymptotic",
     "pipe-legal": "asymptotic",
     "pipe-ones": "asymptotic principal",

@@ -53,15 +53,24 @@ void taut_lath_bending_sample(taut_linefield_kind kind, const taut_segment *segm
     const taut_station *from = &segment->from, *to = &segment->to;
     double nodes[TAUT_BENDING_NODES], weights[TAUT_BENDING_NODES];
 
+    const double length = to->s - from->s;
+    const double first = segment->way < 0 ? from->blind / length : 0;
+    const double last = segment->way < 0 ? 1 : 1 - to->blind / length;
+
     *samples = (taut_lath_samples){.kind = kind, .segment = segment};
     taut_gauss_rule(TAUT_BENDING_NODES, nodes, weights);
-    samples->at[0] = (taut_lath_bending){{from->k_n, from->k_g, from->tau_g}};
-    samples->at[SAMPLES - 1] = (taut_lath_bending){{to->k_n, to->k_g, to->tau_g}};
     samples->t[SAMPLES - 1] = 1;
-    for (int i = 0; i < TAUT_BENDING_NODES; i++) {
-        samples->t[i + 1] = (1 + nodes[i]) / 2;
-        samples->weight[i + 1] = weights[i] / 2;
-        samples->at[i + 1] = taut_lath_bending_at(kind, segment, samples->t[i + 1]);
+    for (int i = 0; i < SAMPLES; i++) {
+        const int is_node = i > 0 && i < SAMPLES - 1;
+        const double t = is_node ? (1 + nodes[i - 1]) / 2 : i == 0 ? 0 : 1;
+        samples->t[i] = first < last ? fmin(fmax(t, first), last) : t;
+        samples->weight[i] = is_node ? weights[i - 1] / 2 : 0;
+        if (first < last && (is_node || samples->t[i] != t)) {
+            samples->at[i] = taut_lath_bending_at(kind, segment, samples->t[i]);
+        } else if (first < last) {
+            const taut_station *end = i == 0 ? from : to;
+            samples->at[i] = (taut_lath_bending){{end->k_n, end->k_g, end->tau_g}};
+        }
     }
 }
 

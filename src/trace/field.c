@@ -55,10 +55,15 @@ static taut_linefield_fault principal(const taut_carrier *carrier, int family,
     return TAUT_LINEFIELD_FINE;
 }
 
+int taut_linefield_has_normal(const taut_carrier *carrier, const taut_form_pair *q)
+{
+    return q->w > least_area * carrier->widest;
+}
+
 taut_linefield_fault taut_linefield_direction(const taut_carrier *carrier, taut_linefield_kind kind,
                                               const taut_form_pair *q, double ab[2])
 {
-    if (!(q->w > least_area * carrier->widest)) {
+    if (!taut_linefield_has_normal(carrier, q)) {
         return TAUT_LINEFIELD_SINGULAR;
     }
     if (kind.net == TAUT_TRACE_PRINCIPAL) {

@@ -23,6 +23,9 @@ typedef enum taut_linefield_fault {
     TAUT_LINEFIELD_CREASE    /* it jumps */
 } taut_linefield_fault;
 
+/* Is |x_u x x_v| more there than rounding? */
+int taut_linefield_has_normal(const taut_carrier *carrier, const taut_form_pair *q);
+
 /* The direction of the family: of unit length in space, of either sign. */
 taut_linefield_fault taut_linefield_direction(const taut_carrier *carrier, taut_linefield_kind kind,
                                               const taut_form_pair *forms, double ab[2]);

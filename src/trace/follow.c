@@ -11,6 +11,7 @@
 /* How many surfaces may meet at a corner that a curve passes. */
 enum {
     CORNER = 8,
+    EVENT_ROUNDS = 120,
     SHORT_STEPS = 1000, /* in a row, of the least length or little more: no way on */
     MANY_STEPS =
         4096 /* that together come no farther than `slow` of the size a step: none either */
@@ -33,6 +34,7 @@ static const struct {
     /* A step's error over its length at most, as beside an umbilic what moves a curve turns it; and over the size, what is
      * rounding. */
     double sideways, noise;
+    double blind; /* over the size: from where the normal vanishes */
 } limits = {.first = 1e-2,
             .largest = 0.1,
             .least = 1e-12,
@@ -51,7 +53,8 @@ static const struct {
             .change = 1.25,
             .least_round = 1e-8,
             .sideways = 3e-9,
-            .noise = 1e-16};
+            .noise = 1e-16,
+            .blind = 1e-5};
 
 /* What steps from one state begin with, as events step from it again and again. */
 typedef struct launch {
@@ -81,8 +84,9 @@ static int direction_at(cell_field *field, const double x[TAUT_CARRIER_VECTORS][
     if (field->kind.net == TAUT_TRACE_GEODESIC) {
         ab[0] = y[TAUT_WALK_A];
         ab[1] = y[TAUT_WALK_B];
-        field->fault = forms->w > 0 ? TAUT_LINEFIELD_FINE : TAUT_LINEFIELD_SINGULAR;
-        return forms->w > 0;
+        const int has_normal = taut_linefield_has_normal(field->carrier, forms);
+        field->fault = has_normal ? TAUT_LINEFIELD_FINE : TAUT_LINEFIELD_SINGULAR;
+        return has_normal;
     }
     field->fault = taut_linefield_direction(field->carrier, field->kind, forms, ab);
     if (field->fault != TAUT_LINEFIELD_FINE) {
@@ -398,6 +402,8 @@ typedef struct event {
     double border;
     double h;
     taut_walk_state at;
+    int is_cut; /* steps fail before it, as where a pole is: h is the longest that does not */
+    taut_linefield_fault fault; /* why */
 } event;
 
 static double event_value(const follower *f, const event *e, const taut_walk_state *state,
@@ -437,12 +443,13 @@ static double guess_event(const double value[2], const double rate[2], double h)
     return h * t;
 }
 
-/* The length of the step at which the event happens, by Newton between 0 and h, each a full step. */
-static int solve_event(follower *f, double h, const taut_walk_state *end, event *e)
+/* The length of the step at which the event happens, by Newton between 0 and h, each a full step; where steps fail before
+ * it, the longest that does not. */
+static void solve_event(follower *f, double h, const taut_walk_state *end, event *e)
 {
     const double size = f->carrier->size;
     double low = 0, high = h, rates[2], values[2];
-    taut_walk_state state = *end;
+    taut_walk_state state = *end, before = f->state;
 
     values[0] = event_value(f, e, &f->state, &rates[0]);
     values[1] = event_value(f, e, end, &rates[1]);
@@ -452,27 +459,44 @@ static int solve_event(follower *f, double h, const taut_walk_state *end, event 
         value != 0 && values[0] * side < 0 ? guess_event(values, rates, h) : h - value / rate;
 
     e->h = h;
-    for (int round = 0; round < 60 && value != 0; round++) {
+    e->is_cut = 0;
+    for (int round = 0; round < EVENT_ROUNDS && value != 0; round++) {
         double error = 0;
+        if (high - low <= limits.rounding * size) {
+            break;
+        }
         if (!(next > low) || !(next < high)) {
             next = (low + high) / 2;
         }
         const double moved = fabs(next - e->h);
         if (!try_step(&f->field, &f->state, next, &state, &error)) {
-            return 0;
+            e->is_cut = 1;
+            e->fault = f->field.fault;
+            e->h = low;
+            state = before;
+            high = next;
+            next = low;
+            continue;
         }
         e->h = next;
         value = event_value(f, e, &state, &rate);
-        *(value * side > 0 ? &high : &low) = next;
+        if (value * side > 0) {
+            high = next;
+            e->is_cut = 0;
+        } else {
+            low = next;
+            before = state;
+        }
         next -= value / rate;
         /* Newton's last step was so small that the next one is rounding */
-        if (moved <= limits.rounding * size || high - low <= limits.rounding * size ||
-            (moved <= limits.near * size && fabs(next - e->h) <= limits.nearer * size)) {
+        const int is_settled =
+            moved <= limits.near * size && fabs(next - e->h) <= limits.nearer * size;
+        e->is_cut = e->is_cut && !is_settled && value != 0;
+        if (is_settled || moved <= limits.rounding * size) {
             break;
         }
     }
     e->at = state;
-    return 1;
 }
 
 /* The first border of the cell that the step crosses; 0 where none. */
@@ -485,8 +509,9 @@ static int first_border(follower *f, double h, const taut_walk_state *end, event
         if (end->y[d] >= breaks[0] && end->y[d] <= breaks[1]) {
             continue;
         }
-        if (solve_event(f, h, end, &e) && (!found || e.h < first->h)) {
-            e.at.y[d] = e.border;
+        solve_event(f, h, end, &e);
+        if (!found || e.h < first->h) {
+            e.at.y[d] = e.is_cut ? e.at.y[d] : e.border;
             *first = e;
             found = 1;
         }
@@ -647,6 +672,22 @@ static int cross_border(follower *f, int d, taut_walk_state *state)
     return 1;
 }
 
+/* Beside a place without a normal that is rounding, and so are bends. */
+static void blind_before(follower *f)
+{
+    taut_walk *walk = f->walk;
+    const double room = limits.blind * f->carrier->size;
+    for (int k = walk->count - 1; k >= 0 && !f->options->is_bare; k--) {
+        taut_piece *piece = &walk->pieces[k];
+        const double rest = f->state.s - piece->from.s;
+        piece->to.blind = room - (f->state.s - piece->to.s);
+        if (!(rest < room)) {
+            break;
+        }
+        piece->from.blind = room - rest;
+    }
+}
+
 /* What a fault means where the step has become nothing. */
 static void end_by_fault(follower *f)
 {
@@ -655,6 +696,7 @@ static void end_by_fault(follower *f)
         end = TAUT_END_PARABOLIC;
     } else if (f->field.fault == TAUT_LINEFIELD_SINGULAR) {
         end = TAUT_END_SINGULAR;
+        blind_before(f);
     } else if (f->field.fault == TAUT_LINEFIELD_ROUND) {
         double x[TAUT_CARRIER_VECTORS][3];
         taut_form_pair forms;
@@ -794,9 +836,10 @@ static int closes(follower *f, double step, taut_walk_state *end)
         return 0;
     }
     taut_carrier_at(f->carrier, end->span, end->y, 0, x);
-    if (taut_length_between(x[0], f->seed_x) > 2 * step || !solve_event(f, step, end, &e)) {
+    if (taut_length_between(x[0], f->seed_x) > 2 * step) {
         return 0;
     }
+    solve_event(f, step, end, &e);
     taut_carrier_at(f->carrier, e.at.span, e.at.y, 0, x);
     if (!(taut_length_between(x[0], f->seed_x) <= limits.closing * f->carrier->size)) {
         return 0;
@@ -927,7 +970,10 @@ static taut_status advance(follower *f)
     const int creeping = creeps(f, step);
     if (closed) {
         end_at(f, TAUT_END_CLOSED, &end);
-    } else if (crosses) {
+    } else if (crosses && border.is_cut && border.fault != TAUT_LINEFIELD_FINE) {
+        f->field.fault = border.fault;
+        end_by_fault(f);
+    } else if (crosses && !border.is_cut) {
         cross_border(f, border.d, &f->state);
     } else if (end.s >= f->options->max_length) {
         end_at(f, TAUT_END_LENGTH, &end);

@@ -55,6 +55,8 @@ typedef struct taut_station {
     double s, at[2], ab[2], bend[2];
     double x[3], tangent[3], acceleration[3], normal[3];
     double k_n, k_g, tau_g, twist, measure;
+    double
+        blind; /* so far from it, along the curve, bends are rounding, as where it ends at a pole */
 } taut_station;
 
 /* A step: between two points in one cell. */

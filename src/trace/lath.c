@@ -216,6 +216,7 @@ static taut_status refine(taut_linefield_kind kind, const taut_piece *piece,
     high.h = piece->h - h;
     high.start = middle;
     taut_walk_station(kind, &middle, &low.to);
+    low.to.blind = fmax(piece->to.blind - high.h, 0);
     high.from = low.to;
     const taut_status status = refine(kind, &low, options, depth - 1, out);
     return status == TAUT_OK ? refine(kind, &high, options, depth - 1, out) : status;

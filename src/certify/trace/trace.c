@@ -196,10 +196,22 @@ static double net_residual(const request *r, const taut_net_line *line, const pl
     }
 }
 
-/* Is this end one where the net itself ends, not the surface? Then it may be anything near to it. */
+/* Does the curve end where there is no normal, as details say? The claim `ends` sees whether it does. */
+static int ends_singular(const request *r, const taut_net_line *line, double t)
+{
+    const taut_record *ended =
+        taut_record_get(taut_net_lath_of(&r->lines, line), "ended"); /* [2] */
+    const size_t end = t == taut_basis_lo(taut_curve_t(line->space)) ? 0 : 1;
+    return strcmp(taut_record_text(taut_record_at(ended, end)), "singular") == 0;
+}
+
+/* Is this end one where the net itself ends, or the surface's normal? Then it may be anything near to it. */
 static int is_soft(const request *r, const taut_net_line *line, double t)
 {
     place p;
+    if (ends_singular(r, line, t)) {
+        return 1;
+    }
     if (r->lines.net == TAUT_TRACE_GEODESIC || r->lines.net == TAUT_TRACE_ISOPARAMETRIC ||
         !place_at(r, line, t, &p)) {
         return 0;

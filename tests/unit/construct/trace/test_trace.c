@@ -487,6 +487,41 @@ static void test_crease(void)
     net_free(&made);
 }
 
+/* An eighth of the unit sphere; u0 is its pole. */
+#define EIGHTH                                                                                     \
+    "{ \"taut\": 1, \"surfaces\": [{ \"u\": { \"type\": \"bezier\", \"degree\": 2 }, \"v\": { "    \
+    "\"type\": \"bezier\", \"degree\": 2 }, \"points\": [[[0, 0, 1], [0, 0, 1], [0, 0, 1]], [[1, " \
+    "0, 1], [1, 1, 1], [0, 1, 1]], [[1, 0, 0], [1, 1, 0], [0, 1, 0]]], \"weights\": [[1, "         \
+    "0.7071067811865476, 1], [0.7071067811865476, 0.5, 0.7071067811865476], [1, "                  \
+    "0.7071067811865476, 1]] }] }"
+
+/* Meridians end at the pole, where the normal vanishes, after a quarter of a circle: not beyond it, and without what rounding
+ * makes of bends there. */
+static void test_pole(void)
+{
+    static const char *const nets[2] = {"isoparametric", "geodesic"};
+    static const char *const seeds[2] = {
+        "\"families\": [\"v\"], \"seeds\": [{ \"edge\": \"u1\", \"count\": 3 }]",
+        "\"seeds\": [{ \"at\": [1, 0.3], \"direction\": [-1, 0] }]"};
+    for (int k = 0; k < 2; k++) {
+        made_net made = net_make(nets[k], EIGHTH, seeds[k]);
+        const char *name = k == 0 ? "B2" : "G1";
+        const taut_record *lath = net_lath(&made, name), *ended = taut_record_get(lath, "ended");
+        const int end = k == 0 ? 0 : 1;
+        CHECK(taut_certificate_holds(made.proof) == TAUT_TRUE, "%s: %s", nets[k],
+              made.error.message);
+        CHECK(strcmp(taut_record_text(taut_record_at(ended, (size_t)end)), "singular") == 0,
+              "%s: ended %s", nets[k], taut_record_text(taut_record_at(ended, (size_t)end)));
+        CHECK_NEAR(net_number(&made, name, "length"), 1.5707963267948966, 1e-9, "%s", nets[k]);
+        CHECK_NEAR(net_end(&made, name, end == 0 ? "from" : "to", 0), 0, 1e-9, "%s", nets[k]);
+        CHECK_NEAR(taut_record_number(taut_record_get(taut_record_get(lath, "tau_g"), "max")), 0,
+                   1e-4, "%s twists by rounding", nets[k]);
+        CHECK_NEAR(taut_record_number(taut_record_get(taut_record_get(lath, "k_n"), "max")), 1,
+                   1e-4, "%s bends by rounding", nets[k]);
+        net_free(&made);
+    }
+}
+
 /* Straight in the window: control points of the window's curves lie on the line to rounding. */
 static void test_straight(void)
 {
@@ -615,6 +650,7 @@ int main(void)
     test_singular();
     test_panels();
     test_crease();
+    test_pole();
     test_straight();
     test_beside_knots();
     test_drift();
