@@ -10,6 +10,8 @@
 
 /* Compensations of cloth as it is made. */
 static const double usual[2] = {-0.01, 0.08};
+/* Coated cloth breaks at strains of 0.15 to 0.25, and is stressed to a quarter of what breaks it. */
+static const double strained = 0.05;
 /* Of a seam's length: no mark is so near to its end. */
 static const double mark_share = 1e-6;
 
@@ -397,6 +399,44 @@ static void add_slack(const taut_pattern_told *told, taut_record *warnings)
     }
 }
 
+/* How many strips its surface is cut in. */
+static int strips_beside(const taut_pattern_layout *layout, const taut_pattern_piece *piece)
+{
+    int count = 0;
+    for (int k = 0; k < layout->piece_count; k++) {
+        const taut_pattern_piece *one = &layout->pieces[k];
+        const int is_new =
+            k == 0 || one->strip != one[-1].strip; /* parts of a strip follow on each other */
+        count += one->ground == piece->ground && is_new;
+    }
+    return count;
+}
+
+/* Of all pieces the one that is strained most, where that is more than cloth is made for; strains fall with the square of the number
+ * of strips. */
+static void add_strained(const taut_pattern_told *told, taut_record *warnings)
+{
+    const taut_pattern_piece *worst = NULL;
+    double most = strained;
+    for (int k = 0; !told->cut->is_conformal && k < told->layout->piece_count; k++) {
+        const taut_pattern_piece *piece = &told->layout->pieces[k];
+        const double own = fmax(piece->strains.high, -piece->strains.low);
+        worst = own > most ? piece : worst;
+        most = fmax(most, own);
+    }
+    if (worst != NULL) {
+        const int count = strips_beside(told->layout, worst);
+        char text[192];
+        snprintf(
+            text, sizeof text,
+            "strain: %s is strained by %.3g at (%.4g, %.4g), more than %.2g that cloth is made "
+            "for: in place of %d strip%s take about %.0f",
+            worst->name, most, worst->strains.at[0], worst->strains.at[1], strained, count,
+            count == 1 ? "" : "s", ceil(count * sqrt(most / strained)));
+        taut_record_add_text(warnings, NULL, text);
+    }
+}
+
 static void add_warnings(const taut_pattern_told *told, taut_record *details)
 {
     static const char *const shares[] = {
@@ -410,6 +450,7 @@ static void add_warnings(const taut_pattern_told *told, taut_record *details)
         }
     }
     add_slack(told, warnings);
+    add_strained(told, warnings);
 }
 
 void taut_pattern_describe(const taut_pattern_told *told, taut_record *details)

@@ -464,6 +464,28 @@ static void test_warnings(void)
     }
 }
 
+/* One strip of the saddle is strained by more than 0.05, and the number of strips it is told to take is not. */
+static void test_strained(void)
+{
+    int count = 1, counts[2] = {0, 0};
+    for (int k = 0; k < 2; k++) {
+        char members[128];
+        snprintf(members, sizeof members,
+                 "\"seams\": [{ \"across\": [\"v0\", \"v1\"], \"count\": %d }]", count);
+        made_cloth made = cloth_make(SADDLE, members);
+        CHECK(made.status == TAUT_OK, "%s", made.error.message);
+        const taut_record *told = taut_record_get(taut_model_details(made.model), "warnings");
+        const char *text =
+            taut_record_count(told) > 0 ? taut_record_text(taut_record_at(told, 0)) : "";
+        const char *advice = strstr(text, "take about ");
+        counts[k] = (int)taut_record_count(told);
+        CHECK(k > 0 || strncmp(text, "strain: P1 is strained by 0.06", 30) == 0, "%s", text);
+        count = advice != NULL ? atoi(advice + strlen("take about ")) : 1;
+        cloth_free(&made);
+    }
+    CHECK(counts[0] == 1 && counts[1] == 0, "%d, %d warnings", counts[0], counts[1]);
+}
+
 /* The seams that cut the saddle in four strips, by other rules: the same pieces. */
 static void test_rules(void)
 {
@@ -1155,6 +1177,7 @@ int main(void)
     test_allowance();
     test_prestress();
     test_warnings();
+    test_strained();
     test_rules();
     test_middle();
     test_parallel();
