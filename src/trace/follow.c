@@ -499,14 +499,16 @@ static void solve_event(follower *f, double h, const taut_walk_state *end, event
     e->at = state;
 }
 
-/* The first border of the cell that the step crosses; 0 where none. */
-static int first_border(follower *f, double h, const taut_walk_state *end, event *first)
+/* The first border of the cell that a step ends beyond by more than `room` of the window; 0 where none. */
+static int border_before(follower *f, double h, const taut_walk_state *end, double room,
+                         event *first)
 {
     int found = 0;
     for (int d = 0; d < 2; d++) {
         const double *breaks = taut_basis_breaks(f->carrier->basis[d]) + f->state.span[d];
+        const double over = room * (f->carrier->hi[d] - f->carrier->lo[d]);
         event e = {.d = d, .border = end->y[d] < breaks[0] ? breaks[0] : breaks[1]};
-        if (end->y[d] >= breaks[0] && end->y[d] <= breaks[1]) {
+        if (end->y[d] >= breaks[0] - over && end->y[d] <= breaks[1] + over) {
             continue;
         }
         solve_event(f, h, end, &e);
@@ -517,6 +519,20 @@ static int first_border(follower *f, double h, const taut_walk_state *end, event
         }
     }
     return found;
+}
+
+/* The first border of the cell that the step crosses; 0 where none. It may have come back over another one, which is the
+ * first then. */
+static int first_border(follower *f, double h, const taut_walk_state *end, event *first)
+{
+    event before;
+    if (!border_before(f, h, end, 0, first)) {
+        return 0;
+    }
+    if (border_before(f, first->h, &first->at, limits.along, &before) && before.h < first->h) {
+        *first = before;
+    }
+    return 1;
 }
 
 /* A curve that ran on a break stays there: rounding does not count. */

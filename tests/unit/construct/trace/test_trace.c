@@ -522,6 +522,30 @@ static void test_pole(void)
     }
 }
 
+/* A plane, y = v - (u - 0.5)^2, with knots at 0.5 both ways. */
+#define BENT_KNOT                                                                                  \
+    "{ \"taut\": 1, \"surfaces\": [{ \"u\": { \"type\": \"bspline\", \"degree\": 2, \"knots\": "   \
+    "[0, 0, 0, 0.5, 1, 1, 1] }, \"v\": { \"type\": \"bspline\", \"degree\": 2, \"knots\": [0, 0, " \
+    "0, 0.5, 1, 1, 1] }, \"points\": [[[0, -0.25, 0], [0, 0, 0], [0, 0.5, 0], [0, 0.75, 0]], "     \
+    "[[0.25, 0, 0], [0.25, 0.25, 0], [0.25, 0.75, 0], [0.25, 1, 0]], [[0.75, 0, 0], [0.75, "       \
+    "0.25, 0], [0.75, 0.75, 0], [0.75, 1, 0]], [[1, -0.25, 0], [1, 0, 0], [1, 0.5, 0], [1, "       \
+    "0.75, 0]]] }] }"
+
+/* y = 0.4999 dips below the knot line v = 0.5 near the other one and comes back within a step: each piece is in its own
+ * cell, so that its distance from the surface is proved. */
+static void test_dip(void)
+{
+    made_net made = net_make("geodesic", BENT_KNOT,
+                             "\"seeds\": [{ \"at\": [0.2, 0.5899], \"direction\": [1, -0.6], "
+                             "\"both\": true }]");
+    const taut_claim *claim = claim_of(made.proof, "on-surface");
+    CHECK(taut_certificate_holds(made.proof) == TAUT_TRUE, "%s", made.error.message);
+    CHECK(claim->kind == TAUT_BOUND, "a piece lies in two cells");
+    CHECK_NEAR(net_number(&made, "G1", "length"), 1, 1e-14, "length");
+    CHECK_NEAR(net_end(&made, "G1", "to", 1), 0.7499, 1e-14, "end");
+    net_free(&made);
+}
+
 /* Straight in the window: control points of the window's curves lie on the line to rounding. */
 static void test_straight(void)
 {
@@ -651,6 +675,7 @@ int main(void)
     test_panels();
     test_crease();
     test_pole();
+    test_dip();
     test_straight();
     test_beside_knots();
     test_drift();
