@@ -22,8 +22,7 @@ KNOWN = {
     "film-cap": "principal",
     "pipe-flat-start": "asymptotic",
     "pipe-legal": "asymptotic",
-    "pipe-ones": "asymptotic principal",
-    "pipe-paper": "principal",
+    "pipe-ones": "asymptotic",
     "pipe-run-closed": "asymptotic",
     "plateau-mast": "principal",
 }

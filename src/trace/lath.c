@@ -268,6 +268,8 @@ static taut_status join(const pieces *behind, const pieces *ahead, taut_arena *a
         reverse_station(&piece->from, &segment->to);
         shift_station(&segment->from, -1, s, twist, measure);
         shift_station(&segment->to, -1, s, twist, measure);
+        segment->twist = segment->to.twist;
+        segment->measure = segment->to.measure;
     }
     for (int k = 0; k < ahead->count; k++) {
         const taut_piece *piece = &ahead->list[k];
@@ -281,6 +283,8 @@ static taut_status join(const pieces *behind, const pieces *ahead, taut_arena *a
                                   .near_parabolic = piece->near_parabolic};
         shift_station(&segment->from, 1, s, twist, measure);
         shift_station(&segment->to, 1, s, twist, measure);
+        segment->twist = segment->from.twist;
+        segment->measure = segment->from.measure;
     }
     lath->seed_s = s;
     if (lath->count > 0) {
@@ -542,11 +546,10 @@ void taut_segment_station(taut_linefield_kind kind, const taut_segment *segment,
         reverse_station(&own, station);
     }
     station->s = segment->first + segment->way * state->s;
-    const double base_twist = segment->way > 0 ? segment->from.twist : segment->to.twist;
-    const double base_measure = segment->way > 0 ? segment->from.measure : segment->to.measure;
-    station->twist = base_twist + segment->way * (own.twist - segment->start.y[TAUT_WALK_TWIST]);
+    station->twist =
+        segment->twist + segment->way * (own.twist - segment->start.y[TAUT_WALK_TWIST]);
     station->measure =
-        base_measure + segment->way * (own.measure - segment->start.y[TAUT_WALK_MEASURE]);
+        segment->measure + segment->way * (own.measure - segment->start.y[TAUT_WALK_MEASURE]);
 }
 
 int taut_segment_state(taut_linefield_kind kind, const taut_segment *segment, double s,

@@ -15,7 +15,9 @@ typedef struct taut_segment {
     taut_station from, to;
     taut_walk_state start;
     double h, first;
-    int way; /* +1, or -1: stepped against the lath */
+    double twist,
+        measure; /* at `start`, where it may not begin any more: it may have become longer */
+    int way;     /* +1, or -1: stepped against the lath */
     int near_parabolic;
 } taut_segment;
 
