@@ -12,6 +12,7 @@
 #include "draw/legend.h"
 #include "draw/pane.h"
 #include "draw/panes.h"
+#include "io/flat/cloth.h"
 #include "io/flat/flat.h"
 #include "io/flat/spread.h"
 #include "io/format.h"
@@ -31,7 +32,7 @@
 static const double page_width = 1200, page_height = 900, page_point = 0.5;
 static const double column_width = 700, column_height = 900, column_point = 88 / 25.4 * 72 / 700;
 /* Beside the picture for names or a scale, below for the scale bar, for a title. */
-static const double legend_width = 160, foot = 52, title_height = 44;
+static const double legend_width = 160, names_width = 200, foot = 52, title_height = 44;
 
 /* All of one figure. */
 typedef struct figure {
@@ -445,7 +446,7 @@ static int lay_out(figure *f)
     f->width = f->options.column ? column_width : page_width;
     f->height = f->options.column ? column_height : page_height;
     f->top = f->options.title != NULL ? title_height : 0;
-    f->right = has_scale || names > 0 ? legend_width : 0;
+    f->right = has_scale ? legend_width : names > 0 ? names_width : 0;
     f->foot = foot;
     if (!aim(f)) {
         return 0;
@@ -557,9 +558,10 @@ static taut_status check_options(const taut_write_options *options, taut_error *
     return check_numbers(options, error);
 }
 
-/* f is zero but for its options. */
+/* f is zero but for its options. own: the models as they are. */
 static taut_status draw_models(figure *f, int count, const taut_model *const *models,
-                               const char *kind, FILE *out, taut_error *error)
+                               const taut_model *const *own, const char *kind, FILE *out,
+                               taut_error *error)
 {
     const taut_canvas_ops *ops = NULL;
     taut_status status = check_options(&f->options, error);
@@ -578,10 +580,33 @@ static taut_status draw_models(figure *f, int count, const taut_model *const *mo
         return taut_fail_memory(error);
     }
     status = taut_panes_new(count, models, &f->options, f->arena, &f->panes, error);
+    for (int i = 0; status == TAUT_OK && i < f->panes.count; i++) {
+        for (int k = 0; k < count; k++) {
+            if (models[k] == f->panes.pane[i].model) {
+                f->panes.pane[i].own = own[k];
+            }
+        }
+    }
     return status == TAUT_OK ? draw_panes(f, ops, kind, out, error) : status;
 }
 
-/* The same with the flat pieces of cutting patterns beside their surfaces. */
+/* The plane of the page for pieces that lie flat, from the view, which is that of solids at first sight where none is asked for; in a
+ * view that is chosen by what is seen they would lie askew. */
+static void choose_plane(figure *f, double plane[2][3])
+{
+    taut_camera camera;
+    if (!f->options.has_view) {
+        f->options.view[0] = -60;
+        f->options.view[1] = 35;
+        f->options.has_view = 1;
+    }
+    taut_camera_init(&camera);
+    taut_camera_aim(&camera, f->options.view[0], f->options.view[1]);
+    memcpy(plane[0], camera.right, sizeof camera.right);
+    memcpy(plane[1], camera.up, sizeof camera.up);
+}
+
+/* The same with the flat pieces of cutting patterns below their surfaces, in the plane of the page. */
 static taut_status draw_spread(figure *f, int count, const taut_model *const *models,
                                const char *kind, FILE *out, taut_error *error)
 {
@@ -593,10 +618,16 @@ static taut_status draw_spread(figure *f, int count, const taut_model *const *mo
             ? models[0]
             : NULL;
     for (int i = 0; status == TAUT_OK && i < count; i++) {
-        status = models[i] != NULL ? taut_flat_spread(models[i], &own[i]) : TAUT_OK;
+        double plane[2][3];
+        const int is_cloth = models[i] != NULL && taut_flat_is_cloth(models[i]);
+        if (is_cloth) {
+            choose_plane(f, plane);
+        }
+        status =
+            is_cloth ? taut_flat_spread(models[i], (const double(*)[3])plane, &own[i]) : TAUT_OK;
         shown[i] = own[i] != NULL ? own[i] : models[i];
     }
-    status = status == TAUT_OK ? draw_models(f, count, shown, kind, out, error)
+    status = status == TAUT_OK ? draw_models(f, count, shown, models, kind, out, error)
                                : taut_fail_memory(error);
     for (int i = 0; i < count; i++) {
         taut_model_free(own[i]);

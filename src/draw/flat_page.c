@@ -226,7 +226,7 @@ static void put_ruler(const tiling *t)
         const double at = x + k * ruler_step;
         rule(t, at, y, at, y - ruler_mark * (k % 5 == 0 ? 2 : 1), black);
     }
-    put_text(t, x + ruler / 2, y + letters, letters, TAUT_ANCHOR_MIDDLE,
+    put_text(t, x + ruler / 2, y + 1.4 * letters, letters, TAUT_ANCHOR_MIDDLE,
              "100 mm, printed at 100 %");
 }
 

@@ -23,6 +23,18 @@ int taut_pane_shows(const taut_pane *pane, const taut_write_options *options, in
                               : taut_model_shows(pane->model, options->surface, i);
 }
 
+/* Flat pieces are strained along the threads that they have where they are made. */
+static taut_status sample_film(const taut_pane *pane, const taut_write_options *options, int i,
+                               taut_arena *arena, taut_sheet *sheet)
+{
+    const taut_model *own = pane->own != NULL ? pane->own : pane->model;
+    const taut_surface *shown = sheet->surface;
+    sheet->surface = taut_model_surface(own, i);
+    const taut_status status = taut_sheet_film(options, own, arena, sheet);
+    sheet->surface = shown;
+    return status;
+}
+
 static taut_status sample_surface(taut_pane *pane, const taut_write_options *options, int i,
                                   int cells, int most, taut_arena *arena)
 {
@@ -30,7 +42,7 @@ static taut_status sample_surface(taut_pane *pane, const taut_write_options *opt
     const taut_status status =
         taut_sheet_new(taut_model_surface(pane->model, i), cells, most, options, arena, sheet);
     if (status == TAUT_OK && options->colour >= TAUT_COLOUR_GAP) {
-        return taut_sheet_film(options, pane->model, arena, sheet);
+        return sample_film(pane, options, i, arena, sheet);
     }
     return status == TAUT_OK && options->isolines > 0 && options->colour != TAUT_COLOUR_PLAIN
                ? taut_sheet_corners(options, arena, sheet)

@@ -17,6 +17,8 @@ typedef struct taut_polyline {
 
 typedef struct taut_pane {
     const taut_model *model;
+    const taut_model *
+        own; /* with the same surfaces, flat pieces where the model has them; NULL: the model itself */
     int surface;       /* the one that is shown, or -1: all that options->surface leaves */
     const char *label; /* what stands above, or NULL */
     int sheet_count, curve_count;

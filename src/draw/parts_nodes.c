@@ -48,7 +48,7 @@ taut_status taut_parts_nodes(const taut_model *model, const taut_camera *camera,
         }
         taut_camera_project(camera, point, page);
         taut_scene_disc(scene, page, ink, rim, radius);
-        if (!taut_depth_hides(&scene->depth, page, 3)) {
+        if (!taut_scene_hides(scene, page, 3)) {
             add_name(page, taut_record_text(taut_record_get(node, "node")), scene);
         }
     }

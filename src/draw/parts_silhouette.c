@@ -9,7 +9,7 @@
 #include <math.h>
 
 static const taut_ink silhouette_ink = {52, 60, 76};
-static const double silhouette_width = 1.1;
+static const double silhouette_width = 1.1, silhouette_reach = 1.5;
 
 /* The eye's part of a cell's normal in units of its length, from the diagonals; 0 where the cell
  * is a line to the eye or has no area. */
@@ -123,7 +123,7 @@ static void add_cell(const field *f, size_t i, size_t j, taut_scene *scene)
     for (int k = 0; k + 1 < count; k += 2) {
         fold_side(f, i, j, side);
         if (falls_away(&scene->depth, at[k], at[k + 1], side)) {
-            taut_scene_line(scene, 2, at[k], silhouette_ink, silhouette_width);
+            taut_scene_fold(scene, 2, at[k], silhouette_ink, silhouette_width, silhouette_reach);
         }
     }
 }

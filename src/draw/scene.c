@@ -9,9 +9,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A point this much behind a surface, in page units, still counts as on it; a line is judged every
- * STEP units; fewer than SHORTEST steps in a row are a ripple and follow what is around them. */
-static const double usual_slack = 1.5, step_length = 2;
+/* A point this much behind a surface, in page units, or this far beside it still counts as on it; a line is judged
+ * every STEP units; fewer than SHORTEST steps in a row are a ripple and follow what is around them. */
+static const double usual_slack = 1.5, usual_reach = 0.4, step_length = 1;
 enum { SHORTEST = 4 };
 
 taut_status taut_scene_init(taut_scene *scene, double width, double height, taut_arena *arena)
@@ -29,6 +29,7 @@ void taut_scene_clear(taut_scene *scene)
     taut_free(scene->points);
     taut_free(scene->hidden);
     taut_free(scene->tags);
+    taut_depth_clear(&scene->depth);
     memset(scene, 0, sizeof *scene);
 }
 
@@ -94,6 +95,7 @@ void taut_scene_cell(taut_scene *scene, const double *const corner[4], taut_ink 
         add_cell(scene, &cell);
         taut_depth_triangle(&scene->depth, corner[0], corner[1], corner[2]);
         taut_depth_triangle(&scene->depth, corner[0], corner[2], corner[3]);
+        scene->status = scene->status == TAUT_OK ? scene->depth.status : scene->status;
     }
 }
 
@@ -105,6 +107,19 @@ void taut_scene_over(taut_scene *scene, const double *const corner[4], taut_ink 
         cell.depth = scene->cells[scene->cell_count - 1].depth;
         add_cell(scene, &cell);
     }
+}
+
+/* Behind what was added so far? */
+static int hides(taut_scene *scene, const double at[3], double reach, double slack)
+{
+    const int hidden = taut_depth_hides(&scene->depth, at, reach, slack);
+    scene->status = scene->status == TAUT_OK ? scene->depth.status : scene->status;
+    return hidden;
+}
+
+int taut_scene_hides(taut_scene *scene, const double at[3], double slack)
+{
+    return hides(scene, at, usual_reach, slack);
 }
 
 static void add_stroke(taut_scene *scene, taut_stroke stroke)
@@ -137,7 +152,8 @@ static size_t steps_of(const double a[3], const double b[3])
 }
 
 /* hidden[k] for every step of the line, judged at its middle. Returns how many. */
-static size_t mark_hidden(taut_scene *scene, size_t count, const double *points, double slack)
+static size_t mark_hidden(taut_scene *scene, size_t count, const double *points, double reach,
+                          double slack)
 {
     size_t used = 0;
     for (size_t i = 0; i + 1 < count; i++) {
@@ -148,7 +164,7 @@ static size_t mark_hidden(taut_scene *scene, size_t count, const double *points,
             const double t = ((double)k + 0.5) / (double)steps;
             const double at[3] = {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]),
                                   a[2] + t * (b[2] - a[2])};
-            scene->hidden[used++] = (unsigned char)taut_depth_hides(&scene->depth, at, slack);
+            scene->hidden[used++] = (unsigned char)hides(scene, at, reach, slack);
         }
     }
     return used;
@@ -215,15 +231,21 @@ static void add_runs(taut_scene *scene, size_t count, const double *points, taut
     }
 }
 
-void taut_scene_line(taut_scene *scene, size_t count, const double *points, taut_ink ink,
-                     double width)
+void taut_scene_fold(taut_scene *scene, size_t count, const double *points, taut_ink ink,
+                     double width, double reach)
 {
     const taut_stroke style = {.size = width, .ink = ink};
-    const size_t steps = mark_hidden(scene, count, points, usual_slack);
+    const size_t steps = mark_hidden(scene, count, points, reach, usual_slack);
     if (scene->status == TAUT_OK) {
         smooth_hidden(steps, scene->hidden);
         add_runs(scene, count, points, style, 0);
     }
+}
+
+void taut_scene_line(taut_scene *scene, size_t count, const double *points, taut_ink ink,
+                     double width)
+{
+    taut_scene_fold(scene, count, points, ink, width, usual_reach);
 }
 
 void taut_scene_line_through(taut_scene *scene, size_t count, const double *points, taut_ink ink,
@@ -231,7 +253,7 @@ void taut_scene_line_through(taut_scene *scene, size_t count, const double *poin
 {
     const taut_stroke seen = {.size = width, .ink = ink};
     const taut_stroke behind = {.size = 0.7 * width, .ink = faint};
-    const size_t steps = mark_hidden(scene, count, points, slack);
+    const size_t steps = mark_hidden(scene, count, points, usual_reach, slack);
     if (scene->status == TAUT_OK) {
         smooth_hidden(steps, scene->hidden);
         add_runs(scene, count, points, behind, 1);
@@ -244,16 +266,15 @@ void taut_scene_disc(taut_scene *scene, const double at[3], taut_ink ink, taut_i
 {
     const taut_stroke style = {
         .size = radius, .ink = ink, .rim = rim, .first = scene->point_count, .count = 1};
-    if (is_finite(at) && !taut_depth_hides(&scene->depth, at, usual_slack)) {
+    if (is_finite(at) && !taut_scene_hides(scene, at, usual_slack)) {
         add_point(scene, at[0], at[1]);
         add_stroke(scene, style);
     }
 }
 
-int taut_scene_has_room(const taut_scene *scene, const double at[3], const double size[2],
-                        double gap)
+int taut_scene_has_room(taut_scene *scene, const double at[3], const double size[2], double gap)
 {
-    if (!is_finite(at) || taut_depth_hides(&scene->depth, at, usual_slack)) {
+    if (!is_finite(at) || taut_scene_hides(scene, at, usual_slack)) {
         return 0;
     }
     for (int k = 0; k < 4; k++) {

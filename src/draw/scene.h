@@ -59,6 +59,10 @@ void taut_scene_over(taut_scene *scene, const double *const corner[4], taut_ink 
 /* points: double[count][3] */
 void taut_scene_line(taut_scene *scene, size_t count, const double *points, taut_ink ink,
                      double width);
+/* The same of where a surface turns away: the line is found to within `reach` of it, and that far beside the surface
+ * it still counts as seen. */
+void taut_scene_fold(taut_scene *scene, size_t count, const double *points, taut_ink ink,
+                     double width, double reach);
 /* The same, where hidden by no more than `slack` still seen, and where hidden by more a thinner
  * line of the ink `faint`: of nets, which lie along their surface and behind it. */
 void taut_scene_line_through(taut_scene *scene, size_t count, const double *points, taut_ink ink,
@@ -66,9 +70,10 @@ void taut_scene_line_through(taut_scene *scene, size_t count, const double *poin
 void taut_scene_disc(taut_scene *scene, const double at[3], taut_ink ink, taut_ink rim,
                      double radius);
 
+/* Is a finite point behind a surface by more than `slack`? */
+int taut_scene_hides(taut_scene *scene, const double at[3], double slack);
 /* Does a box of this size about a point lie on surfaces whole, and away from all tags by `gap`? */
-int taut_scene_has_room(const taut_scene *scene, const double at[3], const double size[2],
-                        double gap);
+int taut_scene_has_room(taut_scene *scene, const double at[3], const double size[2], double gap);
 void taut_scene_tag(taut_scene *scene, const taut_tag *tag);
 
 /* Sorts and draws: cells, then lines and discs as they were added, then tags. */

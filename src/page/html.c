@@ -99,7 +99,7 @@ static taut_status write_html(const taut_model *model, const taut_write_options 
 {
     json_text texts[2] = {{.name = "data"}, {.name = "document"}};
     taut_model *spread = NULL;
-    taut_status status = taut_flat_spread(model, &spread);
+    taut_status status = taut_flat_spread(model, NULL, &spread);
 
     if (status != TAUT_OK) {
         return taut_fail_memory(error);

@@ -382,9 +382,10 @@ taut_status taut_mesh_lines(const taut_model *model, double lift, taut_arena *ar
     return TAUT_NO_MEMORY;
 }
 
-taut_status taut_flat_spread(const taut_model *model, taut_model **spread)
+taut_status taut_flat_spread(const taut_model *model, const double plane[2][3], taut_model **spread)
 {
     (void)model;
+    (void)plane;
     *spread = NULL;
     return TAUT_OK;
 }

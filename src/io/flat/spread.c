@@ -1,6 +1,7 @@
 #include "io/flat/spread.h"
 
 #include "core/memory.h"
+#include "core/vec3.h"
 #include "io/flat/cloth.h"
 
 #include <math.h>
@@ -17,76 +18,219 @@ static int cut_count(const taut_model *model)
     return count > 1 ? count : 1;
 }
 
-/* Below the box of the surfaces, in y, and at its foot: where the upper left corner of the roll goes. */
-static void corner_of(const taut_model *model, double corner[3])
+/* Where pieces go: (corner[0] + x) right + (corner[1] + y) up, from where their row of the roll begins, so far down. */
+typedef struct layout {
+    const taut_model *model;
+    double right[3], up[3], corner[3];
+    double size[2];       /* of the surfaces, to the right and up */
+    size_t count;         /* of places on the roll */
+    double (*extents)[2]; /* from where to where each piece is along the roll */
+    double row, down;     /* how long a row may be, and how far one is below the other */
+} layout;
+
+/* Below the box of the surfaces where the upper left corner of the roll goes, as deep as the least of the box; on the ground, at its foot. */
+static void find_corner(layout *to)
 {
     double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
-    for (int i = 0; i < cut_count(model); i++) {
-        const taut_surface *surface = taut_model_surface(model, i);
+    double deep[3], axes[3][3];
+    taut_cross(to->right, to->up, deep);
+    memcpy(axes[0], to->right, sizeof axes[0]);
+    memcpy(axes[1], to->up, sizeof axes[1]);
+    memcpy(axes[2], deep, sizeof axes[2]);
+    for (int i = 0; i < cut_count(to->model); i++) {
+        const taut_surface *surface = taut_model_surface(to->model, i);
         const int count =
             taut_basis_count(taut_surface_u(surface)) * taut_basis_count(taut_surface_v(surface));
         for (int k = 0; k < 3 * count; k++) {
-            low[k % 3] = fmin(low[k % 3], taut_surface_points(surface)[k]);
-            high[k % 3] = fmax(high[k % 3], taut_surface_points(surface)[k]);
+            const double at = taut_dot(taut_surface_points(surface) + 3 * (k / 3), axes[k % 3]);
+            low[k % 3] = fmin(low[k % 3], at);
+            high[k % 3] = fmax(high[k % 3], at);
         }
     }
-    corner[0] = low[0];
-    corner[1] = low[1] - aside * fmax(high[0] - low[0], high[1] - low[1]);
-    corner[2] = low[2];
+    to->size[0] = high[0] - low[0];
+    to->size[1] = high[1] - low[1];
+    to->corner[0] = low[0];
+    to->corner[1] = low[1] - aside * fmax(to->size[0], to->size[1]);
+    to->corner[2] = low[2];
 }
 
-/* How far a piece is moved, once x and y are times *sign (-1: it is turned by half a turn); 0 where the roll does not have it. */
-static int shift_of(const taut_model *model, const double corner[3], const char *piece,
-                    size_t length, double shift[3], double *sign)
+static const taut_record *roll_of(const taut_model *model)
 {
-    const taut_record *roll = taut_record_get(taut_model_details(model), "roll");
-    const taut_record *places = taut_record_get(roll, "pieces");
-    for (size_t k = 0; k < taut_record_count(places); k++) {
-        const taut_record *place = taut_record_at(places, k), *at = taut_record_get(place, "at");
-        const char *name = taut_record_text(taut_record_get(place, "name"));
-        if (strlen(name) == length && strncmp(name, piece, length) == 0) {
-            const double width = taut_record_number(taut_record_get(roll, "width"));
-            shift[0] = corner[0] + taut_record_number(taut_record_at(at, 0));
-            shift[1] = corner[1] - width + taut_record_number(taut_record_at(at, 1));
-            shift[2] = corner[2];
-            *sign = taut_record_get(place, "turned") != NULL ? -1 : 1;
-            return isfinite(shift[0] + shift[1]);
+    return taut_record_get(taut_model_details(model), "roll");
+}
+
+static const taut_record *place_of(const layout *to, size_t k)
+{
+    return taut_record_at(taut_record_get(roll_of(to->model), "pieces"), k);
+}
+
+static double sign_of(const taut_record *place)
+{
+    return taut_record_get(place, "turned") != NULL ? -1 : 1;
+}
+
+/* From where to where piece k is along the roll, by the control points of its outline; nowhere, where the model has none. */
+static void find_extent(const layout *to, size_t k, double extent[2])
+{
+    const taut_record *place = place_of(to, k);
+    const char *name = taut_record_text(taut_record_get(place, "name"));
+    const double at = taut_record_number(taut_record_at(taut_record_get(place, "at"), 0));
+    extent[0] = INFINITY;
+    extent[1] = -INFINITY;
+    for (int i = 0; i < taut_model_curve_count(to->model); i++) {
+        const taut_curve *curve = taut_model_curve(to->model, i);
+        const char *dot = strchr(taut_curve_name(curve), '.');
+        if (dot == NULL || strcmp(dot, ".cut") != 0 ||
+            (size_t)(dot - taut_curve_name(curve)) != strlen(name) ||
+            strncmp(taut_curve_name(curve), name, strlen(name)) != 0) {
+            continue;
         }
+        for (int p = 0; p < taut_basis_count(taut_curve_t(curve)); p++) {
+            const double x = at + sign_of(place) * taut_curve_points(curve)[3 * p];
+            extent[0] = fmin(extent[0], x);
+            extent[1] = fmax(extent[1], x);
+        }
+    }
+}
+
+/* Where the next row begins: at the first piece that ends beyond this one; INFINITY where there is none. */
+static double next_row(const layout *to, double start, double row)
+{
+    double next = INFINITY;
+    for (size_t k = 0; k < to->count; k++) {
+        if (to->extents[k][0] > start && to->extents[k][1] > start + row) {
+            next = fmin(next, to->extents[k][0]);
+        }
+    }
+    return next;
+}
+
+static double first_row(const layout *to)
+{
+    double start = INFINITY;
+    for (size_t k = 0; k < to->count; k++) {
+        start = fmin(start, to->extents[k][0]);
+    }
+    return start;
+}
+
+/* Such rows that the picture, 4 by 3, is largest. */
+static void choose_rows(layout *to)
+{
+    enum { MOST = 12 };
+    const double width = taut_record_number(taut_record_get(roll_of(to->model), "width"));
+    double best = INFINITY, length = 0;
+
+    to->down = (1 + aside) * width;
+    for (size_t k = 0; k < to->count; k++) {
+        length = fmax(length, to->extents[k][1] - first_row(to));
+    }
+    for (int parts = 1; parts <= MOST; parts++) {
+        int rows = 0;
+        double wide = to->size[0];
+        for (double start = first_row(to); isfinite(start); rows++) {
+            const double next = next_row(to, start, length / parts);
+            for (size_t k = 0; k < to->count; k++) {
+                const int is_here = to->extents[k][0] >= start && to->extents[k][0] < next;
+                wide = is_here ? fmax(wide, to->extents[k][1] - start) : wide;
+            }
+            start = next;
+        }
+        const double size = fmax(wide / 4, (to->size[1] + rows * to->down) / 3);
+        if (size < best) {
+            best = size;
+            to->row = length / parts;
+        }
+    }
+}
+
+/* 0 without memory. */
+static int lay_out(const taut_model *model, const double plane[2][3], layout *to)
+{
+    static const double ground[2][3] = {{1, 0, 0}, {0, 1, 0}};
+    const double(*axes)[3] = plane != NULL ? plane : ground;
+
+    *to = (layout){.model = model, .row = INFINITY};
+    memcpy(to->right, axes[0], sizeof to->right);
+    memcpy(to->up, axes[1], sizeof to->up);
+    find_corner(to);
+    to->count = taut_record_count(taut_record_get(roll_of(model), "pieces"));
+    to->extents = taut_alloc(to->count, sizeof *to->extents);
+    for (size_t k = 0; to->extents != NULL && k < to->count; k++) {
+        find_extent(to, k, to->extents[k]);
+    }
+    if (to->extents != NULL && plane != NULL) {
+        choose_rows(to);
+    }
+    return to->extents != NULL;
+}
+
+/* How a piece lies: x and y times `sign` (-1: it is turned by half a turn), and moved. */
+typedef struct pose {
+    double sign, at[2];
+} pose;
+
+/* 0 where the roll does not have the piece. */
+static int find_pose(const layout *to, const char *piece, size_t length, pose *found)
+{
+    const double width = taut_record_number(taut_record_get(roll_of(to->model), "width"));
+    for (size_t k = 0; k < to->count; k++) {
+        const taut_record *place = place_of(to, k), *at = taut_record_get(place, "at");
+        const char *name = taut_record_text(taut_record_get(place, "name"));
+        if (strlen(name) != length || strncmp(name, piece, length) != 0) {
+            continue;
+        }
+        double begin = 0;
+        int rows = 0;
+        for (double start = first_row(to); isfinite(to->row) && start <= to->extents[k][0];
+             start = next_row(to, start, to->row)) {
+            begin = start;
+            rows++;
+        }
+        found->sign = sign_of(place);
+        found->at[0] = to->corner[0] + taut_record_number(taut_record_at(at, 0)) - begin;
+        found->at[1] = to->corner[1] - width + taut_record_number(taut_record_at(at, 1)) -
+                       fmax(rows - 1, 0) * to->down;
+        return isfinite(found->at[0] + found->at[1]);
     }
     return 0;
 }
 
-static double *moved(const double *points, int count, const double shift[3], double sign)
+/* Points of a piece where it lies; as they are where `how` is NULL. */
+static double *posed(const layout *to, const double *points, int count, const pose *how)
 {
-    double *own = taut_alloc((size_t)count, 3 * sizeof(double));
-    for (int k = 0; own != NULL && k < 3 * count; k++) {
-        own[k] = (k % 3 < 2 ? sign : 1) * points[k] + shift[k % 3];
+    double *own = taut_alloc((size_t)count, 3 * sizeof(double)), deep[3];
+    taut_cross(to->right, to->up, deep);
+    for (int k = 0; own != NULL && k < count; k++) {
+        const double *p = points + 3 * k;
+        for (int c = 0; c < 3; c++) {
+            own[3 * k + c] = how == NULL ? p[c]
+                                         : (how->at[0] + how->sign * p[0]) * to->right[c] +
+                                               (how->at[1] + how->sign * p[1]) * to->up[c] +
+                                               (to->corner[2] + p[2]) * deep[c];
+        }
     }
     return own;
 }
 
-static taut_status add_surface(const taut_model *model, int i, const double corner[3],
-                               taut_model *to)
+static taut_status add_surface(const layout *to, int i, taut_model *made_of)
 {
-    const taut_surface *from = taut_model_surface(model, i);
+    const taut_surface *from = taut_model_surface(to->model, i);
+    const char *name = taut_surface_name(from);
     const int count =
         taut_basis_count(taut_surface_u(from)) * taut_basis_count(taut_surface_v(from));
-    double shift[3] = {0, 0, 0}, sign = 1;
     taut_surface *made = NULL;
+    pose how;
 
-    if (i >= cut_count(model)) {
-        const char *name = taut_surface_name(from);
-        shift_of(model, corner, name, strlen(name), shift, &sign);
-    }
-    double *points = moved(taut_surface_points(from), count, shift, sign);
-    taut_status status =
-        points != NULL
-            ? taut_surface_new(taut_surface_name(from), taut_surface_u(from), taut_surface_v(from),
-                               points, taut_surface_weights(from), &made, NULL)
-            : TAUT_NO_MEMORY;
+    const int is_piece = i >= cut_count(to->model) && find_pose(to, name, strlen(name), &how);
+    double *points = posed(to, taut_surface_points(from), count, is_piece ? &how : NULL);
+    taut_status status = points != NULL
+                             ? taut_surface_new(name, taut_surface_u(from), taut_surface_v(from),
+                                                points, taut_surface_weights(from), &made, NULL)
+                             : TAUT_NO_MEMORY;
     taut_free(points);
     if (status == TAUT_OK) {
-        status = taut_model_add_surface(to, made);
+        status = taut_model_add_surface(made_of, made);
         if (status != TAUT_OK) {
             taut_surface_free(made);
         }
@@ -94,25 +238,25 @@ static taut_status add_surface(const taut_model *model, int i, const double corn
     return status;
 }
 
-static taut_status add_curve(const taut_model *model, int i, const double corner[3], taut_model *to)
+static taut_status add_curve(const layout *to, int i, taut_model *made_of)
 {
-    const taut_curve *from = taut_model_curve(model, i);
+    const taut_curve *from = taut_model_curve(to->model, i);
     const char *name = taut_curve_name(from), *dot = strchr(name, '.');
-    double shift[3] = {0, 0, 0}, sign = 1;
     taut_curve *made = NULL;
+    pose how;
 
-    if (dot != NULL && shift_of(model, corner, name, (size_t)(dot - name), shift, &sign) &&
-        strcmp(dot, ".cut") != 0) {
+    const int is_piece = dot != NULL && find_pose(to, name, (size_t)(dot - name), &how);
+    if (is_piece && strcmp(dot, ".cut") != 0) {
         return TAUT_OK;
     }
-    double *points =
-        moved(taut_curve_points(from), taut_basis_count(taut_curve_t(from)), shift, sign);
+    double *points = posed(to, taut_curve_points(from), taut_basis_count(taut_curve_t(from)),
+                           is_piece ? &how : NULL);
     taut_status status = points != NULL ? taut_curve_new(name, taut_curve_t(from), points,
                                                          taut_curve_weights(from), &made, NULL)
                                         : TAUT_NO_MEMORY;
     taut_free(points);
     if (status == TAUT_OK) {
-        status = taut_model_add_curve(to, made);
+        status = taut_model_add_curve(made_of, made);
         if (status != TAUT_OK) {
             taut_curve_free(made);
         }
@@ -137,26 +281,29 @@ static taut_status copy_told(const taut_model *model, taut_model *to)
     return taut_model_set_unit(to, taut_model_unit(model));
 }
 
-taut_status taut_flat_spread(const taut_model *model, taut_model **spread)
+taut_status taut_flat_spread(const taut_model *model, const double plane[2][3], taut_model **spread)
 {
     taut_model *made = NULL;
-    double corner[3];
+    layout to;
 
     *spread = NULL;
     if (!taut_flat_is_cloth(model) || taut_model_surface_count(model) == 0) {
         return TAUT_OK;
     }
-    corner_of(model, corner);
+    if (!lay_out(model, plane, &to)) {
+        return TAUT_NO_MEMORY;
+    }
     taut_status status = taut_model_new(&made);
     for (int i = 0; status == TAUT_OK && i < taut_model_surface_count(model); i++) {
-        status = add_surface(model, i, corner, made);
+        status = add_surface(&to, i, made);
     }
     for (int i = 0; status == TAUT_OK && i < taut_model_curve_count(model); i++) {
-        status = add_curve(model, i, corner, made);
+        status = add_curve(&to, i, made);
     }
     if (status == TAUT_OK) {
         status = copy_told(model, made);
     }
+    taut_free(to.extents);
     if (status != TAUT_OK) {
         taut_model_free(made);
         return status;

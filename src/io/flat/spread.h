@@ -5,7 +5,11 @@
 #include "taut/model.h"
 
 /* A copy of the model with its details and certificate, the caller's: flat pieces and their outlines (P1, P1.cut) moved, the other lines
- * of pieces left out. NULL in *spread where the model is no such pattern. TAUT_NO_MEMORY. */
-taut_status taut_flat_spread(const taut_model *model, taut_model **spread);
+ * of pieces left out. NULL in *spread where the model is no such pattern.
+ *   plane   to the right and upwards, unit vectors across each other: the pieces lie in that plane, below what the surface takes of it,
+ *           the roll in as many rows as make the picture largest; or NULL: on the ground, x and y, the roll in one row
+ * TAUT_NO_MEMORY. */
+taut_status taut_flat_spread(const taut_model *model, const double plane[2][3],
+                             taut_model **spread);
 
 #endif /* TAUT_IO_FLAT_SPREAD_H */

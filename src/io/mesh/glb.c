@@ -588,7 +588,7 @@ static taut_status write_glb(const taut_model *model, const taut_write_options *
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "glb files show H, K or I");
     }
-    if (taut_flat_spread(model, &spread) != TAUT_OK) {
+    if (taut_flat_spread(model, NULL, &spread) != TAUT_OK) {
         return taut_fail_memory(error);
     }
     plan.is_cloth = spread != NULL;
