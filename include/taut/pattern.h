@@ -261,8 +261,10 @@ typedef struct taut_pattern_problem {
       "cut it across by butts: the message says in how many parts")                                \
     X("allowance", "an edge turns inwards more tightly than what is to be left along it",          \
       "leave less there: the message says how much")                                               \
-    X("strain", "no number of strips up to 500 is strained as little as that",                     \
-      "allow more strain: halving the width of strips quarters it")                                \
+    X("strain",                                                                                    \
+      "no number of strips up to 500, or not the one that is given, is strained as little as "     \
+      "that",                                                                                      \
+      "allow more strain, or take more strips: halving their width quarters it")                   \
     X("overlap", "a flat piece lies over itself", "cut it across, by a butt, or take more strips") \
     X("folds", "no flat piece without folds was found to begin with", "take more strips")          \
     X("not-converged", "the flattening did not settle",                                            \

@@ -52,6 +52,8 @@ refused 2 'missing' pattern surface.json --across v0,v1 -o none.json
 refused 2 'allowance' pattern surface.json --across v0,v1 --count 3 --allowance -1 -o none.json
 refused 4 'allowance' pattern surface.json --across v0,v1 --count 3 --allowance 9 -o none.json
 refused 4 'strain' pattern surface.json --across v0,v1 --strain 1e-9 -o none.json
+refused 4 'strain /strain found 0.0011[0-9]* expected 0.001' pattern surface.json --across v0,v1 --count 4 --strain 0.001 -o none.json
+contains err.txt 'take at least 5 strips'
 run 0 pattern surface.json --across v0,v1 --strain 0.005 --quiet -o strained.json
 contains strained.json '"strain": 0.005'
 refused 2 'material' pattern surface.json --across v0,v1 --count 3 --material silk -o none.json

@@ -183,6 +183,8 @@ static void check_cloth(const made_cloth *made, double away, const char *what)
     const double most =
         fmax(figure_of(made->proof, "max_strain"), -figure_of(made->proof, "min_strain"));
     CHECK(!(most < least), "%s: strained by %g, and %g cannot be avoided", what, most, least);
+    const double proved = figure_of(made->proof, "proved_strain");
+    CHECK(!(most < proved), "%s: strained by %g, and %g is proved", what, most, proved);
     check_sewn(made, away, what);
 }
 

@@ -636,3 +636,13 @@ void taut_cloth_line(const taut_cloth *cloth, const taut_curve *curve, double t,
         }
     }
 }
+
+taut_chart taut_cloth_chart(const taut_cloth *cloth, const taut_cloth_piece *piece)
+{
+    taut_chart chart = {.surface = piece->on, .kept = {piece->kept[0], piece->kept[1]}};
+    for (int e = 0; e < TAUT_CLOTH_EDGES; e++) {
+        chart.edges[e] = piece->sides[e] >= 0 ? cloth->sides[piece->sides[e]].window : NULL;
+        memcpy(chart.part[e], piece->part[e], sizeof chart.part[e]);
+    }
+    return chart;
+}

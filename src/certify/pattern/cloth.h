@@ -10,6 +10,7 @@
 
 #include "core/arena.h"
 #include "core/crew.h"
+#include "geometry/chart/chart.h"
 #include "taut/model.h"
 #include "taut/pattern.h"
 
@@ -133,6 +134,8 @@ static inline int taut_cloth_hand(int edge)
 {
     return edge == TAUT_CLOTH_LEFT || edge == TAUT_CLOTH_START;
 }
+/* The piece by its edges in the window, whose places are bounded. */
+taut_chart taut_cloth_chart(const taut_cloth *cloth, const taut_cloth_piece *piece);
 /* A curve of the model, plane, at t: y, y', .. up to `order`, times 2^-unit. */
 void taut_cloth_line(const taut_cloth *cloth, const taut_curve *curve, double t, int order,
                      double y[][3]);

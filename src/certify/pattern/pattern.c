@@ -172,6 +172,18 @@ static taut_status add_states(const taut_cloth *cloth, const taut_cloth_state *l
 
 /* ---- figures ---- */
 
+/* Of the piece that has the most to be proved. */
+static double proved_of(const taut_cloth *cloth, const taut_cloth_limit *limits)
+{
+    int most = 0;
+    for (int k = 1; k < cloth->piece_count; k++) {
+        most = limits[k].unavoidable > limits[most].unavoidable ? k : most;
+    }
+    return limits[most].unavoidable > 0
+               ? taut_cloth_limit_proved(cloth, &cloth->pieces[most], cloth->crew->pulse)
+               : 0;
+}
+
 static taut_status add_figures(const taut_cloth *cloth, const taut_cloth_state *list,
                                const taut_cloth_limit *limits, double area,
                                taut_certificate *certificate)
@@ -230,6 +242,11 @@ static taut_status add_figures(const taut_cloth *cloth, const taut_cloth_state *
         taut_record_add_number(figures, "unavoidable_strain", unavoidable);
     }
     taut_record_add_text(figures, "unavoidable_kind", "check");
+    if (cloth->fade_count > 0) {
+        taut_record_add_null(figures, "proved_strain");
+    } else {
+        taut_record_add_number(figures, "proved_strain", proved_of(cloth, limits));
+    }
     taut_record_add_number(figures, "expected_strain", expected);
     const taut_status status = taut_record_status(figures);
     taut_certificate_set_figures(certificate, figures);

@@ -19,6 +19,7 @@
 #include "certify/pattern/ray.h"
 #include "core/constants.h"
 #include "core/elementary/elementary.h"
+#include "geometry/chart/least_strain.h"
 #include "numeric/quadrature.h"
 
 #include <math.h>
@@ -357,4 +358,11 @@ void taut_cloth_limit_refine(const taut_cloth *cloth, const taut_cloth_piece *pi
     if ((what & TAUT_CLOTH_UNAVOIDABLE) && limit->saddle >= 0) {
         climb(&c, beta_around, limit->saddle - step, limit->saddle + step);
     }
+}
+
+double taut_cloth_limit_proved(const taut_cloth *cloth, const taut_cloth_piece *piece,
+                               taut_pulse *pulse)
+{
+    const taut_chart chart = taut_cloth_chart(cloth, piece);
+    return taut_chart_least_strain(&chart, pulse).strain;
 }

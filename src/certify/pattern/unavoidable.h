@@ -28,6 +28,9 @@ typedef struct taut_cloth_limit {
 /* At stations of the axis, and then between them about the best ones. pulse: NULL is fine; once it says stop the limit has no meaning. */
 void taut_cloth_limit_of(const taut_cloth *cloth, const taut_cloth_piece *piece, taut_pulse *pulse,
                          taut_cloth_limit *limit);
+/* The part of `unavoidable` that is proved (geometry/chart/least_strain.h); 0 where nothing is. */
+double taut_cloth_limit_proved(const taut_cloth *cloth, const taut_cloth_piece *piece,
+                               taut_pulse *pulse);
 enum { TAUT_CLOTH_UNAVOIDABLE = 1, TAUT_CLOTH_EXPECTED = 2 /* what is refined */ };
 void taut_cloth_limit_refine(const taut_cloth *cloth, const taut_cloth_piece *piece, int what,
                              taut_pulse *pulse, taut_cloth_limit *limit);

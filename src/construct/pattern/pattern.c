@@ -17,6 +17,7 @@
 #include "core/fail.h"
 #include "core/unit.h"
 #include "core/vec3.h"
+#include "geometry/chart/least_strain.h"
 #include "geometry/exponent.h"
 #include "problem/problem.h"
 #include "taut/join.h"
@@ -71,6 +72,9 @@ typedef struct made_pieces {
     double longest; /* and along */
     int longest_piece;
     double strain; /* the largest of all principal ones */
+    double
+        ruled_out; /* above 0: nothing was laid flat, as none is strained by less than this, more than is asked for */
+    int ruled_out_piece;
 } made_pieces;
 
 /* ---- what is asked for ---- */
@@ -648,6 +652,50 @@ static taut_status check_folds(const made_pieces *made, taut_error *error)
     return TAUT_OK;
 }
 
+/* What no principal strain is to be above, as the certificate has it; 0: nothing. */
+static double asked_strain(const taut_pattern_problem *problem)
+{
+    double strain = problem->strain;
+    for (int k = 0; !(problem->strain > 0) && k < problem->rule_count; k++) {
+        strain = fmax(strain, problem->rules[k].strain);
+    }
+    return strain;
+}
+
+/* The piece that needs the most strain, to first order: |K| times the square of the width. */
+static int most_curved(const taut_pattern_layout *layout)
+{
+    enum { PLACES = 5 };
+    double most = 0;
+    int piece = 0;
+    for (int k = 0; k < layout->piece_count; k++) {
+        for (int i = 1; i < PLACES; i++) {
+            double g[3], bend[2], gauss;
+            taut_pattern_piece_metric(&layout->pieces[k], (double)i / PLACES, 0.5, g);
+            taut_pattern_piece_bends(&layout->pieces[k], (double)i / PLACES, 0.5, bend, &gauss);
+            if (fabs(gauss) * g[2] > most) {
+                most = fabs(gauss) * g[2];
+                piece = k;
+            }
+        }
+    }
+    return piece;
+}
+
+/* Is it proved, before anything is laid flat, that strains are above what is asked for? The theorem is of one compensation everywhere. */
+static void rule_out(const request *r, made_pieces *made)
+{
+    const double asked = asked_strain(r->problem);
+    made->ruled_out = 0;
+    if (asked > 0 && r->problem->decompensate_count == 0) {
+        const int piece = most_curved(&made->layout);
+        const taut_chart chart = taut_pattern_piece_chart(&made->layout.pieces[piece]);
+        const double least = taut_chart_least_strain(&chart, r->crew->pulse).strain;
+        made->ruled_out = least > asked ? least : 0;
+        made->ruled_out_piece = piece;
+    }
+}
+
 /* All of strips that are cut across as told. */
 static taut_status make_parts(const request *r, const taut_pattern_ground *own, int ground_count,
                               const taut_pattern_counts *counts, made_pieces *made,
@@ -657,6 +705,15 @@ static taut_status make_parts(const request *r, const taut_pattern_ground *own, 
         taut_pattern_lay_out(own, ground_count, r->problem, counts, &made->layout, error);
     if (status == TAUT_OK) {
         status = check_marks(r, &made->layout, error);
+    }
+    if (status == TAUT_OK) {
+        rule_out(r, made);
+        if (taut_pulse_is_stopped(r->crew->pulse)) {
+            return taut_fail_status(error, TAUT_INTERRUPTED);
+        }
+        if (made->ruled_out > 0) {
+            return TAUT_OK;
+        }
     }
     for (int round = 0, is_rough = 1; status == TAUT_OK && is_rough; round++) {
         status = taut_pattern_flatten(&made->layout, &r->cut, r->crew, error);
@@ -721,7 +778,8 @@ static taut_status make_strips(const request *r, const cut_surfaces *all, int co
         lengths[k] = INFINITY;
     }
     taut_status status = make_parts(r, own, all->count, &counts, made, error);
-    while (is_cut && status == TAUT_OK && cut_longer(made, most, lengths, parts)) {
+    while (is_cut && status == TAUT_OK && made->ruled_out == 0 &&
+           cut_longer(made, most, lengths, parts)) {
         status = make_parts(r, own, all->count, &counts, made, error);
     }
     return status;
@@ -766,8 +824,11 @@ static double widest_of(const made_pieces *made, const char *surface)
 }
 
 /* By how many times too few strips there are, as widths fall with their number and strains with its square; 1 or less: enough. */
-static double shortage(const made_pieces *made, const wish *w)
+static double shortage(const request *r, const made_pieces *made, const wish *w)
 {
+    if (made->ruled_out > 0) {
+        return sqrt(made->ruled_out / asked_strain(r->problem));
+    }
     const double wide = w->width > 0 ? widest_of(made, w->surface) / w->width : 0;
     const double strained = w->strain > 0 ? made->strain / (strain_room * w->strain) : 0;
     return fmax(wide, strained > 1 ? sqrt(strained) : strained);
@@ -804,7 +865,7 @@ static taut_status fit(const request *r, const cut_surfaces *all, const wish *w,
             taut_arena_free(kept);
             return status;
         }
-        const double missing = status == TAUT_OK ? shortage(&one, w) : INFINITY;
+        const double missing = status == TAUT_OK ? shortage(r, &one, w) : INFINITY;
         if (missing <= 1) {
             taut_arena_free(kept);
             kept = own;
@@ -832,6 +893,103 @@ static taut_status fit(const request *r, const cut_surfaces *all, const wish *w,
     return TAUT_OK;
 }
 
+/* The rule that alone makes strips of a surface, in the last place that is looked at; how many do. */
+static int rules_of(const taut_pattern_problem *problem, const taut_pattern_ground *ground,
+                    int *only)
+{
+    int count = 0;
+    for (int k = 0; k < problem->rule_count; k++) {
+        const taut_pattern_rule *rule = &problem->rules[k];
+        if ((rule->kind == TAUT_PATTERN_ACROSS || rule->kind == TAUT_PATTERN_RADIAL) &&
+            is_of(rule->surface, ground)) {
+            count++;
+            *only = k;
+        }
+    }
+    return count;
+}
+
+/* With how many strips of a rule, more than it makes, it is not proved that strains are above what is asked for; 0: with none that can be
+ * laid out. */
+static taut_status count_not_ruled_out(const request *r, const cut_surfaces *all, int rule,
+                                       double ruled_out, int *found, taut_error *error)
+{
+    taut_pattern_problem other = *r->problem;
+    taut_pattern_rule *rules =
+        taut_arena_copy(all->grounds->arena, other.rules, (size_t)other.rule_count, sizeof *rules);
+    const double share = sqrt(ruled_out / asked_strain(r->problem));
+    request more = *r;
+    int parts[TAUT_PATTERN_PIECES_MAX];
+    taut_status status = rules != NULL ? TAUT_OK : taut_fail_memory(error);
+
+    for (int k = 0; k < TAUT_PATTERN_PIECES_MAX; k++) {
+        parts[k] = 1;
+    }
+    if (rules == NULL) {
+        return status;
+    }
+    const int count = rules[rule].count;
+    other.rules = rules;
+    more.problem = &other;
+    /* strains fall with the square, or hardly faster */
+    int next = (int)fmax(count + 1.0, 0.9 * count * share);
+    for (*found = 0; *found == 0 && next <= TAUT_PATTERN_PIECES_MAX; next++) {
+        const taut_pattern_counts counts = {next, parts};
+        made_pieces one = {.arena = taut_arena_new()};
+        taut_pattern_ground *own =
+            taut_arena_copy(one.arena, all->grounds, (size_t)all->count, sizeof *all->grounds);
+        rules[rule].count = next;
+        for (int k = 0; own != NULL && k < all->count; k++) {
+            own[k].arena = one.arena;
+        }
+        status = own != NULL
+                     ? taut_pattern_lay_out(own, all->count, &other, &counts, &one.layout, error)
+                     : taut_fail_memory(error);
+        if (status == TAUT_OK) {
+            rule_out(&more, &one);
+            *found = one.ruled_out > 0 ? 0 : next;
+        }
+        taut_arena_free(one.arena);
+        if (taut_pulse_is_stopped(r->crew->pulse)) {
+            return taut_fail_status(error, TAUT_INTERRUPTED);
+        }
+        if (status != TAUT_OK) {
+            return status;
+        }
+    }
+    return TAUT_OK;
+}
+
+/* No pattern of so many strips is strained by as little as is asked for. */
+static taut_status fail_ruled_out(const request *r, const cut_surfaces *all,
+                                  const made_pieces *made, taut_error *error)
+{
+    const taut_pattern_piece *piece = &made->layout.pieces[made->ruled_out_piece];
+    const taut_pattern_ground *ground = &made->layout.grounds[piece->ground];
+    char remedy[96] = "run seams nearer to each other";
+    int only = 0, found = 0;
+    const int told = rules_of(r->problem, ground, &only);
+
+    if (told == 1) {
+        taut_error none = {.message = ""};
+        const taut_status status =
+            count_not_ruled_out(r, all, only, made->ruled_out, &found, &none);
+        if (status == TAUT_INTERRUPTED || status == TAUT_NO_MEMORY) {
+            return taut_fail_status(error, status);
+        }
+    }
+    if (found > 0) {
+        snprintf(remedy, sizeof remedy, "take at least %d strips, and rather more", found);
+    } else if (told > 0) {
+        snprintf(remedy, sizeof remedy, "take more strips");
+    }
+    return taut_fail(error, TAUT_NO_SOLUTION, "strain", "/strain", made->ruled_out,
+                     asked_strain(r->problem),
+                     "no flat piece %s is strained by less than %.6g, by its curvature alone, and "
+                     "%.6g is asked for: %s",
+                     piece->name, made->ruled_out, asked_strain(r->problem), remedy);
+}
+
 /* A piece is wider than the roll: where one rule makes so many strips of its surface, with how many they would fit. */
 static taut_status fail_width(const request *r, const cut_surfaces *all, const made_pieces *made,
                               taut_error *error)
@@ -844,17 +1002,11 @@ static taut_status fail_width(const request *r, const cut_surfaces *all, const m
     const taut_pattern_ground *ground =
         &made->layout.grounds[made->layout.pieces[made->widest_piece].ground];
     char remedy[96] = "run seams nearer to each other", where[32];
-    int told = 0, only = 0, found = 0;
+    int only = 0, found = 0;
+    const int told = rules_of(problem, ground, &only);
 
     if (rules == NULL) {
         return taut_fail_memory(error);
-    }
-    for (int k = 0; k < problem->rule_count; k++) {
-        if ((rules[k].kind == TAUT_PATTERN_ACROSS || rules[k].kind == TAUT_PATTERN_RADIAL) &&
-            is_of(rules[k].surface, ground)) {
-            told++;
-            only = k;
-        }
     }
     if (told == 1) {
         const int count = rules[only].count;
@@ -903,6 +1055,9 @@ static taut_status cut_pieces(const request *r, const cut_surfaces *all, made_pi
         return fit(r, all, &w, 1, made, &found, error);
     }
     const taut_status status = make_strips(r, all, 0, all->grounds->arena, made, error);
+    if (status == TAUT_OK && made->ruled_out > 0) {
+        return fail_ruled_out(r, all, made, error);
+    }
     return status == TAUT_OK && roll > 0 && made->widest > ldexp(roll, -scale)
                ? fail_width(r, all, made, error)
                : status;

@@ -16,6 +16,12 @@ static void bound_at(const taut_pattern_bound *bound, double x, double w[3][2])
     }
 }
 
+/* A circle around a tip. */
+static int is_cap(const taut_pattern_bound *bound, const taut_pattern_bound *opposite)
+{
+    return bound->line != NULL && bound->line->kind == TAUT_SIDE_CIRCLE && opposite->is_point;
+}
+
 /* Adds what an edge across, not straight or not in proportion, is off its chord: faded out along the piece. Of a circle around a tip not
  * around it, where lines of equal t run into the tip. */
 static void add_bulge(const taut_pattern_bound *bound, const taut_pattern_bound *opposite,
@@ -25,10 +31,10 @@ static void add_bulge(const taut_pattern_bound *bound, const taut_pattern_bound 
     if (bound->line == NULL) {
         return;
     }
-    const int is_cap = bound->line->kind == TAUT_SIDE_CIRCLE && opposite->is_point;
+    const int is_around = is_cap(bound, opposite);
     bound_at(bound, t, at);
     for (int d = 0; d < 2; d++) {
-        const int is_kept = is_cap && d == 1 - opposite->border / 2;
+        const int is_kept = is_around && d == 1 - opposite->border / 2;
         const double share = is_kept ? 1 : fade, slope = is_kept ? 0 : fading;
         const double chord = bound->ends[1][d] - bound->ends[0][d];
         const double off = at[0][d] - ((1 - t) * bound->ends[0][d] + t * bound->ends[1][d]);
@@ -38,6 +44,24 @@ static void add_bulge(const taut_pattern_bound *bound, const taut_pattern_bound 
         w[4][d] += slope * (at[1][d] - chord);
         w[5][d] += share * at[2][d];
     }
+}
+
+taut_chart taut_pattern_piece_chart(const taut_pattern_piece *piece)
+{
+    static const int ends[2] = {TAUT_FLAT_START, TAUT_FLAT_END};
+    taut_chart chart = {.surface = piece->carrier->surface};
+    for (int e = 0; e < TAUT_FLAT_EDGES; e++) {
+        const taut_pattern_bound *bound = &piece->bounds[e];
+        chart.edges[e] = bound->line != NULL ? bound->line->window : NULL;
+        chart.part[e][0] = bound->from;
+        chart.part[e][1] = bound->to;
+    }
+    for (int k = 0; k < 2; k++) {
+        const taut_pattern_bound *bound = &piece->bounds[ends[k]],
+                                 *opposite = &piece->bounds[ends[1 - k]];
+        chart.kept[k] = is_cap(bound, opposite) ? 2 - opposite->border / 2 : 0;
+    }
+    return chart;
 }
 
 /* The long edges at one s. */

@@ -11,6 +11,7 @@
 
 #include "construct/pattern/side.h"
 #include "geometry/border_distance.h"
+#include "geometry/chart/chart.h"
 #include "pattern/flat/flat.h"
 
 /* An edge of a piece, as s or t grows. */
@@ -86,6 +87,8 @@ void taut_pattern_piece_bends(const taut_pattern_piece *piece, double s, double 
                               double *gauss);
 /* |X_x| along an edge, s or t, and its derivative. */
 void taut_pattern_bound_speed(const taut_pattern_piece *piece, int edge, double x, double speed[2]);
+/* The same map, whose places are bounded; lengths are those of the surface's own unit. */
+taut_chart taut_pattern_piece_chart(const taut_pattern_piece *piece);
 /* Is something sewn to the edge? */
 int taut_pattern_is_sewn(const taut_pattern_piece *piece, int edge);
 /* The length of an edge on the surface, in the carrier's unit. */
