@@ -368,6 +368,10 @@ static void add_tension(const taut_film_problem *problem, taut_record *details)
     taut_record_add_number(details, "tension", taut_film_tension(&problem->patches[0]));
 }
 
+static const char doubt[] =
+    "films end near this one, and finer spaces do not confirm it: the continuous problem may have "
+    "none; take more points, bring rims together, or lower the pressure";
+
 static taut_record *details_of(const taut_film_layout *l, const taut_film_rest *rest,
                                const double *changes, taut_arena *arena)
 {
@@ -401,8 +405,15 @@ static taut_record *details_of(const taut_film_layout *l, const taut_film_rest *
         return NULL;
     }
     add_supports(c, details, seen);
+    if (rest->doubt != TAUT_FILM_CERTAIN) {
+        taut_record_add_text(taut_record_add_list(details, "notes"), NULL, doubt);
+    }
     taut_record *verdict = taut_record_add_object(details, "verdict");
-    taut_record_add_text(verdict, "exists", "found");
+    if (rest->doubt != TAUT_FILM_CERTAIN) {
+        taut_record_add_null(verdict, "exists");
+    } else {
+        taut_record_add_text(verdict, "exists", "found");
+    }
     if (rest->negative > 0) {
         taut_record_add_bool(verdict, "stable", 0);
     } else {
@@ -451,6 +462,9 @@ static taut_status build(void *context, taut_arena *arena, taut_model *model, ta
     }
     if (status == TAUT_OK) {
         status = taut_film_rest_find(&layout, r->options, arena, &rest, error);
+    }
+    if (status == TAUT_OK && rest.doubt != TAUT_FILM_CERTAIN) {
+        status = taut_film_complex_confirm(&layout, &rest, r->options, error);
     }
     if (status == TAUT_OK) {
         status = taut_film_complex_update(&layout, &rest, r->options, changes, arena, error);

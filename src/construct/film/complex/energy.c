@@ -689,7 +689,7 @@ static void block_of(const void *context, int a, int b, double *block)
     const int upper = b > a;
     const size_t at = find_block(e, upper ? b : a, upper ? a : b);
     const double *h = e->second + 9 * at;
-    const int blends = e->theta > blend_least;
+    const int blends = e->theta > blend_least || e->theta < 0;
     const double shift = blends || a == b ? e->theta * e->metric[at] : 0;
     const double share = blends ? 1 - e->theta : 1;
     double full[9];

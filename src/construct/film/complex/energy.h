@@ -3,7 +3,7 @@
  *     E / s = sum (s_i / s) A_i, or P_i / s of threads, + sum C_k - sum p_c V_c,    s the tension of the first patch; cells of given pressure; C_k as laws.h
  *     H     is that of E + sum r_k L_k - sum p_c V_c over given lengths and all cells, without the k dL dL' of springs
  *     B     = (1 - theta) H + theta L             of construct/plateau/area.h and cable.h, summed over the sheets
- *           = H + theta diag(L)                   of theta up to 1e-3: a shift that turns no move within a sheet into one across it
+ *           = H + theta diag(L)                   of theta from 0 to 1e-3: a shift that turns no move within a sheet into one across it
  */
 #ifndef TAUT_CONSTRUCT_FILM_COMPLEX_ENERGY_H
 #define TAUT_CONSTRUCT_FILM_COMPLEX_ENERGY_H

@@ -8,6 +8,8 @@
 #include <math.h>
 #include <string.h>
 
+enum { CONFIRMATIONS = 2 };
+
 static taut_status halve(const taut_surface *surface, taut_arena *arena,
                          const taut_surface **halved, taut_error *error)
 {
@@ -66,7 +68,7 @@ static taut_status halve_patch(const taut_film_complex *c, int p, const double *
     return start != NULL ? TAUT_OK : taut_fail_memory(error);
 }
 
-/* The film before on halved spans. */
+/* The problem of the film before, on halved spans. */
 static taut_status halve_all(const taut_film_complex *c, const double *points, taut_arena *arena,
                              taut_film_problem *problem, taut_error *error)
 {
@@ -95,6 +97,40 @@ static taut_status halve_all(const taut_film_complex *c, const double *points, t
                            all, TAUT_FILM_PATCHES_POINTS_MAX);
 }
 
+/* The film before on halved spans. */
+static taut_status find_finer(taut_film_layout *now, taut_film_rest *found,
+                              const taut_make_options *options, taut_film_problem *finer,
+                              taut_arena *arena, taut_error *error)
+{
+    taut_status status = halve_all(&now->complex, found->points, arena, finer, error);
+
+    if (status == TAUT_OK) {
+        status = taut_film_layout_new(finer, arena, now, error);
+    }
+    return status == TAUT_OK ? taut_film_rest_find(now, options, arena, found, error) : status;
+}
+
+taut_status taut_film_complex_confirm(const taut_film_layout *layout, taut_film_rest *rest,
+                                      const taut_make_options *options, taut_error *error)
+{
+    taut_arena *arena = taut_arena_new();
+    taut_film_problem *finer = taut_arena_take(arena, CONFIRMATIONS, sizeof *finer);
+    taut_film_layout now = *layout;
+    taut_film_rest found = *rest;
+    taut_status status = taut_arena_status(arena) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
+
+    for (int k = 0;
+         status == TAUT_OK && k < CONFIRMATIONS && (k == 0 || found.doubt == TAUT_FILM_BY_NORMAL);
+         k++) {
+        status = find_finer(&now, &found, options, &finer[k], arena, error);
+    }
+    if (status == TAUT_OK && found.doubt != TAUT_FILM_BY_NORMAL) {
+        rest->doubt = TAUT_FILM_CERTAIN;
+    }
+    taut_arena_free(arena);
+    return status == TAUT_NOT_CONVERGED || status == TAUT_BAD_INPUT ? TAUT_OK : status;
+}
+
 static taut_film_stage stage_of(const taut_film_complex *c, const taut_film_rest *rest)
 {
     return (taut_film_stage){.sizes = 1, .points = {c->points, 0}, .energy = rest->energy};
@@ -113,12 +149,8 @@ taut_status taut_film_complex_refine(const taut_film_layout *layout, const taut_
     taut_status status = taut_arena_status(arena) == TAUT_OK ? TAUT_OK : taut_fail_memory(error);
 
     for (int k = 0; status == TAUT_OK && k < rounds; k++) {
-        status = halve_all(&now.complex, found.points, arena, &finer[k], error);
+        status = find_finer(&now, &found, options, &finer[k], arena, error);
         if (status == TAUT_OK) {
-            status = taut_film_layout_new(&finer[k], arena, &now, error);
-        }
-        if (status == TAUT_OK) {
-            status = taut_film_rest_find(&now, options, arena, &found, error);
             stages[k + 1] = stage_of(&now.complex, &found);
         }
     }

@@ -74,6 +74,8 @@ static const double neck_most =
     0.9; /* of the shorter side at the start: else it is the net that folds */
 static const double weaker_least = 0x1p-10; /* of the logarithm of all forces */
 static const double above_told = 1.1;       /* times what is told: a film is there too */
+static const double soft_most =
+    0.1; /* the lowest eigenvalue of H by L, of a film near its end: a catenoid's is 0.15 at 0.99 of the largest distance */
 static const double pressure_near = 1e-4, volume_most = 1; /* of logarithms */
 static const double pressure_met = 1e-12; /* where steps to what is stationary take over */
 enum {
@@ -560,8 +562,8 @@ static taut_status settle(work *w)
     return status == TAUT_OK ? look_at_corners(w) : status;
 }
 
-/* How many ways lead down from where the film is at rest. */
-static taut_status count_down(work *w, int *down)
+/* Of B(theta) where the film is at rest: how many ways lead down. */
+static taut_status count_ways(work *w, double theta, int *down)
 {
     int negative = 0;
     taut_status status = report(w);
@@ -570,13 +572,17 @@ static taut_status count_down(work *w, int *down)
         status = find_second(w);
     }
     if (status == TAUT_OK) {
-        status = taut_film_energy_factor(w->energy, theta_least, &negative);
+        status = taut_film_energy_factor(w->energy, theta, &negative);
     }
-
     if (status == TAUT_OK) {
         *down = taut_film_border_factor(&w->border, w->energy, negative, w->right);
     }
     return status;
+}
+
+static taut_status count_down(work *w, int *down)
+{
+    return count_ways(w, theta_least, down);
 }
 
 /* ---- pressures that are led ---- */
@@ -1246,6 +1252,27 @@ static taut_status find_film(work *w, taut_film_parting *parting, taut_arena *ar
     return led == TAUT_OK ? find_from(w, from, rest) : led == TAUT_NOT_CONVERGED ? status : led;
 }
 
+/* Where films end, as rims are led apart or pressures raised, a spline has one for a little longer than the continuous problem. */
+static taut_status find_doubt(work *w, const taut_film_parting *parting, taut_film_rest *rest)
+{
+    const taut_film_problem *problem = w->layout->complex.problem;
+    int soft = 0;
+    taut_status status = TAUT_OK;
+
+    rest->doubt = TAUT_FILM_CERTAIN;
+    if (problem->method == TAUT_FILM_NORMAL || problem->accepts_stationary ||
+        !(parting->count == 2 || has_pressure(w->layout))) {
+        return TAUT_OK;
+    }
+    if (is_normal(w)) {
+        rest->doubt = TAUT_FILM_BY_NORMAL;
+        return TAUT_OK;
+    }
+    status = count_ways(w, -soft_most, &soft);
+    rest->doubt = soft > 0 ? TAUT_FILM_NEAR_ITS_END : TAUT_FILM_CERTAIN;
+    return status;
+}
+
 /* A cable holds nothing where it is slack. */
 static taut_status check_slack(const work *w)
 {
@@ -1362,6 +1389,9 @@ taut_status taut_film_rest_find(const taut_film_layout *layout, const taut_make_
     }
     if (status == TAUT_OK) {
         status = check_turned(&w);
+    }
+    if (status == TAUT_OK) {
+        status = find_doubt(&w, &parting, rest);
     }
     if (status == TAUT_OK) {
         status = taut_film_parting_discs(layout, &parting, arena, &rest->rival);
