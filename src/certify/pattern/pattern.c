@@ -9,7 +9,7 @@
  *   stable       the lowest eigenvalue on the constraints over the largest of the diagonal; of these (check)
  *   conformal    of all pieces that were laid flat by angles: the largest ratio of both stretches, less 1 (check)
  *   isometric    largest strain of pieces that are told to have none (check)
- *   strain       largest principal strain, where one is asked for (check)
+ *   strain       largest principal strain, where one is asked for (certify/pattern/strain.h: bound; else of places, check)
  *   exhausts     certify/pattern/area.h
  *   roll         pieces that are not proved apart on the roll, or leave it (certify/pattern/roll.h)
  */
@@ -25,6 +25,7 @@
 #include "certify/pattern/lengths.h"
 #include "certify/pattern/roll.h"
 #include "certify/pattern/seams.h"
+#include "certify/pattern/strain.h"
 #include "certify/pattern/unavoidable.h"
 #include "certify/pattern/worst.h"
 #include "core/fail.h"
@@ -46,7 +47,8 @@ typedef struct states {
     taut_cloth_state *list;
     taut_cloth_limit *limits;
     taut_status *status;
-    int *near; /* of what each may have the largest */
+    int *near;      /* of what each may have the largest */
+    double *bounds; /* of its strains, where they are asked for; NaN: not proved */
 } states;
 
 static void look(void *context, int worker, int64_t task)
@@ -56,6 +58,14 @@ static void look(void *context, int worker, int64_t task)
     s->status[task] =
         taut_cloth_look_at(s->cloth, piece, !piece->is_developed && !s->cloth->is_conformal,
                            worker == 0 ? s->cloth->crew->pulse : NULL, &s->list[task]);
+}
+
+static void bound_strain(void *context, int worker, int64_t task)
+{
+    const states *s = context;
+    s->bounds[task] =
+        taut_cloth_strain_bound(s->cloth, &s->cloth->pieces[task], s->list[task].largest,
+                                s->cloth->strain, worker == 0 ? s->cloth->crew->pulse : NULL);
 }
 
 static void find_limit(void *context, int worker, int64_t task)
@@ -89,13 +99,15 @@ static void choose_near(states *s)
 }
 
 static taut_status look_at_all(const taut_cloth *cloth, taut_arena *arena, taut_cloth_state **list,
-                               taut_cloth_limit **limits)
+                               taut_cloth_limit **limits, double **bounds)
 {
     const size_t count = (size_t)cloth->piece_count;
-    states s = {cloth, taut_arena_take(arena, count + 1, sizeof *s.list),
+    states s = {cloth,
+                taut_arena_take(arena, count + 1, sizeof *s.list),
                 taut_arena_take(arena, count + 1, sizeof *s.limits),
                 taut_arena_take(arena, count + 1, sizeof *s.status),
-                taut_arena_take(arena, count + 1, sizeof *s.near)};
+                taut_arena_take(arena, count + 1, sizeof *s.near),
+                taut_arena_take(arena, count + 1, sizeof *s.bounds)};
     if (taut_arena_status(arena) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
@@ -108,8 +120,13 @@ static taut_status look_at_all(const taut_cloth *cloth, taut_arena *arena, taut_
     if (taut_crew_run(cloth->crew, workers, (int64_t)count, work_of_piece, refine_limit, &s)) {
         return TAUT_INTERRUPTED;
     }
+    if (cloth->strain > 0 &&
+        taut_crew_run(cloth->crew, workers, (int64_t)count, work_of_piece, bound_strain, &s)) {
+        return TAUT_INTERRUPTED;
+    }
     *list = s.list;
     *limits = s.limits;
+    *bounds = s.bounds;
     for (size_t k = 0; k < count; k++) {
         if (s.status[k] != TAUT_OK) {
             return s.status[k];
@@ -118,18 +135,32 @@ static taut_status look_at_all(const taut_cloth *cloth, taut_arena *arena, taut_
     return TAUT_OK;
 }
 
-static taut_status add_states(const taut_cloth *cloth, const taut_cloth_state *list,
-                              taut_certificate *certificate)
+/* Where all pieces are proved to be strained no more between the places that are looked at, by how much that is. */
+static taut_status add_strain(const taut_cloth *cloth, const taut_cloth_state *list,
+                              const double *bounds, taut_certificate *certificate)
 {
-    taut_worst gradient = {0, ""}, isometric = {0, ""}, stable = {0, ""}, strain = {0, ""},
-               angle = {0, ""};
+    taut_worst found = {0, ""}, proved = {0, ""};
+    int is_proved = 1;
+    for (int k = 0; k < cloth->piece_count; k++) {
+        const char *name = cloth->pieces[k].name;
+        taut_worst_take(&found, list[k].is_folded ? INFINITY : list[k].largest, name, 0);
+        taut_worst_take(&proved, bounds[k], name, 0);
+        is_proved &= !list[k].is_folded && isfinite(bounds[k]);
+    }
+    return taut_worst_add(is_proved ? &proved : &found, "strain",
+                          is_proved ? TAUT_BOUND : TAUT_CHECK, cloth->strain, certificate);
+}
+
+static taut_status add_states(const taut_cloth *cloth, const taut_cloth_state *list,
+                              const double *bounds, taut_certificate *certificate)
+{
+    taut_worst gradient = {0, ""}, isometric = {0, ""}, stable = {0, ""}, angle = {0, ""};
     int solved = 0, developed = 0;
     double lowest = INFINITY;
 
     for (int k = 0; k < cloth->piece_count; k++) {
         const taut_cloth_piece *piece = &cloth->pieces[k];
         const taut_cloth_state *one = &list[k];
-        taut_worst_take(&strain, one->is_folded ? INFINITY : one->largest, piece->name, 0);
         taut_worst_take(&angle, one->is_folded ? INFINITY : one->angle, piece->name, 0);
         if (piece->is_developed) {
             developed = 1;
@@ -165,7 +196,7 @@ static taut_status add_states(const taut_cloth *cloth, const taut_cloth_state *l
         status = taut_worst_add(&isometric, "isometric", TAUT_CHECK, isometric_limit, certificate);
     }
     if (status == TAUT_OK && cloth->strain > 0) {
-        status = taut_worst_add(&strain, "strain", TAUT_CHECK, cloth->strain, certificate);
+        status = add_strain(cloth, list, bounds, certificate);
     }
     return status;
 }
@@ -265,7 +296,7 @@ static taut_status prove(const taut_cloth *cloth, taut_arena *arena, taut_certif
 {
     taut_cloth_state *list = NULL;
     taut_cloth_limit *limits = NULL;
-    double area = 0;
+    double area = 0, *bounds = NULL;
     taut_status status = taut_cloth_add_lines(cloth, arena, certificate);
     if (status == TAUT_OK) {
         status = report(cloth);
@@ -280,13 +311,13 @@ static taut_status prove(const taut_cloth *cloth, taut_arena *arena, taut_certif
         status = taut_cloth_add_allowance(cloth, arena, certificate);
     }
     if (status == TAUT_OK) {
-        status = look_at_all(cloth, arena, &list, &limits);
+        status = look_at_all(cloth, arena, &list, &limits, &bounds);
     }
     if (status == TAUT_OK) {
         status = taut_cloth_add_asked(cloth, arena, certificate);
     }
     if (status == TAUT_OK) {
-        status = add_states(cloth, list, certificate);
+        status = add_states(cloth, list, bounds, certificate);
     }
     if (status == TAUT_OK) {
         status = taut_cloth_add_told(cloth, list, certificate);

@@ -111,15 +111,15 @@ int taut_chart_window(const taut_chart *chart, const taut_chart_part *part, taut
     return 1;
 }
 
-int taut_chart_enclose(const taut_chart *chart, const taut_chart_part *part, taut_range x[6][3],
-                       taut_range window[6][2])
+int taut_chart_enclose(const taut_chart *chart, const taut_chart_part *part,
+                       const double frame[3][3], taut_range x[6][3])
 {
     taut_range w[6][2], of[6][3];
     if (!taut_chart_window(chart, part, w)) {
         return 0;
     }
     const double from[2] = {w[0][0].lo, w[0][1].lo}, to[2] = {w[0][0].hi, w[0][1].hi};
-    if (!taut_enclose_surface(chart->surface, from, to, NULL, of)) {
+    if (!taut_enclose_surface(chart->surface, from, to, frame, of)) {
         return 0;
     }
     static const int pairs[3][2] = {{1, 1}, {1, 2}, {2, 2}};
@@ -143,9 +143,6 @@ int taut_chart_enclose(const taut_chart *chart, const taut_chart_part *part, tau
             x[3 + k][c] = taut_range_add(sum, taut_range_times(of[2][c], ab[1]));
         }
     }
-    if (window != NULL) {
-        memcpy(window, w, sizeof w);
-    }
     return 1;
 }
 
@@ -167,4 +164,25 @@ int taut_chart_at(const taut_chart *chart, double s, double t, double x[3][3])
         }
     }
     return 1;
+}
+
+/* At each break so many functions are new as a derivative less is continuous. */
+int taut_basis_is_smooth(const taut_basis *basis)
+{
+    int all = 1;
+    for (int i = 1; i < taut_basis_span_count(basis); i++) {
+        const int fresh = taut_basis_first(basis, i) - taut_basis_first(basis, i - 1);
+        all &= fresh <= taut_basis_local(basis) - 2;
+    }
+    return all;
+}
+
+int taut_chart_is_smooth(const taut_chart *chart)
+{
+    int all = taut_basis_is_smooth(taut_surface_u(chart->surface)) &&
+              taut_basis_is_smooth(taut_surface_v(chart->surface));
+    for (int e = 0; e < TAUT_CHART_EDGES; e++) {
+        all &= chart->edges[e] == NULL || taut_basis_is_smooth(taut_curve_t(chart->edges[e]));
+    }
+    return all;
 }

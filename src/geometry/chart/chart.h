@@ -28,9 +28,12 @@ typedef struct taut_chart_part {
 
 /* Of the window: w, w_s, w_t, w_ss, w_st, w_tt. 0: not known. */
 int taut_chart_window(const taut_chart *chart, const taut_chart_part *part, taut_range w[6][2]);
-/* X, X_s, X_t, X_ss, X_st, X_tt; and of the window as above, or NULL. */
-int taut_chart_enclose(const taut_chart *chart, const taut_chart_part *part, taut_range x[6][3],
-                       taut_range window[6][2]);
+/* X, X_s, X_t, X_ss, X_st, X_tt along the rows of a frame, or NULL (enclose.h). */
+int taut_chart_enclose(const taut_chart *chart, const taut_chart_part *part,
+                       const double frame[3][3], taut_range x[6][3]);
+/* Are its derivatives continuous, so that they change by no more than second derivatives let them? */
+int taut_chart_is_smooth(const taut_chart *chart);
+int taut_basis_is_smooth(const taut_basis *basis);
 /* The place in space, and X_s, X_t there. 0: there is none. */
 int taut_chart_at(const taut_chart *chart, double s, double t, double x[3][3]);
 

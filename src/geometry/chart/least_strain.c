@@ -182,7 +182,7 @@ static int chord_of(const taut_chart *chart, const taut_chart_part *part, int al
 {
     taut_range x[6][3];
     double at[3][3], square = 0;
-    if (!taut_chart_enclose(chart, part, x, NULL)) {
+    if (!taut_chart_enclose(chart, part, NULL, x)) {
         return 0;
     }
     for (int end = 0; end < 2; end++) {
@@ -207,7 +207,7 @@ static int chord_of(const taut_chart *chart, const taut_chart_part *part, int al
 static int add_to_part(const taut_chart *chart, const taut_chart_part *part, part_of_axis *sum)
 {
     taut_range x[6][3], n[3], side[3];
-    if (!taut_chart_enclose(chart, part, x, NULL)) {
+    if (!taut_chart_enclose(chart, part, NULL, x)) {
         return 0;
     }
     const taut_range g = taut_range_dot(x[1], x[1]);
@@ -283,7 +283,7 @@ static int look_at_column(ground *w, int column)
         const taut_chart_part part = {{(double)column / STATIONS, (double)k / ROWS},
                                       {(column + 1.0) / STATIONS, (k + 1.0) / ROWS}};
         taut_range x[6][3];
-        if (!taut_chart_enclose(w->chart, &part, x, NULL) ||
+        if (!taut_chart_enclose(w->chart, &part, NULL, x) ||
             !look_at_cell(w->chart, &part, DEPTH, &w->gauss[column], &w->positive)) {
             return 0;
         }
@@ -395,7 +395,7 @@ taut_least_strain taut_chart_least_strain(const taut_chart *chart, taut_pulse *p
 {
     ground w = {.chart = chart};
     taut_least_strain least = {.strain = 0};
-    if (!look(&w, pulse)) {
+    if (!taut_chart_is_smooth(chart) || !look(&w, pulse)) {
         return least;
     }
     for (int a = 1; a < STATIONS; a++) {
