@@ -74,6 +74,7 @@ static const double neck_most =
     0.9; /* of the shorter side at the start: else it is the net that folds */
 static const double weaker_least = 0x1p-10; /* of the logarithm of all forces */
 static const double above_told = 1.1;       /* times what is told: a film is there too */
+static const double stiff_slack = 20; /* times force over length: of springs in place of lengths */
 static const double soft_most =
     0.1; /* the lowest eigenvalue of H by L, of a film near its end: a catenoid's is 0.15 at 0.99 of the largest distance */
 static const double pressure_near = 1e-4, volume_most = 1; /* of logarithms */
@@ -1201,6 +1202,64 @@ static int has_start(const taut_film_problem *problem)
     return has;
 }
 
+/* A cable holds nothing where it is slack. */
+static taut_status check_slack(const work *w)
+{
+    const taut_film_complex *c = &w->layout->complex;
+
+    for (int k = 0; k < c->rope_count; k++) {
+        if (!(w->energy->forces[k] > 0)) {
+            char where[TAUT_FILM_ROPE_WHERE], name[TAUT_FILM_NAME];
+            const taut_film_law law = w->given[k].law;
+            const int unit = w->layout->scaling.outer + w->layout->scaling.inner;
+            taut_film_rope_where(c, k,
+                                 law == TAUT_FILM_ELASTIC ? "unstressed"
+                                 : law == TAUT_FILM_SAG   ? "sag"
+                                                          : "length",
+                                 where);
+            taut_film_rope_name(c, k, name);
+            return taut_fail(w->error, TAUT_NO_SOLUTION, "cable-too-weak", where,
+                             w->energy->forces[k], 0,
+                             "cable %s is slack where the film is at rest, which draws it to a "
+                             "length of about %.3g: give it less than that",
+                             name, ldexp(w->energy->lengths[k], unit));
+        }
+    }
+    return TAUT_OK;
+}
+
+/* Films that push at a cable of given length come to no rest. With springs in place of such cables along seams they do: TAUT_NO_SOLUTION,
+ * cable-too-weak, where one of these is slack. TAUT_NOT_CONVERGED: nothing is said of them. */
+static taut_status find_slack(work *w, taut_film_rest *rest)
+{
+    const taut_film_complex *c = &w->layout->complex;
+    int springs = 0;
+
+    for (int k = 0; k < c->rope_count; k++) {
+        taut_film_drawn *d = &w->own.drawn[k];
+        if (taut_film_rope_is_given(c->ropes[k].edge) && c->strands[c->ropes[k].strand].seam >= 0) {
+            d->law = TAUT_FILM_ELASTIC;
+            d->stiffness = stiff_slack * d->ratio / d->length;
+            springs++;
+        }
+    }
+    if (springs == 0) {
+        return TAUT_NOT_CONVERGED;
+    }
+    taut_status status = begin_again(w);
+    if (status == TAUT_OK) {
+        memset(w->multipliers, 0, (size_t)w->border.count * sizeof(double));
+        status = find_from(w, 0, rest);
+        status = status == TAUT_NO_SOLUTION ? TAUT_NOT_CONVERGED : status;
+    }
+    if (status == TAUT_OK) {
+        status = check_slack(w);
+        status = status == TAUT_OK ? TAUT_NOT_CONVERGED : status;
+    }
+    memcpy(w->own.drawn, w->given, (size_t)c->rope_count * sizeof *w->given);
+    return status;
+}
+
 /* The film, led to its pressure, to its cables, or with its rims apart, where the way from the start misses it. */
 static taut_status find_film(work *w, taut_film_parting *parting, taut_arena *arena,
                              taut_film_rest *rest)
@@ -1246,6 +1305,9 @@ static taut_status find_film(work *w, taut_film_parting *parting, taut_arena *ar
         taut_film_strengthen(w->energy, &w->own, w->given, 1);
         from = normal;
     }
+    if (led == TAUT_NOT_CONVERGED && has_cables(w)) {
+        led = find_slack(w, rest);
+    }
     if (led == TAUT_NOT_CONVERGED && w->error != NULL) {
         *w->error = first;
     }
@@ -1271,29 +1333,6 @@ static taut_status find_doubt(work *w, const taut_film_parting *parting, taut_fi
     status = count_ways(w, -soft_most, &soft);
     rest->doubt = soft > 0 ? TAUT_FILM_NEAR_ITS_END : TAUT_FILM_CERTAIN;
     return status;
-}
-
-/* A cable holds nothing where it is slack. */
-static taut_status check_slack(const work *w)
-{
-    const taut_film_complex *c = &w->layout->complex;
-
-    for (int k = 0; k < c->rope_count; k++) {
-        if (!(w->energy->forces[k] > 0)) {
-            char where[TAUT_FILM_ROPE_WHERE], name[TAUT_FILM_NAME];
-            const int is_elastic = w->layout->drawn[k].law == TAUT_FILM_ELASTIC;
-            taut_film_rope_where(c, k,
-                                 is_elastic                                 ? "unstressed"
-                                 : w->layout->drawn[k].law == TAUT_FILM_SAG ? "sag"
-                                                                            : "length",
-                                 where);
-            taut_film_rope_name(c, k, name);
-            return taut_fail(
-                w->error, TAUT_NO_SOLUTION, "cable-too-weak", where, w->energy->forces[k], 0,
-                "cable %s is slack where the film is at rest: give it less length", name);
-        }
-    }
-    return TAUT_OK;
 }
 
 /* Pressures, forces and lengths in the user's unit. */

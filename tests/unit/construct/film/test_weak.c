@@ -283,8 +283,35 @@ static void test_lengths(void)
     }
 }
 
+/* A ridge that is longer than the film draws it to: a film that pushes at it comes to no rest. */
+static void test_slack(void)
+{
+    static const char roof[] = "{\"taut\":1,\"construct\":\"film\",\"patches\":[" PATCH(
+        "a", BASIS(3, 6),
+        "\"u0v0\":[-3,-2,0],\"u1v0\":[3,-2,0],\"u0v1\":[-2.2,0,1.5],\"u1v1\":[2.2,0,1.5]",
+        "\"u0\":{\"cable\":{\"force\":3}},\"u1\":{\"cable\":{\"force\":3}},\"v0\":{\"cable\":{"
+        "\"force\":6}}") "," PATCH("b", BASIS(3, 6),
+                                   "\"u0v0\":[-3,2,0],\"u1v0\":[3,2,0],\"u0v1\":[-2.2,0,1.5],"
+                                   "\"u1v1\":[2.2,0,1.5]",
+                                   "\"u0\":{\"cable\":{\"force\":3}},\"u1\":{\"cable\":{\"force\":"
+                                   "3}},\"v0\":{\"cable\":{\"force\":6}}") "],\"seams\":[{"
+                                                                           "\"edges\":[\"a.v1\","
+                                                                           "\"b.v1\"],\"cable\":{"
+                                                                           "\"length\":%.17g}}]}";
+    char text[TEXT];
+
+    snprintf(text, TEXT, roof, 5.2);
+    CHECK(holds(text, "ridge"), "a ridge that the film draws");
+    snprintf(text, TEXT, roof, 5.788);
+    const taut_error said =
+        check_document_refused(text, TAUT_NO_SOLUTION, "cable-too-weak", "/seams/0/cable/length");
+    CHECK(strstr(said.message, "slack") != NULL && strstr(said.message, "5.4") != NULL, "%s",
+          said.message);
+}
+
 int main(void)
 {
+    test_slack();
     test_lengths();
     test_flat();
     test_space();
