@@ -70,11 +70,11 @@ static int is_numbers(const taut_record *value)
            taut_record_kind_of(taut_record_at(value, 0)) == TAUT_RECORD_NUMBER;
 }
 
-static void print_value(const taut_record *value)
+static void print_value(const taut_record *value, int digits)
 {
     switch (taut_record_kind_of(value)) {
     case TAUT_RECORD_NUMBER:
-        printf("%.15g", taut_record_number(value));
+        printf("%.*g", digits, taut_record_number(value));
         break;
     case TAUT_RECORD_TEXT:
         fputs(taut_record_text(value), stdout);
@@ -85,7 +85,7 @@ static void print_value(const taut_record *value)
     case TAUT_RECORD_LIST: /* of numbers, or of such lists */
         for (size_t i = 0; i < taut_record_count(value); i++) {
             fputs(i == 0 ? "" : is_numbers(value) ? " " : "  to  ", stdout);
-            print_value(taut_record_at(value, i));
+            print_value(taut_record_at(value, i), digits);
         }
         break;
     case TAUT_RECORD_OBJECT:
@@ -103,6 +103,19 @@ static int is_place(const char *key)
     return length > 3 && strcmp(key + length - 3, "_at") == 0;
 }
 
+/* As many digits as are vouched for: all of the box, whose corners may be control points; one more than integrals are good
+ * to; four of extremes, which are sought on a grid, and of the mean of |H|. */
+static int digits_of(const char *key)
+{
+    static const char *const sought[] = {"max_", "mean_", "min"};
+    for (size_t i = 0; i < sizeof sought / sizeof sought[0]; i++) {
+        if (strncmp(key, sought[i], strlen(sought[i])) == 0 || strcmp(key, "max") == 0) {
+            return 4;
+        }
+    }
+    return strcmp(key, "bounding_box") == 0 ? 15 : 11;
+}
+
 /* One line a member; objects indent theirs. */
 static void print_lines(const taut_record *record, const char *unit, const char *above, int indent)
 {
@@ -114,7 +127,7 @@ static void print_lines(const taut_record *record, const char *unit, const char 
             putchar('\n');
             print_lines(value, unit, taut_record_key(record, i), indent + 2);
         } else {
-            print_value(value);
+            print_value(value, digits_of(taut_record_key(record, i)));
             cli_unit_of(taut_record_key(record, i), unit, room);
             puts(room[0] != '\0'                        ? room
                  : is_place(taut_record_key(record, i)) ? ""
