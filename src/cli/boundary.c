@@ -109,12 +109,10 @@ const cli_command cli_command_boundary = {
     .name = "boundary",
     .usage = "FILE [--json]",
     .summary = "list the curves and edges that a \"boundary\" may name",
-    .text =
-        "Lists the curves of a file and the edges of its surfaces (of a trimmed face the curves "
-        "that\n"
-        "trim it), one a line: number, kind, name, length, ends. A problem takes four of them by\n"
-        "number or name: \"boundary\": { \"file\": \"FILE\", \"edges\": [1, 2, \"face.u0\", 7] "
-        "}.\n",
+    .text = "Lists the curves of a file and the edges of its surfaces (of a trimmed face the "
+            "curves that trim it), one a line: number, kind, name, length, ends. A problem takes "
+            "four of them by number or name: \"boundary\": { \"file\": \"FILE\", \"edges\": [1, "
+            "2, \"face.u0\", 7] }.",
     .example = "taut boundary hull.step\n",
     .files_min = 1,
     .files_max = 1,

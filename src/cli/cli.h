@@ -373,6 +373,9 @@ int cli_commit(taut_outputs *outputs);
 /* ", within 3e-07 mm" or ", exact" for the proved distance of an output, "" where it is NaN. */
 enum { CLI_DISTANCE_ROOM = 64 };
 const char *cli_distance(double bound, const taut_model *model, char room[CLI_DISTANCE_ROOM]);
+/* The words of a text on standard output, in lines of at most 100: the first goes on at `column`, the others begin after `indent`
+ * blanks; no end of line after the last. */
+void cli_print_filled(const char *text, int column, int indent);
 /* A file's name without folder and ending. */
 void cli_label(const char *file, char *text, size_t size);
 /* Writes several models into every -o side by side; 0 or the exit code. */

@@ -112,9 +112,9 @@ const cli_command cli_command_convert = {
     .usage = "MODEL.json... -o FILE... [--tolerance T] [--divide N] [--pieces] [--quiet]",
     .summary = "write a model in other formats",
     .text = "The ending of FILE says the format. With --tolerance, JSON too holds NURBS, within a "
-            "distance that is\nproved and printed; without it the model itself. Several models go "
-            "side by side into one figure\n(.svg, .pdf, .png). With --pieces a spline comes as its "
-            "Bezier patches, a ce-bezier\nas its quartic bezier.\n",
+            "distance that is proved and printed; without it the model itself. Several models go "
+            "side by side into one figure (.svg, .pdf, .png). With --pieces a spline comes as its "
+            "Bezier patches, a ce-bezier as its quartic bezier.",
     .example = "taut convert model.json -o model.step -o model.png --colour H\n",
     .files_min = 1,
     .files_max = TAUT_MODELS_MAX,

@@ -39,17 +39,23 @@ static int print_command_help(const cli_command *command)
 {
     enum { COLUMN = 18 };
     int prints_json = 0;
-    printf("taut %s %s\n\n%s\n", command->name, command->usage, command->text);
+    const int begun = printf("taut %s ", command->name);
+    cli_print_filled(command->usage, begun, begun);
+    printf("\n\n");
+    cli_print_filled(command->text, 0, 0);
+    printf("\n\n");
     for (const cli_option *o = command->options; o->kind != CLI_END; o++) {
         char left[48];
         prints_json |= strcmp(o->name, "--json") == 0;
         snprintf(left, sizeof left, "%s%s%s", o->name, o->value != NULL ? " " : "",
                  o->value != NULL ? o->value : "");
         if (strlen(left) > COLUMN) {
-            printf("  %s\n  %-*s %s\n", left, COLUMN, "", o->help);
+            printf("  %s\n  %-*s ", left, COLUMN, "");
         } else {
-            printf("  %-*s %s\n", COLUMN, left, o->help);
+            printf("  %-*s ", COLUMN, left);
         }
+        cli_print_filled(o->help, COLUMN + 3, COLUMN + 3);
+        putchar('\n');
     }
     if (!prints_json) {
         printf("  %-*s %s\n", COLUMN, "--json", "errors as JSON on standard error, for programs");

@@ -189,21 +189,14 @@ const cli_command cli_command_make = {
     .usage = "PROBLEM.json [-o FILE]... [--report FILE] [--tolerance T] [--quiet] [--json]",
     .summary = "build the surface a problem asks for, and prove it",
     .text = "Reads a problem (- is standard input), builds its model, proves it, and writes it to "
-            "every\n"
-            "FILE in the format of its ending; without -o as JSON to standard output. The report "
-            "goes to\n"
-            "standard error. A claim that does not hold is exit 1, and only JSON outputs are "
-            "written.\n"
-            "A JSON list of problems gives a list of models; formats that hold one model a file "
-            "give\n"
-            "FILE-0.obj, FILE-1.obj, ... A % in the name takes the number, in JSON too. One that "
-            "fails\n"
-            "leaves no file of any.\n"
-            "With --lines each line is a problem, and each line out a model (JSON Lines); one that "
-            "fails is a line\n"
-            "too; started again it makes the lines that are missing. With --watch it goes on: each "
-            "time the\n"
-            "file is saved it is made again.\n",
+            "every FILE in the format of its ending; without -o as JSON to standard output. The "
+            "report goes to standard error. A claim that does not hold is exit 1, and only JSON "
+            "outputs are written. A JSON list of problems gives a list of models; formats that "
+            "hold one model a file give FILE-0.obj, FILE-1.obj, ... A % in the name takes the "
+            "number, in JSON too. One that fails leaves no file of any. With --lines each line is "
+            "a problem, and each line out a model (JSON Lines); one that fails is a line too; "
+            "started again it makes the lines that are missing. With --watch it goes on: each "
+            "time the file is saved it is made again.",
     .example = "taut make tent.json -o model.json -o model.step -o model.png\n"
                "taut make --watch tent.json -o model.html\n",
     .files_min = 1,

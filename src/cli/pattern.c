@@ -291,12 +291,10 @@ const cli_command cli_command_pattern = {
     .usage = "MODEL.json|PROBLEM.json --across E,E|--radial E [--count N | --width W | --strain E] "
              "[--geodesic \"AT AT\"]... [--line u=U]... [-o FILE]... | PATTERN.json",
     .summary = "flat pieces of cloth for a surface, with seams that fit",
-    .text =
-        "Cuts a surface into strips along geodesics and lines, and lays each flat so that the "
-        "cloth is "
-        "strained least; the two\nsides of a seam are equally long at every point. The surface "
-        "comes from any file that holds one, or from\na problem, which is made first; or all of "
-        "it from the document of a pattern, which `taut make` takes too.\n",
+    .text = "Cuts a surface into strips along geodesics and lines, and lays each flat so that the "
+            "cloth is strained least; the two sides of a seam are equally long at every point. "
+            "The surface comes from any file that holds one, or from a problem, which is made "
+            "first; or all of it from the document of a pattern, which `taut make` takes too.",
     .example = "taut pattern sail.json --across v0,v1 --count 4 -o cloth.json -o cloth.dxf\n",
     .files_min = 1,
     .files_max = 1,

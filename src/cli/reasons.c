@@ -55,7 +55,14 @@ static const struct {
              {"pipe", "pipe", of_pipe},
              {"plateau", "plateau", of_plateau},
              {"trace", "trace", of_trace}};
-enum { LISTS = (int)(sizeof lists / sizeof lists[0]) };
+enum { LISTS = (int)(sizeof lists / sizeof lists[0]), INDENT = 18 };
+
+static void print_says(const char *label, const char *text)
+{
+    printf("  %-*s", INDENT - 2, label);
+    cli_print_filled(text, INDENT, INDENT);
+    printf(".\n");
+}
 
 int cli_reason_help(const char *word)
 {
@@ -63,11 +70,11 @@ int cli_reason_help(const char *word)
     for (int i = 0; i < LISTS; i++) {
         for (const row *r = lists[i].rows; r->word != NULL; r++) {
             if (strcmp(word, r->word) == 0) {
-                printf("%s%s, a reason of errors (%s)\n\n  What is wrong:  %s.\n  What to do:     "
-                       "%s.\n"
-                       "  More:           docs/%s.md\n",
-                       found > 0 ? "\n" : "", word, lists[i].where, r->meaning, r->remedy,
-                       lists[i].page);
+                printf("%s%s, a reason of errors (%s)\n\n", found > 0 ? "\n" : "", word,
+                       lists[i].where);
+                print_says("What is wrong:", r->meaning);
+                print_says("What to do:", r->remedy);
+                printf("  %-*sdocs/%s.md\n", INDENT - 2, "More:", lists[i].page);
                 found++;
             }
         }

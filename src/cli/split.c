@@ -157,11 +157,9 @@ const cli_command cli_command_split = {
     .name = "split",
     .usage = "MODEL.json (--u T | --v T) [-o FILE]",
     .summary = "cut surfaces and curves at a parameter, exactly",
-    .text =
-        "Every surface gives its low piece, then its high one, with names of their own; the pieces "
-        "keep\n"
-        "their parameters. A c- or h-bspline cut off its knots opens into c- or h-bezier pieces. "
-        "Of several\ncuts, each is of the pieces that it is inside of.\n",
+    .text = "Every surface gives its low piece, then its high one, with names of their own; the "
+            "pieces keep their parameters. A c- or h-bspline cut off its knots opens into c- or "
+            "h-bezier pieces. Of several cuts, each is of the pieces that it is inside of.",
     .example = "taut split model.json --u 0.5 -o halves.json\n",
     .files_min = 1,
     .files_max = 1,

@@ -151,10 +151,9 @@ const cli_command cli_command_studio = {
     .name = "studio",
     .usage = "[PROBLEM.json | EXAMPLE] -o FILE.html",
     .summary = "write a page to edit a problem in, with the library inside",
-    .text = "The page is one file that works offline from the disk: drag points, type numbers, see "
-            "the surface\n"
-            "and its proof follow, save the problem, export the model. Without an operand it opens "
-            "with an\nexample; all examples are in it.\n",
+    .text = "The page is one file that works offline from the disk: drag points, type numbers, "
+            "see the surface and its proof follow, save the problem, export the model. Without an "
+            "operand it opens with an example; all examples are in it.",
     .example = "taut studio dirichlet-tent -o studio.html\n",
     .files_min = 0,
     .files_max = 1,

@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { CELLS = 4, CELL_ROOM = 600, INDENT = 19, WIDTH = 100 };
+enum { CELLS = 4, CELL_ROOM = 600, INDENT = 19 };
 
 typedef struct table {
     const char *file, *heading;
@@ -228,11 +228,11 @@ static void walk(visitor visit, void *context)
     }
 }
 
-/* A label and a text without the marks of bold text and of links, in lines of WIDTH, and `end`. */
+/* A label and a text without the marks of bold text and of links, and `end`. */
 static void print_says(const char *label, const char *text, const char *end)
 {
     char plain[CELL_ROOM];
-    size_t length = 0, column = INDENT;
+    size_t length = 0;
     for (const char *at = text; *at != '\0'; at++) {
         if (at[0] == '*' && at[1] == '*') {
             at++;
@@ -244,18 +244,7 @@ static void print_says(const char *label, const char *text, const char *end)
     }
     plain[length] = '\0';
     printf("  %-*s", INDENT - 2, label);
-    for (const char *at = plain; *at != '\0';) {
-        const size_t word = strcspn(at, " "), blank = at[word] == ' ';
-        printf("%.*s", (int)word, at);
-        column += word + blank;
-        at += word + blank;
-        if (blank && column + strcspn(at, " ") >= WIDTH) {
-            printf("\n%*s", INDENT, "");
-            column = INDENT;
-        } else if (blank) {
-            putchar(' ');
-        }
-    }
+    cli_print_filled(plain, INDENT, INDENT);
     printf("%s\n", end);
 }
 

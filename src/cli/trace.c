@@ -329,8 +329,8 @@ const cli_command cli_command_trace = {
         "MODEL.json|PROBLEM.json --net NET [--seed U,V]... [--cells N] [-o FILE]... | TRACE.json",
     .summary = "a net of asymptotic, principal, geodesic or isoparametric curves",
     .text = "Traces curves on a surface, finds where they cross, and proves it. The surface comes "
-            "from any file\nthat holds one, or from a problem, which is made first; or all of it "
-            "from the document of a net,\nwhich `taut make` takes too.\n",
+            "from any file that holds one, or from a problem, which is made first; or all of it "
+            "from the document of a net, which `taut make` takes too.",
     .example = "taut trace model.json --net asymptotic --cells 8 -o net.json -o net.svg\n",
     .files_min = 1,
     .files_max = 1,

@@ -96,9 +96,9 @@ const cli_command cli_command_view = {
     .usage = "MODEL.json [PROBLEM.json] [-o FILE.html]",
     .summary = "write a page to turn a model in, with its certificate",
     .text = "The page is one file and asks for no other: open it in any browser. `make` and "
-            "`convert` write it\ntoo, as -o FILE.html. It says what of a large model it leaves "
-            "out. The certificate is proved again; give the problem too, and no claim is as it was "
-            "saved.\n",
+            "`convert` write it too, as -o FILE.html. It says what of a large model it leaves "
+            "out. The certificate is proved again; give the problem too, and no claim is as it "
+            "was saved.",
     .example = "taut view model.json -o model.html\n",
     .files_min = 1,
     .files_max = 2,

@@ -8,6 +8,8 @@ for command in $commands; do
     cp out.txt said.txt
     run 0 help "$command"
     cmp -s out.txt said.txt || complain "taut help $command differs from taut $command --help"
+    sed '/^Example:$/,$d' said.txt | awk 'length > 100' > wide.txt
+    [ ! -s wide.txt ] || complain "taut $command --help is too wide for a terminal: $(cat wide.txt)"
     sed -n '/^Example:$/,$p' said.txt | grep -q "^  taut $command " || complain "taut $command --help shows no example"
 done
 
@@ -30,6 +32,7 @@ for word in $(sort -u reasons.txt); do
     for page in $(sed -n 's/^  More: *//p' out.txt); do
         [ -e "$SOURCE/$page" ] || complain "taut help $word leads to $page, which is not there"
     done
+    [ -z "$(awk 'length > 100' out.txt)" ] || complain "taut help $word is too wide for a terminal: $(cat out.txt)"
     if echo "$commands" | grep -qx -- "$word"; then complain "$word is a command and a reason"; fi
 done
 # Constructions, claims and words of the report: rows of tables of the pages. Every claim of the examples has one.
