@@ -29,8 +29,8 @@ run 0 certify m.json saddle.json
 run 0 measure m.json --json
 contains out.txt '"area": 4\.1997155355[0-9]{3,}'
 run 0 measure m.json
-contains out.txt '^area +4\.1997155355 mm\^2$' # one digit more than it is good to
-contains out.txt '^  max_abs +[0-9.e-]{4,8} 1/mm$'
+contains out.txt '^area +4\.1997155355 m\^2$' # one digit more than it is good to
+contains out.txt '^  max_abs +[0-9.e-]{4,8} 1/m$'
 run 0 eval m.json --at 0.5,0.5 --at 0,0 --json
 contains out.txt '"point"'
 run 0 eval m.json --at 1.0000000000000002,0.5 --json
