@@ -7,8 +7,25 @@ static double tension_of(const taut_film_problem *patch)
     return patch->tension > 0 ? patch->tension : 1;
 }
 
+static const char *find_cable(const taut_film_problem *problem)
+{
+    int has = 0;
+
+    for (int k = 0; k < 4 * problem->patch_count; k++) {
+        has |= problem->patches[k / 4].edges[k % 4].kind == TAUT_FILM_CABLE &&
+               taut_film_complex_seam(problem, k / 4, k % 4) < 0;
+    }
+    for (int s = 0; s < problem->seam_count; s++) {
+        has |= problem->seams[s].edge.kind == TAUT_FILM_CABLE;
+    }
+    return has ? "cables: of patches with cables no bound is known" : NULL;
+}
+
+/* What no bound is known of, before what would have to be held for one. */
 static const char *find_obstacle(const taut_film_problem *problem)
 {
+    const char *why = find_cable(problem);
+
     if (problem->cell_count > 0) {
         return "cells: of films under pressure no bound is known";
     }
@@ -17,28 +34,26 @@ static const char *find_obstacle(const taut_film_problem *problem)
         if (patch->force_density[0] > 0 || patch->prestress[0] > 0) {
             return "threads: of patches of threads, beside others, no bound is known";
         }
-        if (tension_of(patch) != tension_of(&problem->patches[0])) {
-            return "tension: of patches of different tensions no bound is known";
-        }
-        for (int e = 0; e < 4; e++) {
-            const taut_film_edge_kind kind = patch->edges[e].kind;
-            if (kind != TAUT_FILM_FIXED && taut_film_complex_seam(problem, p, e) < 0) {
-                return kind == TAUT_FILM_CABLE ? "cables: of patches with cables no bound is known"
-                       : kind == TAUT_FILM_POLE
-                           ? "pole: of patches that close in a point no bound is known"
-                           : "moving: the bound is one of a boundary that is held";
-            }
+    }
+    for (int p = 0; why == NULL && p < problem->patch_count; p++) {
+        if (tension_of(&problem->patches[p]) != tension_of(&problem->patches[0])) {
+            why = "tension: of patches of different tensions no bound is known";
         }
     }
-    for (int s = 0; s < problem->seam_count; s++) {
-        if (problem->seams[s].edge.kind == TAUT_FILM_CABLE) {
-            return "cables: of patches with cables no bound is known";
-        }
+    for (int s = 0; why == NULL && s < problem->seam_count; s++) {
         if (problem->seams[s].count != 2) {
-            return "lines: of films that meet in lines no bound is known";
+            why = "lines: of films that meet in lines no bound is known";
         }
     }
-    return NULL;
+    for (int k = 0; why == NULL && k < 4 * problem->patch_count; k++) {
+        const taut_film_edge_kind kind = problem->patches[k / 4].edges[k % 4].kind;
+        if (kind != TAUT_FILM_FIXED && taut_film_complex_seam(problem, k / 4, k % 4) < 0) {
+            why = kind == TAUT_FILM_POLE
+                      ? "pole: of patches that close in a point no bound is known"
+                      : "moving: the bound is one of a boundary that is held";
+        }
+    }
+    return why;
 }
 
 /* +1, -1: a side runs with the boundary of its patch, or against it. */

@@ -327,6 +327,18 @@ static void test_rims(void)
               "[\"a.u1\",\"b.u0\"],[\"b.u1\",\"c.u0\"],[\"c.u1\",\"-a.u0\"]", ""),
          "sides"},
         {FLAT("", ",\"tension\":2", "[\"a.u1\",\"b.u0\"]", ""), "tension"},
+        {FLAT(",\"edges\":{\"u0\":{\"slide\":{\"point\":[0,0,0],\"normal\":[1,0,0]}}}",
+              ",\"tension\":2", "[\"a.u1\",\"b.u0\"]", ""),
+         "tension"},
+        /* Holding what slides would lead to no bound. */
+        {FILM(PATCH("a", "2", "3", CORNERS("[0,0,0]", "[1,0,0]", "[0,0,1]", "[1,0,1]"),
+                    ",\"edges\":{\"v0\":{\"slide\":{\"point\":[0,0,0],\"normal\":[0,0,1]}}"
+                    "}") "," PATCH("b", "2", "3", CORNERS("null", "[-1,1,0]", "null", "[-1,1,1]"),
+                                   "") "," PATCH("c", "2", "3",
+                                                 CORNERS("null", "[-1,-1,0]", "null", "[-1,-1,1]"),
+                                                 ""),
+              "[\"a.u0\",\"b.u0\",\"c.u0\"]", ""),
+         "lines"},
         {FLAT(",\"force_density\":[1,1]", "", "[\"a.u1\",\"b.u0\"]", ""), "threads"},
         {FLAT("", "", "{\"edges\":[\"a.u1\",\"b.u0\"],\"cable\":{\"force\":1}}", ""), "cables"},
         {FLAT("", ",\"edges\":{\"u1\":{\"cable\":{\"force\":3}}}", "[\"a.u1\",\"b.u0\"]", ""),
