@@ -46,6 +46,8 @@ enum {
     POLISHES = 6,
     MULTIPLIERS = 40,
     SEEKS = 20,
+    SEEKS_ALL = 8,
+    GAUGES = 40,
     APPROACH = 12
 };
 
@@ -425,6 +427,19 @@ taut_status taut_film_report(taut_film_work *w, taut_error *error)
     return taut_pulse_report(&w->pulse) ? taut_fail_status(error, TAUT_INTERRUPTED) : TAUT_OK;
 }
 
+/* Steps to where the net is at rest, minimum or not. */
+static taut_status seek_moves(taut_film_work *w, taut_film_polished *all, taut_error *error)
+{
+    taut_film_rest_point at;
+
+    w->is_definite = 0;
+    const taut_status status =
+        taut_film_seek(w->functional, w->space, w->net, SEEKS, SEEKS_ALL, &at);
+    *all = (taut_film_polished){.first = at.first, .residual = at.residual, .any = at.any};
+    all->area = taut_area_functional_value(w->functional, w->net).area;
+    return status == TAUT_OK ? TAUT_OK : taut_fail_status(error, status);
+}
+
 /* Steps along the moves that the energy sees. Where lines slide along themselves these leave something to the other
  * coordinates, and steps in all of them follow, until both are at rest. */
 static taut_status polish_moves(taut_film_work *w, taut_film_polished *all, taut_error *error)
@@ -435,7 +450,6 @@ static taut_status polish_moves(taut_film_work *w, taut_film_polished *all, taut
     for (int k = 0; status == TAUT_OK; k++) {
         taut_film_polished found;
         if (w->space->problem->method == TAUT_FILM_NORMAL) {
-            taut_film_rest_point at;
             if (w->memory.factors != NULL || w->rule > 0) {
                 status = taut_film_polish(w->functional, w->space, w->net, w->enough, &w->memory,
                                           &found, &w->is_definite);
@@ -447,11 +461,7 @@ static taut_status polish_moves(taut_film_work *w, taut_film_polished *all, taut
                     return TAUT_OK;
                 }
             }
-            w->is_definite = 0;
-            status = taut_film_seek(w->functional, w->space, w->net, SEEKS, &at);
-            *all = (taut_film_polished){.first = at.first, .residual = at.residual, .any = at.any};
-            all->area = taut_area_functional_value(w->functional, w->net).area;
-            return status == TAUT_OK ? TAUT_OK : taut_fail_status(error, status);
+            return seek_moves(w, all, error);
         }
         status = taut_film_polish(w->functional, w->space, w->net, w->enough, &w->memory, &found,
                                   &w->is_definite);
@@ -470,14 +480,14 @@ static taut_status polish_moves(taut_film_work *w, taut_film_polished *all, taut
     return status;
 }
 
-/* The same; refused where the film has a fold. *before: the residual along the moves. */
+/* The same, or those to any rest; refused where the film has a fold. *before: the residual along the moves. */
 static taut_status polish(taut_film_work *w, double *before, taut_error *error)
 {
     taut_film_polished found = {.first = 0};
     taut_status status = taut_film_report(w, error);
 
     if (status == TAUT_OK) {
-        status = polish_moves(w, &found, error);
+        status = w->seeks ? seek_moves(w, &found, error) : polish_moves(w, &found, error);
     }
     if (status != TAUT_OK) {
         return status;
@@ -488,20 +498,6 @@ static taut_status polish(taut_film_work *w, double *before, taut_error *error)
     w->region.area = found.area;
     const int corner = passed_corner(w);
     return corner >= 0 || is_folded(w->functional) ? refuse_fold(w, corner, error) : TAUT_OK;
-}
-
-taut_status taut_film_polish_again(taut_film_work *w, taut_error *error)
-{
-    double before = 0;
-
-    w->enough = residual_settled * w->region.tolerance;
-    const taut_status status = polish(w, &before, error);
-    w->enough = 0;
-    if (status == TAUT_OK && !(w->any <= most_any(w))) {
-        return taut_fail(error, TAUT_NOT_CONVERGED, "not-converged", NULL, w->any, most_any(w),
-                         "the net is not at rest within its surface");
-    }
-    return status;
 }
 
 static taut_status refuse_rules(const taut_film_work *w, taut_error *error)
@@ -601,6 +597,25 @@ static taut_status move_multipliers(taut_film_work *w, const double off[4])
         set_law(&w->cables[which[i]], l, 1);
     }
     return TAUT_OK;
+}
+
+taut_status taut_film_polish_again(taut_film_work *w, taut_error *error)
+{
+    double before = 0, off[4];
+
+    w->enough = residual_settled * w->region.tolerance;
+    w->seeks = w->space->around != NULL;
+    taut_status status = polish(w, &before, error);
+    w->enough = w->seeks = 0;
+    if (status == TAUT_OK && !(w->any <= most_any(w))) {
+        return taut_fail(error, TAUT_NOT_CONVERGED, "not-converged", NULL, w->any, most_any(w),
+                         "the net is not at rest within its surface");
+    }
+    if (status == TAUT_OK && find_errors(w, off) > length_agreement) {
+        w->region.residual = INFINITY; /* by other forces */
+        status = taut_fail_status(error, move_multipliers(w, off));
+    }
+    return status;
 }
 
 /* Minimises where the last steps alone do not lead to rest. */
@@ -749,7 +764,7 @@ taut_status taut_film_rest_any(taut_film_work *w, int steps, taut_film_rest_poin
     for (int rule = 0; rule < RULES && has_forces_only(w); rule++) {
         taut_status status = taut_film_take_rule(w, rule, 1);
         if (status == TAUT_OK) {
-            status = taut_film_seek(w->functional, w->space, w->net, steps, at);
+            status = taut_film_seek(w->functional, w->space, w->net, steps, GAUGES, at);
         }
         if (status != TAUT_OK) {
             return taut_fail_status(error, status);

@@ -36,6 +36,7 @@ typedef struct taut_film_work {
     taut_film_memory memory;
     double any;      /* residual of all coordinates after the last steps along the moves */
     double enough;   /* residual along the moves that the last steps need not go below */
+    int seeks;       /* do they go to any rest, minimum or not? */
     int is_definite; /* did the last step along the moves find no eigenvalue below 0? */
     int negative;    /* eigenvalues below 0 of the film; -1: not known */
     const char *method;

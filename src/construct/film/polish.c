@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { STEPS = 8, GAUGES = 40, INVERSIONS = 40 };
+enum { STEPS = 8, INVERSIONS = 40 };
 static const double enough = 1e-14; /* residual: rounding from here on */
 static const double residual_far = 10,
                     enough_far =
@@ -726,11 +726,11 @@ static void judge(work *w, taut_area_hessian *hessian, const unsigned char *rigi
 }
 
 /* Steps in all coordinates, with as little of the metric as lets the residual fall. */
-static double settle_gauge(work *w, taut_area_hessian *hessian)
+static double settle_gauge(work *w, taut_area_hessian *hessian, int steps)
 {
     double found = look_at(w, 1), theta = gauge;
 
-    for (int k = 0; k < GAUGES && found > gauge_enough && theta <= gauge_most; k++) {
+    for (int k = 0; k < steps && found > gauge_enough && theta <= gauge_most; k++) {
         theta = step_nearer(w, hessian, 1, theta, &found) ? fmax(gauge, 0.1 * theta) : 10 * theta;
     }
     return found;
@@ -742,7 +742,7 @@ static taut_status stopped(const work *w)
     return taut_pulse_is_stopped(w->functional->pulse) ? TAUT_INTERRUPTED : TAUT_OK;
 }
 
-static void seek(work *w, taut_area_hessian *hessian, int steps)
+static void seek(work *w, taut_area_hessian *hessian, int steps, int all)
 {
     const int full = w->space->problem->method == TAUT_FILM_FULL;
     double found = look_at(w, 0);
@@ -754,7 +754,7 @@ static void seek(work *w, taut_area_hessian *hessian, int steps)
     }
     const double before = found;
     memcpy(w->kept, w->net, 3 * w->count * sizeof(double));
-    (void)settle_gauge(w, hessian);
+    (void)settle_gauge(w, hessian, all);
     found = look_at(w, 0);
     for (int k = 0; k < STEPS && found > enough && step_nearer(w, hessian, 0, 0, &found); k++) {
     }
@@ -765,7 +765,7 @@ static void seek(work *w, taut_area_hessian *hessian, int steps)
 }
 
 taut_status taut_film_seek(taut_area_functional *functional, const taut_film_space *space,
-                           double *net, int steps, taut_film_rest_point *at)
+                           double *net, int steps, int all, taut_film_rest_point *at)
 {
     work w = {.functional = functional, .space = space, .mask = &space->mask, .net = net};
     taut_area_hessian *hessian = NULL;
@@ -780,7 +780,7 @@ taut_status taut_film_seek(taut_area_functional *functional, const taut_film_spa
     status = first == NULL ? TAUT_NO_MEMORY : status;
     if (status == TAUT_OK) {
         at->first = look_at(&w, 0);
-        seek(&w, hessian, steps);
+        seek(&w, hessian, steps, all);
         for (size_t i = 0; i < w.count; i++) {
             at->moved = fmax(at->moved, taut_distance(first + 3 * i, net + 3 * i));
         }

@@ -53,10 +53,10 @@ typedef struct taut_film_rest_point {
     int waves;      /* of a ring, where some are: how often it goes up and down around; else -1 */
 } taut_film_rest_point;
 
-/* Goes to it by Newton's steps of any signs, at most so many, each to a smaller residual; over all coordinates too unless
- * the method is `normal`. taut_film_inertia only looks. TAUT_NO_MEMORY. */
+/* Goes to it by Newton's steps of any signs, at most so many, each to a smaller residual; by `all` more over all coordinates
+ * unless the method is `normal`. taut_film_inertia only looks. TAUT_NO_MEMORY. */
 taut_status taut_film_seek(taut_area_functional *functional, const taut_film_space *space,
-                           double *net, int steps, taut_film_rest_point *at);
+                           double *net, int steps, int all, taut_film_rest_point *at);
 taut_status taut_film_inertia(taut_area_functional *functional, const taut_film_space *space,
                               double *net, const unsigned char rigid[4], taut_film_rest_point *at);
 
