@@ -16,9 +16,6 @@ LIMIT = 60
 # What is known not to hold.
 KNOWN = {
     "asymptotic-3": "asymptotic principal",
-    "asymptotic-6": "principal isoparametric",
-    "dirichlet-hammock": "principal",
-    "dirichlet-mast": "principal",
     "film-cap": "principal",
     "pipe-flat-start": "asymptotic",
     "pipe-legal": "asymptotic",

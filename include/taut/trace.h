@@ -147,7 +147,8 @@ typedef struct taut_trace_problem {
       "seed elsewhere, or trace another net")                                                      \
     X("along", "every curve of the family runs along the edge that seeds it",                      \
       "seed it on another edge")                                                                   \
-    X("singular", "the surface has no normal at the seed", "seed elsewhere")                       \
+    X("singular", "the surface has no normal at the seed, or where a curve comes to",              \
+      "seed elsewhere")                                                                            \
     X("crease", "the normal of the surface jumps at the seed", "seed beside the crease")           \
     X("extreme-size", "the surface is so large or small that lengths along it are no parameters",  \
       "scale it")                                                                                  \

@@ -21,6 +21,9 @@ static const double no_way = 1e-6; /* of the window: a curve that comes no farth
 static const double no_lath =
     1e-6; /* of the size: a curve of several as short touches the window alone */
 
+static const double no_normal =
+    1e-11; /* of the size, ten of the least steps: so near to where there is none */
+
 static const char *const letters[] = {"AB", "AB", "GG", "AB"};
 
 static taut_status fault_of(const taut_net *net, int seed, const double at[2],
@@ -315,6 +318,41 @@ static void leave_out_short(taut_net *net, const planned *p)
     }
 }
 
+/* How far a place is from where there is no normal: |x_u x x_v| over its slope n . (x_ud x x_v + x_u x x_vd), in space. */
+static double singular_away(const taut_carrier *carrier, const double at[2])
+{
+    double x[TAUT_CARRIER_VECTORS][3], away = INFINITY;
+    taut_form_pair forms;
+
+    taut_carrier_forms_at(carrier, at, x, &forms);
+    for (int d = 0; d < 2; d++) {
+        double cross[2][3];
+        taut_cross(x[3 + d], x[2], cross[0]);
+        taut_cross(x[1], x[4 + d], cross[1]);
+        const double slope = taut_dot(forms.normal, cross[0]) + taut_dot(forms.normal, cross[1]);
+        away = fmin(away, forms.w / fabs(slope) * taut_length(x[1 + d]));
+    }
+    return away;
+}
+
+/* Why a curve could not be followed on: beside where the surface has no normal, as at a fold, curves bend and twist without
+ * bound. */
+static taut_status stalled(const planned *p, int end, taut_error *error)
+{
+    const taut_carrier *on = p->lath.end_on[end];
+    const double *to = p->lath.ends[end];
+
+    if (singular_away(on, to) < no_normal * on->size) {
+        return taut_fail(error, TAUT_NO_SOLUTION, "singular", "/seeds", taut_none, taut_none,
+                         "the surface has no normal near (%.6g, %.6g), where a curve from (%.6g, "
+                         "%.6g) comes to",
+                         to[0], to[1], p->at[0], p->at[1]);
+    }
+    return taut_fail(error, TAUT_NOT_CONVERGED, "stalled", NULL, taut_none, taut_none,
+                     "a curve from (%.6g, %.6g) could not be followed beyond (%.6g, %.6g)",
+                     p->at[0], p->at[1], to[0], to[1]);
+}
+
 /* The lath that was followed from a place becomes one of the net, if its curve is none of it. */
 static taut_status take_lath(taut_net *net, planned *p, taut_error *error)
 {
@@ -348,9 +386,7 @@ static taut_status take_lath(taut_net *net, planned *p, taut_error *error)
             return TAUT_OK;
         }
         if (lath->ended[end] == TAUT_END_STALLED) {
-            return taut_fail(error, TAUT_NOT_CONVERGED, "stalled", NULL, taut_none, taut_none,
-                             "a curve from (%.6g, %.6g) could not be followed beyond (%.6g, %.6g)",
-                             p->at[0], p->at[1], lath->ends[end][0], lath->ends[end][1]);
+            return stalled(p, end, error);
         }
     }
     if (is_there(net, lath)) {

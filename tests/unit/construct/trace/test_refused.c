@@ -22,6 +22,11 @@
     "0, 1], [1, 1, 1], [0, 1, 1]], [[1, 0, 0], [1, 1, 0], [0, 1, 0]]], \"weights\": [[1, "         \
     "0.7071067811865476, 1], [0.7071067811865476, 0.5, 0.7071067811865476], [1, "                  \
     "0.7071067811865476, 1]] }] }"
+/* y = (v - 0.5)^2, z = u y: there is no normal along the fold v = 0.5. */
+#define FOLD                                                                                       \
+    "{ \"taut\": 1, \"surfaces\": [{ \"u\": { \"type\": \"bezier\", \"degree\": 1 }, \"v\": { "    \
+    "\"type\": \"bezier\", \"degree\": 2 }, \"points\": [[[0, 0.25, 0], [0, -0.25, 0], [0, 0.25, " \
+    "0]], [[1, 0.25, 0.25], [1, -0.25, -0.25], [1, 0.25, 0.25]]] }] }"
 #define BIG                                                                                        \
     "{ \"taut\": 1, \"surfaces\": [{ \"u\": { \"type\": \"bezier\", \"degree\": 1 }, \"v\": { "    \
     "\"type\": \"bezier\", \"degree\": 1 }, \"points\": [[[0, 0, 0], [0, 1e70, 0]], [[1e70, 0, "   \
@@ -51,6 +56,8 @@ static void test_reasons(void)
          "(0, 0.5)"},
         {"geodesic", SPHERE, "\"seeds\": [{ \"at\": [0, 0.5], \"direction\": [1, 0] }]", "singular",
          "/seeds/0", ""},
+        {"isoparametric", FOLD, "\"families\": [\"u\"], \"seeds\": [{ \"at\": [0.5, 0.1] }]",
+         "singular", "/seeds", "near (0.5, 0.499999)"},
         {"asymptotic", BIG, "", "extreme-size", "/of", "1e+70"},
         {"asymptotic", BILINEAR, "\"seeds\": [{ \"cell\": 1e-4 }]", "too-many-laths", "/seeds",
          "2000"},
