@@ -124,8 +124,9 @@ static void test_extension(void)
     }
 }
 
-/* The given surface a million times as large: what its carrying on might have lost says nothing of a
- * merged surface that does not cover it, whose moved point is seen. */
+/* The given surface a million million times as large: what its carrying on might have lost says nothing
+ * of a merged surface that does not cover it, nor of an extension that cannot come from it; moved points
+ * of both are seen. */
 static void test_large_first(void)
 {
     static double points[3 * MOST * MOST];
@@ -148,6 +149,9 @@ static void test_large_first(void)
     CHECK(verdict_of(forged, construct, NULL, "harmonic") == TAUT_TRUE, "each is harmonic");
     taut_model *moved = model_moved(forged, 2, 15, by);
     CHECK(verdict_of(moved, construct, NULL, "harmonic") == TAUT_FALSE, "the merged one is not");
+    taut_model_free(moved);
+    moved = model_moved(forged, 1, 5, by);
+    CHECK(verdict_of(moved, construct, NULL, "harmonic") == TAUT_FALSE, "the extension is not");
     taut_model_free(moved);
     taut_model_free(forged);
     taut_model_free(model);

@@ -177,7 +177,8 @@ static taut_edge edge_of(const taut_model *model, const taut_harmonic_extension_
 }
 
 /* What the points that are carried on have met, and a third of what the rounding of the given ones
- * may grow to at worst, (1 + 2 h)^n, h the ratio of the widths: rounding errors are seldom of one mind. */
+ * may grow to at worst, (1 + 2 h)^n, h the ratio of the widths: rounding errors are seldom of one mind.
+ * What q carried back meets is as large as the p that it comes from: one larger counts as that. */
 static double carried_of(const taut_model *model, const taut_harmonic_extension_problem *problem)
 {
     const taut_surface *p = taut_model_surface(model, 0), *q = taut_model_surface(model, 1);
@@ -188,7 +189,11 @@ static double carried_of(const taut_model *model, const taut_harmonic_extension_
     const double h =
         (taut_basis_hi(beyond) - taut_basis_lo(beyond)) / (taut_basis_hi(old) - taut_basis_lo(old));
     const double growth = taut_pow(1 + 2 * h, taut_basis_degree(old));
-    return taut_certify_max(taut_merged_carried(p, q, edge), growth * largest_coordinate(p) / 6);
+    const double size = largest_coordinate(p);
+    const double most = 2 * taut_merged_carried(q, p, (taut_edge)(edge ^ 1)); /* q's own edge */
+    const double share = size > most ? most / size : 1; /* p that large is not where q comes from */
+
+    return share * taut_certify_max(taut_merged_carried(p, q, edge), growth * size / 6);
 }
 
 static taut_status add_figures(const taut_model *model, const taut_crew *crew,
