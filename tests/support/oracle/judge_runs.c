@@ -214,7 +214,8 @@ static oracle_real cap_off(const oracle_sheet *cap, const oracle_sheet *end, int
 double oracle_caps(const oracle_case *about)
 {
     const double radius = taut_record_number(taut_record_get(data_of(about), "radius"));
-    const int is_run = oracle_curve(about->model, "axis") == NULL;
+    const int is_run = taut_record_get(about->problem, "run") != NULL || /* whatever was added */
+                       oracle_curve(about->model, "axis") == NULL;
     double worst = 0;
     int last = 0;
 
