@@ -94,7 +94,7 @@ static int rounded_binomials(const taut_field *product)
     return degree <= 50 ? 0 : 4 * (product->p + product->q);
 }
 
-/* a += x y, e += size whole + error sizes. */
+/* a += x y, e += size whole + error sizes; without `whole` no e. */
 static void add_row(double x, double error, const double *restrict y, const double *restrict whole,
                     const double *restrict sizes, int count, double *restrict a, double *restrict e)
 {
@@ -102,12 +102,14 @@ static void add_row(double x, double error, const double *restrict y, const doub
 
     for (int l = 0; l < count; l++) {
         a[l] += x * y[l];
-        e[l] += size * whole[l] + error * sizes[l];
+        if (whole != NULL) {
+            e[l] += size * whole[l] + error * sizes[l];
+        }
     }
 }
 
 /* out.a += conv(fa, ga); out.e += conv(|fa|, whole) + conv(fe, sizes), all scaled; whole is
- * ge + gamma |ga|, sizes |ga| + ge. Both are symmetric in f and g: of a square, rows i < k count
+ * ge + gamma |ga|, sizes |ga| + ge, or NULL. Both are symmetric in f and g: of a square, rows i < k count
  * twice. */
 static void convolve(const taut_field *f, const double *fa, const double *fe, const taut_field *g,
                      const double *ga, const double *whole, const double *sizes, taut_field *out)
@@ -121,19 +123,30 @@ static void convolve(const taut_field *f, const double *fa, const double *fe, co
                 const size_t row = (size_t)k * (size_t)(g->q + 1);
                 const size_t to = (size_t)(i + k) * (size_t)(out->q + 1) + (size_t)j;
                 const double times = is_square && k > i ? 2 : 1;
-                add_row(times * fa[at], times * fe[at], ga + row, whole + row, sizes + row,
-                        g->q + 1, out->a + to, out->e + to);
+                add_row(times * fa[at], times * fe[at], ga + row,
+                        whole != NULL ? whole + row : NULL, sizes + row, g->q + 1, out->a + to,
+                        out->e + to);
             }
         }
     }
 }
 
-taut_field taut_field_product(taut_arena *arena, const taut_field *f, const taut_field *g)
+/* The largest error of a coefficient. */
+static double error_of(const taut_field *f)
+{
+    double most = 0;
+    for (size_t k = 0; k < size_of(f); k++) {
+        most = taut_certify_max(most, f->e[k]);
+    }
+    return most;
+}
+
+static taut_field multiply(taut_arena *arena, const taut_field *f, const taut_field *g, int is_even)
 {
     double rows[2][TAUT_FIELD_DEGREE + 1];
     taut_field out = none;
     double *scaled[4], *whole = NULL;
-    double gamma = 0;
+    double gamma = 0, even = 0;
 
     if (f->a == NULL || g->a == NULL) {
         return none;
@@ -145,9 +158,9 @@ taut_field taut_field_product(taut_arena *arena, const taut_field *f, const taut
     }
     out = taut_field_new(arena, f->p + g->p, f->q + g->q);
     scaled[0] = scaled_of(arena, f, f->a);
-    scaled[1] = scaled_of(arena, f, f->e);
+    scaled[1] = is_even ? f->e : scaled_of(arena, f, f->e);
     scaled[2] = scaled_of(arena, g, g->a);
-    scaled[3] = scaled_of(arena, g, g->e);
+    scaled[3] = is_even ? g->e : scaled_of(arena, g, g->e);
     whole = taut_arena_take_raw(arena, size_of(g), sizeof(double));
     if (out.a == NULL || scaled[0] == NULL || scaled[1] == NULL || scaled[2] == NULL ||
         scaled[3] == NULL || whole == NULL) {
@@ -156,12 +169,16 @@ taut_field taut_field_product(taut_arena *arena, const taut_field *f, const taut
     gamma =
         unit * (double)((f->p < g->p ? f->p + 1 : g->p + 1) * (f->q < g->q ? f->q + 1 : g->q + 1) +
                         rounded_binomials(&out) + 16);
-    for (size_t k = 0; k < size_of(g); k++) {
+    if (is_even) {
+        const double size = taut_field_largest(f), other = taut_field_largest(g);
+        even = slack * (size * error_of(g) + other * error_of(f) + gamma * size * other);
+    }
+    for (size_t k = 0; !is_even && k < size_of(g); k++) {
         const double size = fabs(scaled[2][k]), error = scaled[3][k];
         whole[k] = error + slack * gamma * size;
         scaled[3][k] = size + error;
     }
-    convolve(f, scaled[0], scaled[1], g, scaled[2], whole, scaled[3], &out);
+    convolve(f, scaled[0], scaled[1], g, scaled[2], is_even ? NULL : whole, scaled[3], &out);
     fill_binomials(out.p, rows[0]);
     fill_binomials(out.q, rows[1]);
     for (int i = 0; i <= out.p; i++) {
@@ -169,10 +186,20 @@ taut_field taut_field_product(taut_arena *arena, const taut_field *f, const taut
             const size_t at = (size_t)i * (size_t)(out.q + 1) + (size_t)j;
             const double divisor = rows[0][i] * rows[1][j];
             out.a[at] /= divisor;
-            out.e[at] = slack * out.e[at] / divisor + tiny;
+            out.e[at] = (is_even ? even : slack * out.e[at] / divisor) + tiny;
         }
     }
     return out;
+}
+
+taut_field taut_field_product(taut_arena *arena, const taut_field *f, const taut_field *g)
+{
+    return multiply(arena, f, g, 0);
+}
+
+taut_field taut_field_product_even(taut_arena *arena, const taut_field *f, const taut_field *g)
+{
+    return multiply(arena, f, g, 1);
 }
 
 taut_field taut_field_raise(taut_arena *arena, const taut_field *f, int up, int vp)

@@ -22,47 +22,68 @@
 #include <string.h>
 
 enum {
-    SIDE = 6,       /* most coefficients of R, K, V, U, each way ... */
-    SIDE_SMALL = 4, /* ... and on the small spans of a film that has many */
-    SPANS_MANY = 500,
+    SIDE = 12,       /* most coefficients of T, each way: of its rules ... */
+    SIDES = 4,       /* ... so many ... */
+    SIDE_FIRST = 6,  /* ... the first has these ... */
+    SIDE_STEP = 2,   /* ... and each more ... */
+    SIDE_USUAL = 8,  /* ... than what costs are estimated with */
+    SIDE_NEAR = 4,   /* those of R, K, V, U */
     DEPTH_MAX = 12,  /* halvings, both ways each */
     DEPTH_LOOSE = 5, /* the same for a bound that is loose */
     DEPTH_COARSE = 4 /* and is far from what is asked however tight it is */
 };
-
 static const struct {
     double loose;      /* share of a bound that finer cells may still take off ... */
     double coarse;     /* ... where it is less than so many times what is asked; else */
     double rough;      /* this */
     double match;      /* c, b: above, V and U are not near what they stand for */
+    double apart;      /* share of the gap's root that d may add to it where more nodes help: ... */
+    double slow;       /* ... they do where they take it down to less than this */
     double negligible; /* share of the area of a cell: no finer cells for less */
     double flops;      /* of a certificate */
-} limits = {
-    .loose = 0.05, .coarse = 4, .rough = 0.5, .match = 2, .negligible = 1e-17, .flops = 1e10};
+} limits = {.loose = 0.05,
+            .coarse = 4,
+            .rough = 0.5,
+            .match = 2,
+            .apart = 0.01,
+            .slow = 0.5,
+            .negligible = 1e-17,
+            .flops = 1e10};
 
 static const double up = 1 + 0x1p-40; /* more than the few roundings of a bound */
 
+enum { PARTS = 8 }; /* polynomials of a cell */
+
 typedef struct cell {
-    taut_field n[3], w, q[2];
-    taut_field square; /* n.n */
-    taut_field room;   /* J^2 - |Q|^2 */
-    double share;      /* of its span */
+    union {
+        struct {
+            taut_field n[3], w, q[2];
+            taut_field square; /* n.n */
+            taut_field room;   /* J^2 - |Q|^2 */
+        };
+        taut_field parts[PARTS];
+    };
+    double share;  /* of its span */
+    double likely; /* as far as is known of what it is part of: the bound over its share, or 0 */
     int depth;
 } cell;
 
 typedef struct cell_bound {
     double gap, likely; /* the bound, and what it would be with factors from the middle */
-    double off;         /* d */
     double area_low, area_high, shadow;
 } cell_bound;
 
+/* Nodes of Chebyshev's kind and what makes coefficients of values there. */
+typedef struct flux_rule {
+    int count;
+    double nodes[SIDE], inverse[SIDE][SIDE];
+} flux_rule;
+
 typedef struct work {
     taut_flux_task *task;
-    int side; /* coefficients of R, K, V, U, each way */
-    double nodes[SIDE];
-    double inverse[SIDE][SIDE]; /* values at nodes to coefficients */
-    double flops;               /* that are left */
-    double likely;              /* the sum over the spans before */
+    flux_rule near, lengths[SIDES];
+    double flops;  /* that are left */
+    double likely; /* the sum over the spans before */
     int spans;
     taut_flux_bound bound;
 } work;
@@ -89,28 +110,19 @@ static void fill_row(int p, double t, double *row)
     }
 }
 
-/* Gauss-Jordan with row interchanges: nodes of Chebyshev's kind are far apart enough. */
-static void fill_inverse(work *w)
+/* Gauss-Jordan; rows stay where they are, as the matrix is totally positive. */
+static void fill_rule(int n, flux_rule *rule)
 {
-    const int n = w->side;
     double a[SIDE][2 * SIDE];
 
+    rule->count = n;
     memset(a, 0, sizeof a);
     for (int r = 0; r < n; r++) {
-        w->nodes[r] = 0.5 - 0.5 * taut_cos(TAUT_PI * (r + 0.5) / n);
-        fill_row(n - 1, w->nodes[r], a[r]);
+        rule->nodes[r] = 0.5 - 0.5 * taut_cos(TAUT_PI * (r + 0.5) / n);
+        fill_row(n - 1, rule->nodes[r], a[r]);
         a[r][n + r] = 1;
     }
     for (int c = 0; c < n; c++) {
-        int pivot = c;
-        for (int r = c + 1; r < n; r++) {
-            pivot = fabs(a[r][c]) > fabs(a[pivot][c]) ? r : pivot;
-        }
-        for (int k = 0; k < 2 * n; k++) {
-            const double kept = a[c][k];
-            a[c][k] = a[pivot][k];
-            a[pivot][k] = kept;
-        }
         for (int r = 0; r < n; r++) {
             const double factor = r == c ? 0 : a[r][c] / a[c][c];
             for (int k = 0; k < 2 * n; k++) {
@@ -120,13 +132,13 @@ static void fill_inverse(work *w)
     }
     for (int r = 0; r < n; r++) {
         for (int c = 0; c < n; c++) {
-            w->inverse[r][c] = a[r][n + c] / a[r][r];
+            rule->inverse[r][c] = a[r][n + c] / a[r][r];
         }
     }
 }
 
 /* values[r][c] = f at the nodes. */
-static void evaluate_at_nodes(const work *w, const taut_field *f, double values[SIDE][SIDE])
+static void evaluate_at_nodes(const flux_rule *rule, const taut_field *f, double values[SIDE][SIDE])
 {
     double by_v[SIDE][TAUT_FIELD_DEGREE + 1], row[TAUT_FIELD_DEGREE + 1];
 
@@ -134,8 +146,8 @@ static void evaluate_at_nodes(const work *w, const taut_field *f, double values[
     if (f->a == NULL) {
         return; /* memory ran out: the arena tells */
     }
-    for (int c = 0; c < w->side; c++) {
-        fill_row(f->q, w->nodes[c], row);
+    for (int c = 0; c < rule->count; c++) {
+        fill_row(f->q, rule->nodes[c], row);
         for (int i = 0; i <= f->p; i++) {
             const double *a = f->a + (size_t)i * (size_t)(f->q + 1);
             by_v[c][i] = 0;
@@ -144,9 +156,9 @@ static void evaluate_at_nodes(const work *w, const taut_field *f, double values[
             }
         }
     }
-    for (int r = 0; r < w->side; r++) {
-        fill_row(f->p, w->nodes[r], row);
-        for (int c = 0; c < w->side; c++) {
+    for (int r = 0; r < rule->count; r++) {
+        fill_row(f->p, rule->nodes[r], row);
+        for (int c = 0; c < rule->count; c++) {
             values[r][c] = 0;
             for (int i = 0; i <= f->p; i++) {
                 values[r][c] += row[i] * by_v[c][i];
@@ -157,55 +169,25 @@ static void evaluate_at_nodes(const work *w, const taut_field *f, double values[
 
 /* The polynomial with these values at the nodes, up to rounding: its coefficients are what they are,
  * without an error. */
-static taut_field interpolate(const work *w, taut_arena *arena, double values[SIDE][SIDE])
+static taut_field interpolate(const flux_rule *rule, taut_arena *arena, double values[SIDE][SIDE])
 {
     double half[SIDE][SIDE];
-    taut_field near = taut_field_new(arena, w->side - 1, w->side - 1);
+    taut_field near = taut_field_new(arena, rule->count - 1, rule->count - 1);
 
-    for (int r = 0; r < w->side; r++) {
-        for (int c = 0; c < w->side; c++) {
+    for (int r = 0; r < rule->count; r++) {
+        for (int c = 0; c < rule->count; c++) {
             half[r][c] = 0;
-            for (int k = 0; k < w->side; k++) {
-                half[r][c] += w->inverse[r][k] * values[k][c];
+            for (int k = 0; k < rule->count; k++) {
+                half[r][c] += rule->inverse[r][k] * values[k][c];
             }
         }
     }
-    for (int k = 0; near.a != NULL && k < w->side * w->side; k++) {
-        for (int m = 0; m < w->side; m++) {
-            near.a[k] += half[k / w->side][m] * w->inverse[k % w->side][m];
+    for (int k = 0; near.a != NULL && k < rule->count * rule->count; k++) {
+        for (int m = 0; m < rule->count; m++) {
+            near.a[k] += half[k / rule->count][m] * rule->inverse[k % rule->count][m];
         }
     }
     return near;
-}
-
-/* R, K, V, U of a cell, and T. */
-typedef struct nearby {
-    taut_field root, weight, first, second, length;
-} nearby;
-
-static nearby find_nearby(const work *w, taut_arena *arena, const cell *c)
-{
-    double jacobian[SIDE][SIDE], square[SIDE][SIDE], weight[SIDE][SIDE];
-    double root[SIDE][SIDE], half[SIDE][SIDE], first[SIDE][SIDE], second[SIDE][SIDE];
-    nearby found;
-
-    evaluate_at_nodes(w, &c->n[2], jacobian);
-    evaluate_at_nodes(w, &c->square, square);
-    evaluate_at_nodes(w, &c->w, weight);
-    for (int k = 0; k < w->side * w->side; k++) {
-        const int row = k / w->side, column = k % w->side;
-        const double heavy = fabs(weight[row][column]), steep = fabs(jacobian[row][column]);
-        root[row][column] = sqrt(sqrt(fabs(square[row][column])));
-        half[row][column] = sqrt(heavy);
-        first[row][column] = 1 / (heavy * half[row][column] * steep * root[row][column]);
-        second[row][column] = first[row][column] / steep;
-    }
-    found.root = interpolate(w, arena, root);
-    found.weight = is_constant(&c->w) ? taut_field_constant(arena, 1) : interpolate(w, arena, half);
-    found.first = interpolate(w, arena, first);
-    found.second = interpolate(w, arena, second);
-    found.length = taut_field_product(arena, &found.root, &found.root);
-    return found;
 }
 
 /* ---- one cell ---- */
@@ -302,48 +284,112 @@ static taut_flux_verdict find_extremes(const cell *c, const taut_field *upright,
     return x->room >= 0 ? TAUT_FLUX_ADMITTED : TAUT_FLUX_STEEP;
 }
 
+/* ---- what is near ---- */
+
+/* R, K, V, U of a cell, and T. */
+typedef struct nearby {
+    taut_field root, weight, first, second, length;
+    double weighs; /* by about how much the gap's root grows with d */
+    double off;    /* d */
+} nearby;
+
+static void find_weights(const flux_rule *rule, taut_arena *arena, const cell *c, nearby *found)
+{
+    double jacobian[SIDE][SIDE], square[SIDE][SIDE], weight[SIDE][SIDE];
+    double root[SIDE][SIDE], half[SIDE][SIDE], first[SIDE][SIDE], second[SIDE][SIDE];
+
+    evaluate_at_nodes(rule, &c->n[2], jacobian);
+    evaluate_at_nodes(rule, &c->square, square);
+    evaluate_at_nodes(rule, &c->w, weight);
+    found->weighs = 0;
+    for (int k = 0; k < rule->count * rule->count; k++) {
+        const int row = k / rule->count, column = k % rule->count;
+        const double heavy = fabs(weight[row][column]), steep = fabs(jacobian[row][column]);
+        root[row][column] = sqrt(sqrt(fabs(square[row][column])));
+        half[row][column] = sqrt(heavy);
+        first[row][column] = 1 / (heavy * half[row][column] * steep * root[row][column]);
+        second[row][column] = first[row][column] / steep;
+        const double length = root[row][column] * root[row][column];
+        found->weighs = fmax(found->weighs, first[row][column] * fmax(steep, length));
+    }
+    found->root = interpolate(rule, arena, root);
+    found->weight =
+        is_constant(&c->w) ? taut_field_constant(arena, 1) : interpolate(rule, arena, half);
+    found->first = interpolate(rule, arena, first);
+    found->second = interpolate(rule, arena, second);
+}
+
+/* T: by more and more nodes, until d is at most `wanted` or more do not help. */
+static void find_length(const work *w, taut_arena *arena, const cell *c, double least,
+                        double wanted, nearby *found)
+{
+    found->off = INFINITY;
+    for (int k = 0; k < SIDES; k++) {
+        double values[SIDE][SIDE];
+        evaluate_at_nodes(&w->lengths[k], &c->square, values);
+        for (int m = 0; m < SIDE * SIDE; m++) {
+            values[m / SIDE][m % SIDE] = sqrt(fabs(values[m / SIDE][m % SIDE]));
+        }
+        const taut_field length = interpolate(&w->lengths[k], arena, values);
+        const taut_field square = taut_field_product_even(arena, &length, &length);
+        const taut_field apart = taut_field_difference(arena, &c->square, &square);
+        const double low = taut_field_low(&length), before = found->off;
+        const double off = low > 0 ? up * taut_field_largest(&apart) / (least + low) : INFINITY;
+        if (k == 0 || off < before) {
+            found->length = length;
+            found->off = off;
+        }
+        if (off <= wanted || off > limits.slow * before) {
+            break;
+        }
+    }
+}
+
 /* min (w K f R) for f = V J or U J^2. */
 static double least_match(taut_arena *arena, const cell *c, const nearby *near, const taut_field *f)
 {
-    const taut_field half = taut_field_product(arena, f, &near->root);
+    const taut_field half = taut_field_product_even(arena, f, &near->root);
     if (is_constant(&c->w)) {
         return taut_field_low(&half) * taut_field_low(&c->w);
     }
-    const taut_field heavy = taut_field_product(arena, &c->w, &near->weight);
-    const taut_field whole = taut_field_product(arena, &half, &heavy);
+    const taut_field heavy = taut_field_product_even(arena, &c->w, &near->weight);
+    const taut_field whole = taut_field_product_even(arena, &half, &heavy);
     return taut_field_low(&whole);
 }
 
 /* What the polynomials nearby lack. */
 typedef struct lack {
-    double off;                     /* d */
     double first, second;           /* c, b */
     double high_first, high_second; /* max |V J|, max |U J| */
 } lack;
 
-static lack find_lack(taut_arena *arena, const cell *c, const nearby *near,
-                      const taut_field *upright, const extremes *x)
+/* A share of near^2 that f is nowhere below; none where near^2 is not shown to be above 0. */
+static double share_of(taut_arena *arena, const taut_field *f, const taut_field *near)
 {
-    const taut_field square = taut_field_product(arena, &near->length, &near->length);
-    const taut_field apart = taut_field_difference(arena, &c->square, &square);
-    const taut_field first = taut_field_product(arena, &near->first, upright);
-    const taut_field half = taut_field_product(arena, &near->second, upright);
-    const taut_field second = taut_field_product(arena, &half, upright);
-    const double low = taut_field_low(&near->length);
-    double share = 1;
-    lack found = {0, 0, 0, 0, 0};
+    const taut_field square = taut_field_product_even(arena, near, near);
+    const taut_field more = taut_field_difference(arena, f, &square);
+    const double low = taut_field_low(&square);
+    return low > 0 ? 1 - up * taut_field_largest(&more) / low : 0;
+}
 
-    found.off = up * taut_field_largest(&apart) / (x->length + fmax(0, low));
-    if (!is_constant(&c->w)) {
-        const taut_field weight = taut_field_product(arena, &near->weight, &near->weight);
-        const taut_field more = taut_field_difference(arena, &c->w, &weight);
-        share = 1 - up * taut_field_largest(&more) / taut_field_low(&weight);
-    }
-    share *= 1 - up * found.off / low;
+static lack find_lack(taut_arena *arena, const cell *c, const nearby *near,
+                      const taut_field *upright)
+{
+    const taut_field first = taut_field_product_even(arena, &near->first, upright);
+    const taut_field half = taut_field_product_even(arena, &near->second, upright);
+    const taut_field second = taut_field_product_even(arena, &half, upright);
+    const double low = taut_field_low(&near->length);
+    const double weight = is_constant(&c->w) ? 1 : share_of(arena, &c->w, &near->weight);
+    const double root = share_of(arena, &near->length, &near->root);
+    const double length = 1 - up * near->off / low;
     const double one = least_match(arena, c, near, &first);
     const double two = least_match(arena, c, near, &second);
-    found.first = low > 0 && share > 0 && one > 0 ? up / (one * one * share) : INFINITY;
-    found.second = low > 0 && share > 0 && two > 0 ? up / (two * two * share) : INFINITY;
+    const int is_near = weight > 0 && root > 0 && length > 0 && low > 0;
+    const double share = weight * root * length;
+    lack found;
+
+    found.first = is_near && one > 0 ? up / (one * one * share) : INFINITY;
+    found.second = is_near && two > 0 ? up / (two * two * share) : INFINITY;
     found.high_first = taut_field_largest(&first);
     found.high_second = taut_field_largest(&half);
     return found;
@@ -362,33 +408,32 @@ static double least_rate(const extremes *x, double largest)
 static void bound_gap(taut_arena *arena, const cell *c, const nearby *near,
                       const taut_field *upright, const extremes *x, cell_bound *found)
 {
-    const lack l = find_lack(arena, c, near, upright, x);
+    const lack l = find_lack(arena, c, near, upright);
     taut_field along[2];
     double norm = 0, largest = 0;
 
     for (int k = 0; k < 2; k++) {
-        const taut_field one = taut_field_product(arena, &c->q[k], &near->length);
-        const taut_field other = taut_field_product(arena, upright, &c->n[k]);
+        const taut_field one = taut_field_product_even(arena, &c->q[k], &near->length);
+        const taut_field other = taut_field_product_even(arena, upright, &c->n[k]);
         const taut_field e = taut_field_difference(arena, &one, &other);
-        const taut_field weighted = taut_field_product(arena, &near->first, &e);
+        const taut_field weighted = taut_field_product_even(arena, &near->first, &e);
         const double part = norm_of(arena, &weighted), size = taut_field_largest(&e);
-        along[k] = taut_field_product(arena, &e, &c->n[k]);
+        along[k] = taut_field_product_even(arena, &e, &c->n[k]);
         norm += part * part;
         largest += size * size;
     }
-    largest = up * sqrt(largest) + l.off * x->high_jacobian;
+    largest = up * sqrt(largest) + near->off * x->high_jacobian;
     const taut_field both = taut_field_sum(arena, &along[0], &along[1]);
-    const taut_field weighted = taut_field_product(arena, &near->second, &both);
+    const taut_field weighted = taut_field_product_even(arena, &near->second, &both);
     const double second = norm_of(arena, &weighted), rate = least_rate(x, largest);
-    const double flat = sqrt(norm) + l.off * l.high_first;
-    const double steep = second + l.off * l.high_second * x->high_length +
+    const double flat = sqrt(norm) + near->off * l.high_first;
+    const double steep = second + near->off * l.high_second * x->high_length +
                          taut_field_largest(&near->second) * largest * largest / (2 * x->jacobian);
     found->gap = up * up * c->share * 0.5 *
                  (l.first * flat * flat + l.second * steep * steep / (rate * rate));
     found->likely = l.first < limits.match && l.second < limits.match
                         ? c->share * 0.5 * (norm + second * second)
                         : 0; /* V, U are far off: what they weigh means nothing */
-    found->off = l.off;
 }
 
 static taut_flux_verdict bound_cell(const work *w, taut_arena *arena, const cell *c,
@@ -401,7 +446,11 @@ static taut_flux_verdict bound_cell(const work *w, taut_arena *arena, const cell
     if (verdict != TAUT_FLUX_ADMITTED) {
         return verdict;
     }
-    const nearby near = find_nearby(w, arena, c);
+    nearby near;
+    find_weights(&w->near, arena, c, &near);
+    const double likely = fmax(c->likely, w->spans > 0 ? w->likely / w->spans : 0);
+    const double root = sqrt(fmax(2 * likely, limits.negligible * x.length));
+    find_length(w, arena, c, x.length, limits.apart * root / near.weighs, &near);
     const double low_cube = x.weight * x.weight * x.weight;
     const double high_cube = x.high_weight * x.high_weight * x.high_weight;
     const double rounded = 0x1p-40 * taut_field_largest(&near.length);
@@ -409,8 +458,8 @@ static taut_flux_verdict bound_cell(const work *w, taut_arena *arena, const cell
     const double most = up * c->share * 2 * x.high_length / low_cube; /* as |m - X| <= 2 */
     bound_gap(arena, c, &near, &upright, &x, found);
     found->gap = found->gap < most ? found->gap : most;
-    found->area_low = c->share * fmax(0, mean - found->off - rounded) / high_cube / up;
-    found->area_high = fmin(0.5 * most, up * c->share * (mean + found->off + rounded) / low_cube);
+    found->area_low = c->share * fmax(0, mean - near.off - rounded) / high_cube / up;
+    found->area_high = fmin(0.5 * most, up * c->share * (mean + near.off + rounded) / low_cube);
     found->shadow =
         c->share * fmax(0, mean_of(&upright) - 0x1p-40 * x.high_jacobian) / high_cube / up;
     return isfinite(found->gap) && isfinite(found->area_high) && found->area_low >= 0
@@ -420,28 +469,30 @@ static taut_flux_verdict bound_cell(const work *w, taut_arena *arena, const cell
 
 /* ---- cells of cells ---- */
 
-/* Quarter k: low or high in u, low or high in v. */
-static void take_quarter(taut_arena *arena, const cell *from, int k, cell *quarter)
+/* The four quarters: low or high in u, low or high in v. */
+static void take_quarters(taut_arena *arena, const cell *from, double likely, cell quarters[4])
 {
-    const taut_field *given[8] = {&from->n[0], &from->n[1], &from->n[2],   &from->w,
-                                  &from->q[0], &from->q[1], &from->square, &from->room};
-    taut_field *taken[8] = {&quarter->n[0], &quarter->n[1], &quarter->n[2],   &quarter->w,
-                            &quarter->q[0], &quarter->q[1], &quarter->square, &quarter->room};
+    const taut_field *given = from->parts;
 
-    for (int f = 0; f < 8; f++) {
-        taut_field half[2], part[2];
-        taut_field_halve(arena, given[f], 0, &half[0], &half[1]);
-        taut_field_halve(arena, &half[k / 2], 1, &part[0], &part[1]);
-        *taken[f] = part[k % 2];
+    for (int f = 0; f < PARTS; f++) {
+        taut_field half[2];
+        taut_field_halve(arena, &given[f], 0, &half[0], &half[1]);
+        for (int k = 0; k < 2; k++) {
+            taut_field_halve(arena, &half[k], 1, &quarters[2 * k].parts[f],
+                             &quarters[2 * k + 1].parts[f]);
+        }
     }
-    quarter->share = 0.25 * from->share;
-    quarter->depth = from->depth + 1;
+    for (int k = 0; k < 4; k++) {
+        quarters[k].share = 0.25 * from->share;
+        quarters[k].likely = likely / from->share;
+        quarters[k].depth = from->depth + 1;
+    }
 }
 
 /* About so many flops. */
-static double cost_of(const work *w, const cell *c)
+static double cost_of(const cell *c)
 {
-    const double near = (2 * w->side - 1) * (2 * w->side - 1);
+    const double near = SIDE_USUAL * SIDE_USUAL;
     const double n = (c->n[2].p + 1.0) * (c->n[2].q + 1.0);
     const double q = (c->q[0].p + 1.0) * (c->q[0].q + 1.0);
     const double width = 2.0 + c->q[0].p + c->q[0].q;
@@ -461,20 +512,18 @@ static int is_loose(const work *w, const cell *c, const cell_bound *found)
 
 static taut_status add_cell(work *w, const cell *c, double *likely);
 
-static taut_status add_quarters(work *w, const cell *c, double *likely)
+static taut_status add_quarters(work *w, const cell *c, double of_whole, double *likely)
 {
+    taut_arena *arena = taut_arena_new();
     taut_status status = TAUT_OK;
+    cell quarters[4];
 
+    take_quarters(arena, c, of_whole, quarters);
+    status = taut_arena_status(arena);
     for (int k = 0; status == TAUT_OK && k < 4 && w->bound.verdict == TAUT_FLUX_ADMITTED; k++) {
-        taut_arena *arena = taut_arena_new();
-        cell quarter;
-        take_quarter(arena, c, k, &quarter);
-        status = taut_arena_status(arena);
-        if (status == TAUT_OK) {
-            status = add_cell(w, &quarter, likely);
-        }
-        taut_arena_free(arena);
+        status = add_cell(w, &quarters[k], likely);
     }
+    taut_arena_free(arena);
     return status;
 }
 
@@ -490,19 +539,19 @@ static taut_status add_cell(work *w, const cell *c, double *likely)
     if (status != TAUT_OK) {
         return status;
     }
-    w->flops -= cost_of(w, c);
+    w->flops -= cost_of(c);
     if (w->flops < 0) {
         verdict = TAUT_FLUX_WORK;
     }
     if ((verdict == TAUT_FLUX_FOLDS || verdict == TAUT_FLUX_STEEP) && c->depth < DEPTH_MAX) {
-        return add_quarters(w, c, likely);
+        return add_quarters(w, c, 0, likely);
     }
     if (verdict != TAUT_FLUX_ADMITTED) {
         w->bound.verdict = verdict;
         return TAUT_OK;
     }
     if (is_loose(w, c, &found)) {
-        return add_quarters(w, c, likely);
+        return add_quarters(w, c, found.likely, likely);
     }
     *likely += found.likely;
     w->bound.gap += found.gap;
@@ -518,8 +567,8 @@ static taut_status add_cell(work *w, const cell *c, double *likely)
 static taut_field quotient_of(taut_arena *arena, const taut_field *x, const taut_field *dx,
                               const taut_field *weight, const taut_field *dweight)
 {
-    const taut_field one = taut_field_product(arena, weight, dx);
-    const taut_field other = taut_field_product(arena, dweight, x);
+    const taut_field one = taut_field_product_even(arena, weight, dx);
+    const taut_field other = taut_field_product_even(arena, dweight, x);
     return taut_field_difference(arena, &one, &other);
 }
 
@@ -535,13 +584,13 @@ static void find_normal(taut_arena *arena, const taut_field x[4], const taut_fie
         return;
     }
     for (int c = 0; c < 3; c++) {
-        const taut_field one = taut_field_product(arena, &dv[3], &du[c]);
-        const taut_field other = taut_field_product(arena, &du[3], &dv[c]);
+        const taut_field one = taut_field_product_even(arena, &dv[3], &du[c]);
+        const taut_field other = taut_field_product_even(arena, &du[3], &dv[c]);
         mixed[c] = taut_field_difference(arena, &one, &other);
     }
     taut_field_cross(arena, x, mixed, second);
     for (int c = 0; c < 3; c++) {
-        const taut_field first = taut_field_product(arena, &x[3], &flat[c]);
+        const taut_field first = taut_field_product_even(arena, &x[3], &flat[c]);
         n[c] = taut_field_sum(arena, &first, &second[c]);
     }
 }
@@ -559,11 +608,11 @@ static void find_dual(taut_arena *arena, const taut_field x[4], const taut_field
             along_u = quotient_of(arena, &x[c], &du[c], &x[3], &du[3]);
             along_v = quotient_of(arena, &x[c], &dv[c], &x[3], &dv[3]);
         }
-        const taut_field one = taut_field_product(arena, &psi_u, &along_v);
-        const taut_field other = taut_field_product(arena, &psi_v, &along_u);
+        const taut_field one = taut_field_product_even(arena, &psi_u, &along_v);
+        const taut_field other = taut_field_product_even(arena, &psi_v, &along_u);
         q[c] = taut_field_difference(arena, &one, &other);
         if (is_rational) {
-            q[c] = taut_field_product(arena, &x[3], &q[c]);
+            q[c] = taut_field_product_even(arena, &x[3], &q[c]);
         }
     }
 }
@@ -586,18 +635,19 @@ static int make_cell(const work *w, taut_arena *arena, int i, int j, cell *c)
     find_dual(arena, x, du, dv, &psi, c->q);
     c->w = x[3];
     c->square = taut_field_dot(arena, c->n, c->n);
-    const taut_field level = taut_field_product(arena, &c->n[2], &c->n[2]);
-    const taut_field one = taut_field_product(arena, &c->q[0], &c->q[0]);
-    const taut_field other = taut_field_product(arena, &c->q[1], &c->q[1]);
+    const taut_field level = taut_field_product_even(arena, &c->n[2], &c->n[2]);
+    const taut_field one = taut_field_product_even(arena, &c->q[0], &c->q[0]);
+    const taut_field other = taut_field_product_even(arena, &c->q[1], &c->q[1]);
     const taut_field dual = taut_field_sum(arena, &one, &other);
     c->room = taut_field_difference(arena, &level, &dual);
     c->share = 1;
+    c->likely = 0;
     c->depth = 0;
     return 1;
 }
 
 /* What making the cell of a span costs, from the degrees alone: before anything is multiplied. */
-static double cost_of_span(const taut_flux_task *task, int side)
+static double cost_of_span(const taut_flux_task *task)
 {
     const int rational = taut_surface_weights(task->surface) != NULL;
     const double p = taut_certify_degree(taut_surface_u(task->surface)),
@@ -605,7 +655,7 @@ static double cost_of_span(const taut_flux_task *task, int side)
     const double n = (rational ? 3 * p : 2 * p) * (rational ? 3 * q : 2 * q);
     const double dual = (taut_basis_degree(task->u) + (rational ? 3 : 1) * p) *
                         (taut_basis_degree(task->v) + (rational ? 3 : 1) * q);
-    const double near = (2.0 * side - 1) * (2.0 * side - 1);
+    const double near = SIDE_USUAL * SIDE_USUAL;
     return 12 * (4 * n * n + 2 * dual * dual + 2 * near * dual + near * near);
 }
 
@@ -625,7 +675,7 @@ static taut_status add_span(work *w, int i, int j)
     if (status == TAUT_OK && w->task->sign == 0) {
         w->task->sign = taut_field_value(&c.n[2], 0.5, 0.5) > 0 ? 1 : -1;
     }
-    w->flops -= cost_of_span(w->task, w->side);
+    w->flops -= cost_of_span(w->task);
     if (status == TAUT_OK) {
         status = add_cell(w, &c, &likely);
     }
@@ -639,19 +689,21 @@ taut_status taut_certify_flux(taut_flux_task *task, taut_flux_bound *bound)
 {
     const int nu = taut_basis_span_count(taut_surface_u(task->surface));
     const int nv = taut_basis_span_count(taut_surface_v(task->surface));
-    work w = {
-        .task = task, .flops = limits.flops, .side = nu * nv < SPANS_MANY ? SIDE : SIDE_SMALL};
+    work w = {.task = task, .flops = limits.flops};
     taut_status status = TAUT_OK;
 
-    if (!(cost_of_span(task, w.side) * nu * nv <= limits.flops)) {
+    if (!(cost_of_span(task) * nu * nv <= limits.flops)) {
         *bound = (taut_flux_bound){.verdict = TAUT_FLUX_WORK};
         return TAUT_OK;
     }
-    fill_inverse(&w);
+    fill_rule(SIDE_NEAR, &w.near);
+    for (int k = 0; k < SIDES; k++) {
+        fill_rule(SIDE_FIRST + k * SIDE_STEP, &w.lengths[k]);
+    }
     for (int k = 0; status == TAUT_OK && k < nu * nv && w.bound.verdict == TAUT_FLUX_ADMITTED;
          k++) {
         status = add_span(&w, k / nv, k % nv);
-        if (status == TAUT_OK && taut_crew_beat(task->crew, cost_of_span(task, w.side))) {
+        if (status == TAUT_OK && taut_crew_beat(task->crew, cost_of_span(task))) {
             status = TAUT_INTERRUPTED;
         }
     }

@@ -13,22 +13,24 @@
  *
  * as both are unit vectors. It is bounded from above, not computed. On each cell take polynomials
  *
- *     R ~ |n|^(1/2),   K ~ w^(1/2),   V ~ 1 / (w^(3/2) J |n|^(1/2)),   U ~ V / J,   T = R^2
+ *     T ~ |n|,   R ~ |n|^(1/2),   K ~ w^(1/2),   V ~ 1 / (w^(3/2) J |n|^(1/2)),   U ~ V / J
  *     E = Q T - |J| n_h
  *
  * which may be any, as what they lack is bounded by coefficients too:
  *
  *     ||n| - T|   <= d = max |n.n - T^2| / (min |n| + min T),      |e - E| <= |Q| d <= |J| d
- *     1 / (w^3 J^2 |n|) <= c V^2,    1 / c  = min(w K V J R)^2   (1 - k) (1 - d / min T)
- *     1 / (w^3 J^4 |n|) <= b U^2,    1 / b  = min(w K U J^2 R)^2 (1 - k) (1 - d / min T)
- *     w >= (1 - k) K^2,              r >= 1 - max |e| max |n|^2 / min |n| min |J|^3
+ *     1 / (w^3 J^2 |n|) <= c V^2,    1 / c  = min(w K V J R)^2   (1 - k) (1 - l) (1 - d / min T)
+ *     1 / (w^3 J^4 |n|) <= b U^2,    1 / b  = min(w K U J^2 R)^2 (1 - k) (1 - l) (1 - d / min T)
+ *     w >= (1 - k) K^2,    T >= (1 - l) R^2,    r >= 1 - max |e| max |n|^2 / min |n| min |J|^3
  *
  *     A - D <= sum over cells of c/2 (||V E|| + d max |V J|)^2
  *            + b/2 (||U E.n_h|| + d max |U J| |n| + max |U| |e|^2 / 2 min |J|)^2 / min r^2
  *
- * with ||f|| the root of the integral of f^2, from its coefficients. Cells are halved both ways while
- * this is far above what it is without d and with b = c = r = 1. All coefficients know their
- * rounding errors (certify/common/field.h).
+ * with ||f|| the root of the integral of f^2, from its coefficients. R, K, V, U are of degree 3, as they
+ * only weigh; T is of as high a degree as makes d small beside the root of the gap, for one of twice the
+ * degree does what four cells do. Cells are halved both ways while the bound is far above what it is
+ * without d and with b = c = r = 1. All coefficients know their rounding errors, those of a product one
+ * bound for all (certify/common/field.h).
  */
 #ifndef TAUT_CERTIFY_PLATEAU_FLUX_H
 #define TAUT_CERTIFY_PLATEAU_FLUX_H

@@ -13,7 +13,7 @@ static const struct {
     double decimals;   /* share of the root of the gap that a decimal may move grad psi by */
 } limits = {
     .steepest = 0.9999,
-    .gap_rough = 1e-8,
+    .gap_rough = 1e-7,
     .gain_least = 1e-3,
     .flops = 1e10,
     .decimals = 3e-3,

@@ -19,7 +19,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { NODES_BEYOND = 1 }; /* nodes on a span, beyond the functions alive there */
+enum { NODES_BEYOND = 0 }; /* nodes on a span, beyond the functions alive there */
 /* Operations, as pulses count them: to make the state of a node, to look at it, and to zero a number of fresh memory. */
 enum { OF_STATE = 400, OF_LOOK = 60, OF_ZERO = 4 };
 

@@ -79,6 +79,37 @@ static void test_product(void)
     taut_arena_free(arena);
 }
 
+/* The same product with one bound for all its errors, which counts those of both factors. */
+static void test_even_product(void)
+{
+    taut_arena *arena = taut_arena_new();
+    for (int trial = 0; trial < 80; trial++) {
+        const taut_field f = random_field(arena, random_int(0, 8), random_int(0, 9));
+        const taut_field other = random_field(arena, random_int(0, 8), random_int(0, 9));
+        const taut_field g = trial % 5 == 4 ? f : other;
+        for (int k = 0; trial % 2 == 1 && k < (f.p + 1) * (f.q + 1); k++) {
+            f.e[k] = trial % 4 == 1 ? 1e-3 * fabs(random_number()) : 0;
+        }
+        for (int k = 0; trial % 4 == 3 && k < (g.p + 1) * (g.q + 1); k++) {
+            g.e[k] = 1e-3 * fabs(random_number());
+        }
+        const taut_field h = taut_field_product(arena, &f, &g);
+        const taut_field even = taut_field_product_even(arena, &f, &g);
+        const double size = taut_field_largest(&f) * taut_field_largest(&g);
+        const double off = trial % 2 == 1 ? 2.1e-3 * size / 0.1 : 0x1p-40 * size;
+        CHECK(even.p == h.p && even.q == h.q, "degree %d %d", even.p, even.q);
+        for (int k = 0; k < (h.p + 1) * (h.q + 1); k++) {
+            const long double exact = product_of(&f, &g, k / (h.q + 1), k % (h.q + 1));
+            const double apart = (double)fabsl(exact - (long double)even.a[k]);
+            CHECK(apart <= 0x1p-44 * size + 1e-300, "off by %g", apart);
+            CHECK(even.e[k] >= 0.999999 * h.e[k], "bound %g, one by one %g", even.e[k], h.e[k]);
+            CHECK(even.e[k] == even.e[0] && even.e[k] <= off + 1e-300, "bound %g is idle",
+                  even.e[k]);
+        }
+    }
+    taut_arena_free(arena);
+}
+
 /* What the coefficients' own errors make of a product: f +- e must stay inside. */
 static void test_errors_travel(void)
 {
@@ -367,6 +398,8 @@ static void test_nothing_is_proved(void)
     CHECK(isnan(taut_field_low(&f)) && isnan(taut_field_largest(&f)), "a NaN error was swallowed");
     g = taut_field_product(arena, &absent, &huge);
     CHECK(g.a == NULL && isnan(taut_field_low(&g)), "a product of nothing");
+    g = taut_field_product_even(arena, &absent, &huge);
+    CHECK(g.a == NULL && isnan(taut_field_low(&g)), "an even product of nothing");
     g = taut_field_product(arena, &huge, &huge);
     CHECK(!isfinite(taut_field_high(&g)) && !(taut_field_low(&g) > 0), "an overflow proves %g",
           taut_field_low(&g));
@@ -379,6 +412,7 @@ int main(void)
 {
     random_seed(1);
     test_product();
+    test_even_product();
     test_errors_travel();
     test_values();
     test_pieces();
