@@ -2,7 +2,7 @@
 find_program(WASM_OPT wasm-opt REQUIRED)
 # Without what nothing in a page asks for: among others flat pieces of cloth (pattern/flat), which only programs cut.
 file(GLOB_RECURSE web_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/*.c)
-list(FILTER web_sources EXCLUDE REGEX "/src/(cli|modules|page|construct/gradient)/|/io/cad/(absent|answer|cad|helper|looks|scan|sheets|wire)|/io/(csv|dxf)/|/io/geomdl/geomdl|/io/problem/(boundary_file|pattern|film_along|film_curves|film_patches)|/film/complex/|/problem/film_(complex|cells|places|rim|ropes)|/numeric/(front|sparse|modes_lent)|/geometry/boundary/|/io/mesh/threemf|/io/mesh/cloth|/mesh/thicken|/shell/thick/|/io/step/assembly|/io/step/bodies|/numeric/strip|/pattern/flat/|/draw/flat_page|/measure/cloth/|/(construct|certify)/pattern/|/io/flat/(cloth|spread)|avx2|avx512|/platform/(posix|windows)")
+list(FILTER web_sources EXCLUDE REGEX "/src/(cli|modules|page|construct/gradient)/|/io/cad/(absent|answer|cad|helper|looks|scan|sheets|wire)|/io/(csv|dxf)/|/io/geomdl/geomdl|/io/problem/(boundary_file|pattern|film_along|film_curves|film_patches)|/film/complex/|/problem/film_(complex|cells|places|rim|ropes)|/numeric/(front|sparse|modes_lent)|/geometry/boundary/|/geometry/chart/|/io/mesh/threemf|/io/mesh/cloth|/mesh/thicken|/shell/thick/|/io/step/assembly|/io/step/bodies|/numeric/strip|/pattern/flat/|/draw/flat_page|/measure/cloth/|/(construct|certify)/pattern/|/io/flat/(cloth|spread)|avx2|avx512|/platform/(posix|windows)")
 # Nets of curves, where a film is how far from least, and faces without creases in STEP files are in the studio's module, which has room for them, and not in the one that any page may load.
 option(TAUT_WEB_NETS "The module for browsers traces nets of curves" OFF)
 if(TAUT_WEB_NETS)
