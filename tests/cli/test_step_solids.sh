@@ -18,6 +18,9 @@ material=$(tr -d ' \n' < walled.json | sed -n 's/.*"wall_volume":\([-+.e0-9]*\).
 handle_volume=$(awk 'BEGIN { pi = atan2(0, -1); printf "%.17g", pi * 64 * (280 + 24 * pi) }')
 [ "$(grep -c '=MANIFOLD_SOLID_BREP(' handle.step)" = 1 ] || complain 'pipe-caps is not one solid'
 ! grep -q B_SPLINE_SURFACE handle.step || complain 'handle.step holds a spline'
+# caps between ellipses are planes, and come back as the nets that they are
+"$TAUT" example pipe-elliptic | sed 's/"construct": "pipe",/& "caps": true,/' | "$TAUT" make - --quiet -o oval.json -o oval.step
+[ "$(grep -c '=PLANE(' oval.step)" = 2 ] || complain "oval.step has $(grep -c '=PLANE(' oval.step) planes"
 "$TAUT" example pipe-run-closed > ring-problem.json
 run 0 make ring-problem.json --quiet -o ring.json -o ring.step
 "$TAUT" example harmonic-extension > extension-problem.json
@@ -51,6 +54,11 @@ if "$PROBE"; then
     "$PROBE" capped.step ring.step open.step extension.step > probe.txt || complain "not read: $(cat probe.txt)"
     contains probe.txt '^capped.step read 1 valid 1 closed 1 solids 1 shells 1 faces 8 .* free 0 colours 8 '
     contains probe.txt '^ring.step read 1 valid 1 closed 1 solids 1 shells 1 faces 25 .* free 0 colours 25 '
+    "$PROBE" oval.step > oval.txt || complain "not read: $(cat oval.txt)"
+    contains oval.txt '^oval.step read 1 valid 1 closed 1 solids 1 shells 1 faces 14 .* free 0 '
+    run 0 convert oval.step --surface cap1 -o cap.json
+    "$TAUT" measure cap.json --surface cap1 > cap.txt
+    near "$(sed -n 's/^area *\([-+.e0-9]*\) .*/\1/p' cap.txt)" "$(awk 'BEGIN { printf "%.17g", 160 * atan2(0, -1) }')" 1e-12 'cap1 of oval.step, read back'
     "$PROBE" walled.step > walled.txt || complain "not read: $(cat walled.txt)"
     contains walled.txt '^walled.step read 1 valid 1 closed 1 solids 1 shells 1 faces 12 .* free 0 '
     near "$(sed -n 's/^walled.step.* volume \([-+.e0-9]*\) .*/\1/p' walled.txt)" "$material" 1e-10 'walled.step, OpenCASCADE'

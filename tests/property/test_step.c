@@ -537,6 +537,58 @@ static double area_back(const char *path)
     return measure.area;
 }
 
+/* The ellipse that a disc in the plane of x and z is the image of: x times `wide`, then moved by `slant` z, which moves no area. */
+static void make_oval(taut_surface **form, double wide, double slant)
+{
+    const taut_surface *from = *form;
+    double points[2][9][3];
+    taut_basis *u = NULL, *v = NULL;
+    memcpy(points, taut_surface_points(from), sizeof points);
+    for (int k = 0; k < 18; k++) {
+        points[k / 9][k % 9][0] = wide * points[k / 9][k % 9][0] + slant * points[k / 9][k % 9][2];
+    }
+    CHECK(taut_basis_copy(taut_surface_u(from), &u) == TAUT_OK &&
+              taut_basis_copy(taut_surface_v(from), &v) == TAUT_OK,
+          "copy");
+    taut_surface *made = shape_surface(u, v, points[0][0], taut_surface_weights(from));
+    taut_surface_free(*form);
+    *form = made;
+}
+
+/* Between ellipses, also such whose half diameters are not across each other: planes with splines for edges, which are exact, and back. */
+static void test_ovals(void)
+{
+    const double pi = 3.14159265358979323846;
+    for (int trial = 0; trial < random_trials(24); trial++) {
+        const int kind = trial % 2 == 0 ? DISC : WASHER;
+        const double a = random_log(1e-2, 1e4), b = a * random_in(0.1, 0.9);
+        const double wide = random_in(0.2, 0.9), slant = trial % 3 == 0 ? random_in(-1, 1) : 0;
+        const double area = pi * wide * (kind == DISC ? a * a : a * a - b * b);
+        const char *path = in_folder("oval.step");
+        taut_model *model = new_model("mm");
+        taut_step_form form;
+        step_probe found;
+        taut_surface *oval = new_form(kind, a, b, 0);
+        make_oval(&oval, wide, slant);
+        oval = turned(oval, random_int(0, 7));
+        taut_step_recognise(oval, &form);
+        CHECK(form.kind == TAUT_STEP_PLANE && !form.is_round, "kind %d", (int)form.kind);
+        add(model, moved(oval, a));
+        write_model(model, path);
+        step_probe_file(path, &found);
+        CHECK(found.is_read && found.valid && found.faces == 1 && found.solids == 0 &&
+                  found.free_edges == (kind == DISC ? 1 : 2),
+              "oval %d, %g, %g: valid %d, %d free", kind, a, wide, found.valid, found.free_edges);
+        CHECK_NEAR(found.area, area, 1e-9 * area, "oval %d, %g, %g, %g", kind, a, wide, slant);
+        CHECK_NEAR(area_back(path), area, 1e-9 * area, "oval %d, back", kind);
+        char *text = file_bytes(path, NULL);
+        CHECK(strstr(text, "=PLANE(") != NULL && strstr(text, "B_SPLINE_SURFACE") == NULL,
+              "oval %d, %g, %g", kind, a, wide);
+        free(text);
+        taut_model_free(model);
+    }
+}
+
 /* As it is drawn, du x dv points outwards, or along the axis that the ring goes about; what each turn does to that. */
 static void check_sense(const taut_surface *surface, int kind, int way)
 {
@@ -684,6 +736,7 @@ int main(void)
     test_round();
     test_ringed();
     test_forms();
+    test_ovals();
     test_capped();
     test_no_form();
     test_no_body();

@@ -94,9 +94,10 @@ static void find_ring(const rows *net, int row, taut_step_ring *ring)
     taut_difference(point_at(net, row, 2), ring->centre, ring->aside);
     ring->radius = 0.25 * (taut_distance(point_at(net, row, 0), point_at(net, row, 4)) +
                            taut_distance(point_at(net, row, 2), point_at(net, row, 6)));
+    ring->other = ring->radius;
     taut_cross(ring->ahead, ring->aside, across);
     if (!(taut_norm(across) > 0)) {
-        ring->radius = 0;
+        ring->radius = ring->other = 0;
         return;
     }
     make_unit(ring->ahead);
@@ -119,7 +120,7 @@ static double row_distance(const rows *net, int row, const taut_step_ring *ring,
         double x[3];
         memcpy(x, ring->centre, sizeof x);
         taut_add_scaled(ring->radius * places[j][0], ring->ahead, x);
-        taut_add_scaled(ring->radius * places[j][1], ring->aside, x);
+        taut_add_scaled(ring->other * places[j][1], ring->aside, x);
         if (axis != NULL) {
             double way[3];
             taut_difference(x, origin, way);
@@ -193,12 +194,45 @@ static void fit_straight(const rows *net, double largest, taut_step_form *form)
     if (form->kind == TAUT_STEP_CYLINDER) {
         memcpy(other->centre, centre, sizeof centre);
     } else {
-        other->radius = radius;
+        other->radius = other->other = radius;
     }
     memcpy(form->origin, wide->centre, sizeof form->origin);
     memcpy(form->ahead, wide->ahead, sizeof form->ahead);
     form->distance =
         fmax(row_distance(net, 0, a, NULL, NULL, 1), row_distance(net, 1, b, NULL, NULL, 1));
+}
+
+/* Affine images of circles, in one plane about one centre and with half diameters along the same lines: the longer ones are those of
+ * one ring, and the other is within it, or a point. */
+static void fit_flat(const rows *net, taut_step_form *form)
+{
+    taut_step_ring *rings = form->rings;
+    double across[3];
+    for (int i = 0; i < 2; i++) {
+        find_ring(net, i, &rings[i]);
+        rings[i].radius = 0.5 * taut_distance(point_at(net, i, 0), point_at(net, i, 4));
+        rings[i].other = 0.5 * taut_distance(point_at(net, i, 2), point_at(net, i, 6));
+    }
+    const int outer = rings[1].radius > rings[0].radius;
+    taut_step_ring *const wide = &rings[outer], *const other = &rings[1 - outer];
+    taut_difference(point_at(net, outer, 2), wide->centre, wide->aside);
+    taut_cross(wide->ahead, wide->aside, across);
+    form->kind = TAUT_STEP_PLANE;
+    form->distance = INFINITY;
+    if (!(taut_norm(across) > 0) || !(other->other < wide->other) ||
+        (other->radius > 0) != (other->other > 0)) {
+        return;
+    }
+    make_unit(wide->aside);
+    make_unit(across);
+    memcpy(form->axis, across, sizeof form->axis);
+    memcpy(form->origin, wide->centre, sizeof form->origin);
+    memcpy(form->ahead, wide->ahead, sizeof form->ahead);
+    memcpy(other->centre, wide->centre, sizeof other->centre);
+    memcpy(other->ahead, wide->ahead, sizeof other->ahead);
+    memcpy(other->aside, wide->aside, sizeof other->aside);
+    form->distance = fmax(row_distance(net, 0, &rings[0], NULL, NULL, 1),
+                          row_distance(net, 1, &rings[1], NULL, NULL, 1));
 }
 
 /* The axis of the turn from one ring to the other, and where it is. */
@@ -281,6 +315,7 @@ static int points_inwards(const taut_surface *surface, const taut_step_form *for
 
 static void fit_rows(const rows *net, double largest, taut_step_form *form)
 {
+    form->is_round = 1;
     find_ring(net, 0, &form->rings[0]);
     find_ring(net, net->count - 1, &form->rings[1]);
     if (!(fmax(form->rings[0].radius, form->rings[1].radius) > 0)) {
@@ -316,6 +351,10 @@ void taut_step_recognise(const taut_surface *surface, taut_step_form *form)
             largest = fmax(largest, taut_largest_coordinate(net.points + 3 * i));
         }
         fit_rows(&net, largest, &found);
+        if (net.count == 2 && !(found.distance <= rounded * largest)) {
+            found = (taut_step_form){.around = around};
+            fit_flat(&net, &found);
+        }
         /* weights within four roundings move a circle by as much of its radius */
         found.distance += 32 * TAUT_UNIT_ROUNDOFF *
                           fmax(found.radius, fmax(found.rings[0].radius, found.rings[1].radius));

@@ -164,12 +164,18 @@ static int is_hidden(const placing *p, int side)
     return form->kind == TAUT_STEP_PLANE && !taut_step_is_ring(form, side % 4);
 }
 
-/* The curve of the k-th piece of an edge: a circle or a line where all its faces are forms, else a spline. */
+/* Is a face a form whose edges are circles or lines? */
+static int is_round(const placing *p, int face)
+{
+    return is_form(p, face) && p->forms[face].is_round;
+}
+
+/* The curve of the k-th piece of an edge: a circle or a line where its faces have such, else a spline. */
 static size_t put_curve_of(const placing *p, const taut_shell_edge *edge, size_t pieces, size_t k)
 {
     const int face = edge->side[0] / 4, e = edge->side[0] % 4, d = along_of(e);
     const taut_surface *surface = taut_model_surface(p->model, face);
-    if (is_form(p, face) && (edge->side[1] < 0 || is_form(p, edge->side[1] / 4))) {
+    if (is_round(p, face) && (edge->side[1] < 0 || is_round(p, edge->side[1] / 4))) {
         return taut_step_put_form_edge(p->out, &p->forms[face], surface, e);
     }
     const taut_step_row row = {.along = d,
