@@ -39,8 +39,9 @@ extern "C" {
       "write another format, or `taut panels`")                                                    \
     X("single-precision", "a coordinate is too large for the single precision of the format",      \
       "write .ply or .obj")                                                                        \
-    X("single-point", "a surface is one point, which no STEP file gives back",                     \
-      "leave it out, or write IGES or JSON")                                                       \
+    X("single-point",                                                                              \
+      "a surface, or an edge of a solid, is one point to readers of STEP: 1e-7 mm",                \
+      "leave the surface out or make it longer, or write IGES or JSON")                            \
     X("broken",                                                                                    \
       "not a STEP or IGES file, or one that is cut off or breaks the rules of its format",         \
       "export it again")                                                                           \

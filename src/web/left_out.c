@@ -104,6 +104,15 @@ taut_status taut_step_check_bodies(const taut_model *nurbs, const taut_shells *s
     return TAUT_OK;
 }
 
+taut_status taut_step_check_edges(const taut_model *nurbs, const taut_shells *shells,
+                                  taut_error *error)
+{
+    (void)nurbs;
+    (void)shells;
+    (void)error;
+    return TAUT_OK;
+}
+
 taut_status taut_step_find_hollows(const taut_cad_facts *facts, const taut_shells *shells,
                                    taut_arena *arena, int **outside)
 {

@@ -32,6 +32,9 @@ void taut_step_put_places(taut_part21 *out, int count, taut_step_part *parts, si
 void taut_step_put_uses(taut_part21 *out, int count, const taut_step_part *parts,
                         const taut_step_spaces *spaces);
 
+/* That no edge of a solid is so short that readers take it for a point: TAUT_NO_SOLUTION, reason "single-point". */
+taut_status taut_step_check_edges(const taut_model *nurbs, const taut_shells *shells,
+                                  taut_error *error);
 /* bodies.c: sheets are bodies, every one: else TAUT_NO_SOLUTION, "sheet". */
 taut_status taut_step_check_bodies(const taut_model *nurbs, const taut_shells *shells,
                                    taut_error *error);

@@ -123,6 +123,9 @@ static taut_status prepare_part(taut_step_part *p, const taut_cad_facts *facts, 
 {
     taut_status status = find_shells(p->model, facts->bound, arena, &p->shells);
     if (status == TAUT_OK) {
+        status = taut_step_check_edges(p->model, &p->shells, error);
+    }
+    if (status == TAUT_OK) {
         status = find_forms(p->model, &p->shells, arena, &p->forms);
     }
     if (status == TAUT_OK) {
