@@ -8,30 +8,31 @@
 
 #include "core/arena.h"
 
+/* A triangle in the list of one tile. */
+typedef struct taut_depth_entry {
+    double corners[9];
+    const struct taut_depth_entry *next;
+} taut_depth_entry;
+
 typedef struct taut_depth {
-    int width, height; /* cells of one page unit */
-    float *nearest;    /* [height][width]: -INFINITY where there is none */
-    double (*triangles)[9];
-    size_t count, room;
-    int columns, rows; /* of tiles */
-    size_t *
-        first; /* [rows * columns + 1] where the triangles of a tile begin in `on`; NULL until it is asked for */
-    size_t *on;
-    taut_status status; /* TAUT_NO_MEMORY sticks */
+    int width, height;              /* cells of one page unit */
+    float *nearest;                 /* [height][width]: -INFINITY where there is none */
+    int columns, rows;              /* of tiles */
+    const taut_depth_entry **tiles; /* [rows][columns] */
+    taut_arena *arena;
+    taut_depth_entry *room; /* for `left` more entries */
+    size_t left;
 } taut_depth;
 
-/* 0 when memory runs out. */
+/* What it takes is the arena's. 0 when memory runs out. */
 int taut_depth_new(int width, int height, taut_arena *arena, taut_depth *depth);
-void taut_depth_clear(taut_depth *depth);
-/* Corners (x, y, depth), finite; parts beside the page are passed over. All triangles before the first question of what
- * is hidden. */
-void taut_depth_triangle(taut_depth *depth, const double a[3], const double b[3],
-                         const double c[3]);
+/* Corners (x, y, depth), finite; parts beside the page are passed over. 0 when memory runs out. */
+int taut_depth_triangle(taut_depth *depth, const double a[3], const double b[3], const double c[3]);
 /* The depth of the cell that holds (x, y), or of the nearest one on the page. */
 double taut_depth_at(const taut_depth *depth, double x, double y);
 /* Is a finite point behind a surface? Only where rays through it and through four points about it, `reach` away, all
  * meet one that is nearer by more than `slack`: a line on a surface strays from the triangles by what chords do, and
  * where it lies along the end of a surface nothing beside it is hidden. */
-int taut_depth_hides(taut_depth *depth, const double at[3], double reach, double slack);
+int taut_depth_hides(const taut_depth *depth, const double at[3], double reach, double slack);
 
 #endif /* TAUT_DRAW_DEPTH_H */

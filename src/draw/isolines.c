@@ -86,7 +86,7 @@ static double gap_of(const double *const p[3], const double s[3], double step)
     return step / fmax(slope, step / 1000);
 }
 
-static void try_triangle(const double *const p[3], const double s[3], taut_scene *scene,
+static void try_triangle(const double *const p[3], const double s[3], const taut_scene *scene,
                          search *found)
 {
     double at[2][3], mid[3];
@@ -106,7 +106,7 @@ static void try_triangle(const double *const p[3], const double s[3], taut_scene
     }
 }
 
-static void search_sheet(const taut_sheet *sheet, const double *page, taut_scene *scene,
+static void search_sheet(const taut_sheet *sheet, const double *page, const taut_scene *scene,
                          search *found)
 {
     const size_t columns = (size_t)sheet->v.count;

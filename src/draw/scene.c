@@ -29,7 +29,6 @@ void taut_scene_clear(taut_scene *scene)
     taut_free(scene->points);
     taut_free(scene->hidden);
     taut_free(scene->tags);
-    taut_depth_clear(&scene->depth);
     memset(scene, 0, sizeof *scene);
 }
 
@@ -93,9 +92,10 @@ void taut_scene_cell(taut_scene *scene, const double *const corner[4], taut_ink 
     taut_cell cell = {.ink = ink, .order = scene->cell_count};
     if (shape_cell(corner, &cell)) {
         add_cell(scene, &cell);
-        taut_depth_triangle(&scene->depth, corner[0], corner[1], corner[2]);
-        taut_depth_triangle(&scene->depth, corner[0], corner[2], corner[3]);
-        scene->status = scene->status == TAUT_OK ? scene->depth.status : scene->status;
+        if (!taut_depth_triangle(&scene->depth, corner[0], corner[1], corner[2]) ||
+            !taut_depth_triangle(&scene->depth, corner[0], corner[2], corner[3])) {
+            scene->status = TAUT_NO_MEMORY;
+        }
     }
 }
 
@@ -109,17 +109,9 @@ void taut_scene_over(taut_scene *scene, const double *const corner[4], taut_ink 
     }
 }
 
-/* Behind what was added so far? */
-static int hides(taut_scene *scene, const double at[3], double reach, double slack)
+int taut_scene_hides(const taut_scene *scene, const double at[3], double slack)
 {
-    const int hidden = taut_depth_hides(&scene->depth, at, reach, slack);
-    scene->status = scene->status == TAUT_OK ? scene->depth.status : scene->status;
-    return hidden;
-}
-
-int taut_scene_hides(taut_scene *scene, const double at[3], double slack)
-{
-    return hides(scene, at, usual_reach, slack);
+    return taut_depth_hides(&scene->depth, at, usual_reach, slack);
 }
 
 static void add_stroke(taut_scene *scene, taut_stroke stroke)
@@ -164,7 +156,8 @@ static size_t mark_hidden(taut_scene *scene, size_t count, const double *points,
             const double t = ((double)k + 0.5) / (double)steps;
             const double at[3] = {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]),
                                   a[2] + t * (b[2] - a[2])};
-            scene->hidden[used++] = (unsigned char)hides(scene, at, reach, slack);
+            scene->hidden[used++] =
+                (unsigned char)taut_depth_hides(&scene->depth, at, reach, slack);
         }
     }
     return used;
@@ -272,7 +265,8 @@ void taut_scene_disc(taut_scene *scene, const double at[3], taut_ink ink, taut_i
     }
 }
 
-int taut_scene_has_room(taut_scene *scene, const double at[3], const double size[2], double gap)
+int taut_scene_has_room(const taut_scene *scene, const double at[3], const double size[2],
+                        double gap)
 {
     if (!is_finite(at) || taut_scene_hides(scene, at, usual_slack)) {
         return 0;

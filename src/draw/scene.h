@@ -71,9 +71,10 @@ void taut_scene_disc(taut_scene *scene, const double at[3], taut_ink ink, taut_i
                      double radius);
 
 /* Is a finite point behind a surface by more than `slack`? */
-int taut_scene_hides(taut_scene *scene, const double at[3], double slack);
+int taut_scene_hides(const taut_scene *scene, const double at[3], double slack);
 /* Does a box of this size about a point lie on surfaces whole, and away from all tags by `gap`? */
-int taut_scene_has_room(taut_scene *scene, const double at[3], const double size[2], double gap);
+int taut_scene_has_room(const taut_scene *scene, const double at[3], const double size[2],
+                        double gap);
 void taut_scene_tag(taut_scene *scene, const taut_tag *tag);
 
 /* Sorts and draws: cells, then lines and discs as they were added, then tags. */
