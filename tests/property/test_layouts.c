@@ -10,6 +10,7 @@
  */
 #include "certificates.h"
 #include "check.h"
+#include "documents.h"
 #include "layouts.h"
 
 #include "taut/taut.h"
@@ -24,15 +25,6 @@ typedef struct tally {
     int films, folded, weak, parted, unstable, other;
 } tally;
 
-static taut_problem *read_problem(const char *text)
-{
-    taut_problem *problem = NULL;
-    taut_error error = {.status = TAUT_OK};
-    CHECK(taut_problem_read_text(text, strlen(text), "text", &problem, &error) == TAUT_OK, "%s: %s",
-          error.where, error.message);
-    return problem;
-}
-
 /* The energy of the same four lines, by one patch; NaN where it makes none. */
 static double frame_energy(const layout *l)
 {
@@ -42,7 +34,7 @@ static double frame_energy(const layout *l)
     double energy = NAN;
 
     layout_frame(l, 4, 14, text, sizeof text);
-    taut_problem *problem = read_problem(text);
+    taut_problem *problem = problem_read(text);
     if (taut_make(problem, NULL, &model, NULL) == TAUT_OK &&
         taut_certify(model, problem, NULL, &proof, NULL) == TAUT_OK) {
         energy = figure_of(proof, "energy");
@@ -109,7 +101,7 @@ static void try_layout(int trial, layout *l, tally *t)
     taut_model *model = NULL;
     taut_certificate *proof = NULL;
     taut_error error = {.status = TAUT_OK};
-    taut_problem *problem = read_problem(l->text);
+    taut_problem *problem = problem_read(l->text);
 
     if (problem == NULL) {
         return;

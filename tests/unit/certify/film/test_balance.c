@@ -2,12 +2,12 @@
  * what they were not made as; and films at rest, on spaces that grow finer. */
 #include "certificates.h"
 #include "check.h"
+#include "documents.h"
 #include "problem/problem.h"
 #include "taut/construct.h"
 #include "taut/read.h"
 
 #include <math.h>
-#include <string.h>
 
 #define PATCH(name, corners, more)                                                                 \
     "{\"name\":\"" name "\",\"u\":{\"type\":\"bspline\",\"degree\":2,\"count\":4},"                \
@@ -23,19 +23,10 @@
 #define U1(what) ",\"edges\":{\"u1\":" what "}"
 #define AT "\"point\":[2,0,0],\"normal\":"
 
-static taut_problem *read_problem(const char *text)
-{
-    taut_problem *problem = NULL;
-    taut_error error = {.status = TAUT_OK};
-    CHECK(taut_problem_read_text(text, strlen(text), "text", &problem, &error) == TAUT_OK, "%s: %s",
-          error.where, error.message);
-    return problem;
-}
-
 /* A film as one document makes it, and another has it. */
 static double balance_of(const char *made, const char *asked)
 {
-    taut_problem *first = read_problem(made), *second = read_problem(asked);
+    taut_problem *first = problem_read(made), *second = problem_read(asked);
     taut_model *model = NULL;
     taut_certificate *proof = NULL;
     taut_error error = {.status = TAUT_OK};

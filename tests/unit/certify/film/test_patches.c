@@ -2,6 +2,7 @@
  * no single closed convex curve. */
 #include "certificates.h"
 #include "check.h"
+#include "documents.h"
 #include "witnesses.h"
 
 #include "certify/film/complex/least.h"
@@ -59,15 +60,6 @@ static proof prove(const taut_model *model, const taut_problem *problem)
     return p;
 }
 
-static taut_problem *read_problem(const char *text)
-{
-    taut_problem *problem = NULL;
-    taut_error error = {.status = TAUT_OK};
-    CHECK(taut_problem_read_text(text, strlen(text), "text", &problem, &error) == TAUT_OK, "%s: %s",
-          error.where, error.message);
-    return problem;
-}
-
 static taut_model *make(const taut_problem *problem)
 {
     taut_model *model = NULL;
@@ -92,7 +84,7 @@ static void test_quad(void)
     } rows[] = {{QUAD("12", ""), 1}, {QUAD("13", ""), 1}};
 
     for (size_t k = 0; k < sizeof rows / sizeof rows[0]; k++) {
-        taut_problem *problem = read_problem(rows[k].text);
+        taut_problem *problem = problem_read(rows[k].text);
         taut_model *model = make(problem);
         const proof p = prove(model, problem);
         CHECK(p.holds == TAUT_TRUE && p.residual < 2e-13, "%g, %s", p.residual, p.where);
@@ -180,7 +172,7 @@ static void test_changed(void)
         {{.at = FIRST + 20, .instead = NAN}, "witness: its coefficients"},
         {{.at = 0, .instead = -20}, "folds"},
     };
-    taut_problem *problem = read_problem(QUAD("8", ""));
+    taut_problem *problem = problem_read(QUAD("8", ""));
     taut_model *model = make(problem);
 
     for (size_t k = 0; k < sizeof rows / sizeof rows[0]; k++) {
@@ -232,7 +224,7 @@ static void test_obstacles(void)
     };
 
     for (size_t k = 0; k < sizeof rows / sizeof rows[0]; k++) {
-        taut_problem *problem = read_problem(rows[k].text);
+        taut_problem *problem = problem_read(rows[k].text);
         taut_model *model = make(problem);
         const proof p = prove(model, problem);
         const int is_there = rows[k].why[0] == 0;
@@ -280,7 +272,7 @@ static void test_walls(void)
     char text[4096];
 
     write_walls((double[2]){0.9, 0.4}, 0, text);
-    taut_problem *asked = read_problem(text);
+    taut_problem *asked = problem_read(text);
     taut_model *model = make(asked);
     const proof p = prove(model, asked);
     CHECK(p.holds == TAUT_TRUE && p.residual < 1e-12, "%g, %s", p.residual, p.where);
@@ -291,7 +283,7 @@ static void test_walls(void)
         const double by = random_log(1e-9, 0.1), angle = random_in(0, 6.28);
         const double at[2] = {fermat[0] + by * cos(angle), fermat[1] + by * sin(angle)};
         write_walls(at, 1, text);
-        taut_problem *held = read_problem(text);
+        taut_problem *held = problem_read(text);
         model = make(held);
         const proof other = prove(model, asked);
         CHECK(!(other.lower > least), "%g away: %.17g is above the least", by, other.lower);
@@ -353,7 +345,7 @@ static void test_rims(void)
     };
 
     for (size_t k = 0; k < sizeof rows / sizeof rows[0]; k++) {
-        taut_problem *problem = read_problem(rows[k].text);
+        taut_problem *problem = problem_read(rows[k].text);
         taut_arena *arena = taut_arena_new();
         taut_film_complex complex;
         taut_film_rim rim;
@@ -448,7 +440,7 @@ static void test_round(int times, double z, const char *why)
     const taut_surface *surfaces[2 * ANGLES];
     const int count = times * ANGLES;
     polygon(times, corner, text);
-    taut_problem *problem = read_problem(text);
+    taut_problem *problem = problem_read(text);
     const taut_film_problem *film = problem->data;
     taut_arena *arena = taut_arena_new();
     taut_record *witness = plain_witness(count, z);

@@ -1,5 +1,6 @@
 /* test_complex.c -- films of many patches against closed forms, and what is refused. */
 #include "check.h"
+#include "documents.h"
 #include "refused.h"
 
 #include "taut/taut.h"
@@ -65,15 +66,6 @@ static const char square[] =
                      "2,0,0]}}],\"seams\":[{\"edges\":[\"l.u1\",\"-r.v0\"],\"cable\":{"
                      "\"force\":3}}]}";
 
-static taut_problem *read_problem(const char *text)
-{
-    taut_problem *problem = NULL;
-    taut_error error = {.status = TAUT_OK};
-    CHECK(taut_problem_read_text(text, strlen(text), "text", &problem, &error) == TAUT_OK, "%s: %s",
-          error.where, error.message);
-    return problem;
-}
-
 static double figure(const taut_certificate *certificate, const char *name)
 {
     return taut_record_number(taut_record_get(taut_certificate_figures(certificate), name));
@@ -82,7 +74,7 @@ static double figure(const taut_certificate *certificate, const char *name)
 /* Makes, proves, and compares the energy. */
 static void check_energy(const char *text, double energy, double error, const char *what)
 {
-    taut_problem *problem = read_problem(text);
+    taut_problem *problem = problem_read(text);
     taut_model *model = NULL;
     taut_certificate *certificate = NULL;
     taut_error said = {.status = TAUT_OK};
@@ -167,7 +159,7 @@ static void test_refused(void)
 /* Every claim sees its own harm: ten times its limit. */
 static void test_moved(void)
 {
-    taut_problem *problem = read_problem(FERMAT(B(2, 4), "[\"a.u0\",\"b.u0\",\"c.u0\"]"));
+    taut_problem *problem = problem_read(FERMAT(B(2, 4), "[\"a.u0\",\"b.u0\",\"c.u0\"]"));
     taut_model *model = NULL;
     const struct {
         int point;

@@ -1,6 +1,7 @@
 /* test_draft.c -- drafts of films: from a film nearby they come to the film that taut_make finds, and hold what the problem
  * holds. */
 #include "check.h"
+#include "documents.h"
 
 #include "geometry/nearest.h"
 #include "taut/taut.h"
@@ -15,13 +16,8 @@ static const double plain_u[] = {0.05, 0.2, 0.41, 0.5, 0.77, 0.93};
 static taut_problem *read_problem(const char *format, double at)
 {
     char text[2000];
-    taut_problem *problem = NULL;
-    taut_error error = {.status = TAUT_OK};
-
     snprintf(text, sizeof text, format, at);
-    CHECK(taut_problem_read_text(text, strlen(text), "text", &problem, &error) == TAUT_OK, "%s",
-          error.message);
-    return problem;
+    return problem_read(text);
 }
 
 /* How far the draft lies from the film: points of it from the nearest of the film, over its size, about 2. */
