@@ -109,6 +109,7 @@ run 0 make ring.json --quiet -o ring-made.json
 run 0 pattern ring-made.json --across v0,v1 --count 4 --allowance 0.02 -o ring-cloth.json
 contains ring-cloth.json '"name": "S4"'
 refused 4 'no-geodesic' pattern ring-made.json --across u0,u1 --count 4 -o none.json
+contains err.txt 'would end where it begins, as these edges are one line: run it between the other two'
 
 # a roof with a ridge along u = 1, and a surface that crosses itself up to a point in its middle, where it has no normal
 printf '{"taut": 1, "surfaces": [{"u": {"type": "bspline", "degree": 1, "knots": [0,0,1,2,2]}, "v": {"type": "bezier", "degree": 1},

@@ -228,10 +228,31 @@ static taut_status take_room(const rule_work *w, double count)
     return w->seams->list != NULL ? TAUT_OK : taut_fail_memory(w->error);
 }
 
+/* One place of the line that closes a ring, from either side? */
+static int is_same_place(const taut_pattern_ground *ground, const double a[2], const double b[2])
+{
+    const taut_carrier *carrier = ground->carrier;
+    for (int d = 0; d < 2; d++) {
+        const double width = carrier->hi[d] - carrier->lo[d],
+                     other = carrier->hi[1 - d] - carrier->lo[1 - d];
+        if (ground->is_ring[d] && fabs(a[d] - b[d]) >= width * (1 - same_place) &&
+            fabs(a[1 - d] - b[1 - d]) <= same_place * other) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
 static taut_status add_geodesic(const rule_work *w, const double from[2], const double to[2])
 {
     const taut_pattern_ground *g = w->ground;
     double at[2][2] = {{from[0], from[1]}, {to[0], to[1]}};
+    if (is_same_place(g, from, to)) {
+        return taut_fail(w->error, TAUT_NO_SOLUTION, "no-geodesic", w->where, taut_none, taut_none,
+                         "the seam from (%.6g, %.6g) to (%.6g, %.6g) would end where it begins, as "
+                         "these edges are one line: run it between the other two",
+                         from[0], from[1], to[0], to[1]);
+    }
     taut_status status = orient(w, at);
     return status == TAUT_OK ? taut_pattern_geodesic(g->carrier, at[0], at[1], g->monitor, g->arena,
                                                      next_seam(w), w->error)
