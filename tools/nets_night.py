@@ -17,6 +17,7 @@ LIMIT = 60
 KNOWN = {
     "asymptotic-3": "asymptotic principal",
     "film-cap": "principal",
+    "film-sail": "principal",
     "pipe-flat-start": "asymptotic",
     "pipe-legal": "asymptotic",
     "pipe-ones": "asymptotic",

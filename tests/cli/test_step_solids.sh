@@ -69,8 +69,8 @@ if "$PROBE"; then
     "$PROBE" oval.step > oval.txt || complain "not read: $(cat oval.txt)"
     contains oval.txt '^oval.step read 1 valid 1 closed 1 solids 1 shells 1 faces 14 .* free 0 '
     run 0 convert oval.step --surface cap1 -o cap.json
-    "$TAUT" measure cap.json --surface cap1 > cap.txt
-    near "$(sed -n 's/^area *\([-+.e0-9]*\) .*/\1/p' cap.txt)" "$(awk 'BEGIN { printf "%.17g", 160 * atan2(0, -1) }')" 1e-12 'cap1 of oval.step, read back'
+    "$TAUT" measure cap.json --surface cap1 --json > cap.txt
+    near "$(sed -n 's/^ *"area": \([-+.e0-9]*\).*/\1/p' cap.txt)" "$(awk 'BEGIN { printf "%.17g", 160 * atan2(0, -1) }')" 1e-12 'cap1 of oval.step, read back'
     "$PROBE" walled.step > walled.txt || complain "not read: $(cat walled.txt)"
     contains walled.txt '^walled.step read 1 valid 1 closed 1 solids 1 shells 1 faces 12 .* free 0 '
     near "$(sed -n 's/^walled.step.* volume \([-+.e0-9]*\) .*/\1/p' walled.txt)" "$material" 1e-10 'walled.step, OpenCASCADE'
