@@ -74,18 +74,6 @@ static verdict judge(const metric *g, const metric *b, double factor, int sign,
                : OPEN;
 }
 
-/* Along X_s, across it, and along the normal: derivatives change least there. */
-static void frame_of(const double x[3][3], double frame[3][3])
-{
-    taut_cross(x[1], x[2], frame[2]);
-    const double lengths[2] = {taut_norm(x[1]), taut_norm(frame[2])};
-    for (int c = 0; c < 3; c++) {
-        frame[0][c] = x[1][c] / lengths[0];
-        frame[2][c] /= lengths[1];
-    }
-    taut_cross(frame[2], frame[0], frame[1]);
-}
-
 /* *along: the longer side. */
 static verdict look_at(gauge *w, const taut_chart_part *part, int *along)
 {
@@ -103,8 +91,10 @@ static verdict look_at(gauge *w, const taut_chart_part *part, int *along)
         }
     }
     double frame[3][3], level[3][3];
-    frame_of((const double(*)[3])at, frame);
-    frame_of((const double(*)[3])flat, level);
+    if (!taut_enclose_frame((const double(*)[3])at, frame) ||
+        !taut_enclose_frame((const double(*)[3])flat, level)) {
+        return WRONG;
+    }
     for (int k = 0; k < 3; k++) {
         for (int c = 0; c < 2; c++) {
             level[k][c] *= w->stretch[c];

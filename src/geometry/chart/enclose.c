@@ -341,3 +341,15 @@ int taut_enclose_surface(const taut_surface *surface, const double a[2], const d
     }
     return is_known;
 }
+
+int taut_enclose_frame(const double x[3][3], double frame[3][3])
+{
+    taut_cross(x[1], x[2], frame[2]);
+    const double lengths[2] = {taut_norm(x[1]), taut_norm(frame[2])};
+    for (int c = 0; c < 3; c++) {
+        frame[0][c] = x[1][c] / lengths[0];
+        frame[2][c] /= lengths[1];
+    }
+    taut_cross(frame[2], frame[0], frame[1]);
+    return lengths[0] > 0 && lengths[1] > 0;
+}

@@ -19,5 +19,8 @@ int taut_enclose_curve(const taut_curve *curve, double a, double b, taut_range x
  * second order where they are of first order along other axes. NULL: along x, y and z. */
 int taut_enclose_surface(const taut_surface *surface, const double a[2], const double b[2],
                          const double frame[3][3], taut_range x[6][3]);
+/* Of x, x_u, x_v the rows along x_u, across it in the tangent plane, and along the normal, in which derivatives change least;
+ * 0: there is no normal. */
+int taut_enclose_frame(const double x[3][3], double frame[3][3]);
 
 #endif /* TAUT_GEOMETRY_CHART_ENCLOSE_H */

@@ -94,14 +94,7 @@ static int frame_of(const taut_surface *surface, const double from[2], const dou
         TAUT_OK) {
         return 0;
     }
-    taut_cross(x[1], x[2], frame[2]);
-    const double lengths[2] = {taut_norm(x[1]), taut_norm(frame[2])};
-    for (int c = 0; c < 3; c++) {
-        frame[0][c] = x[1][c] / lengths[0];
-        frame[2][c] /= lengths[1];
-    }
-    taut_cross(frame[2], frame[0], frame[1]);
-    return lengths[0] > 0 && lengths[1] > 0;
+    return taut_enclose_frame((const double(*)[3])x, frame);
 }
 
 /* Of a cell; adds its positive curvature. */
