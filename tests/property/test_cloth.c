@@ -4,10 +4,10 @@
 #include "certificates.h"
 #include "check.h"
 #include "cloths.h"
+#include "models.h"
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 enum {
     ROUNDS = 16,
@@ -105,26 +105,6 @@ static void find(const taut_surface *flat, const double y[2], double at[2])
         at[0] = fmin(fmax(at[0] + (gap[0] * x[2][1] - gap[1] * x[2][0]) / det, 0), 1);
         at[1] = fmin(fmax(at[1] + (x[1][0] * gap[1] - x[1][1] * gap[0]) / det, 0), 1);
     }
-}
-
-static const taut_surface *surface_named(const taut_model *model, const char *name)
-{
-    for (int i = 0; i < taut_model_surface_count(model); i++) {
-        if (strcmp(taut_surface_name(taut_model_surface(model, i)), name) == 0) {
-            return taut_model_surface(model, i);
-        }
-    }
-    return NULL;
-}
-
-static const taut_curve *curve_named(const taut_model *model, const char *name)
-{
-    for (int i = 0; i < taut_model_curve_count(model); i++) {
-        if (strcmp(taut_curve_name(taut_model_curve(model, i)), name) == 0) {
-            return taut_model_curve(model, i);
-        }
-    }
-    return NULL;
 }
 
 /* Is a place of an edge that the piece begins or ends with in one place? */

@@ -198,3 +198,23 @@ int same_curve(const taut_curve *a, const taut_curve *b)
            same_numbers(3 * count, taut_curve_points(a), taut_curve_points(b)) &&
            same_numbers(count, taut_curve_weights(a), taut_curve_weights(b));
 }
+
+const taut_surface *surface_named(const taut_model *model, const char *name)
+{
+    for (int i = 0; i < taut_model_surface_count(model); i++) {
+        if (strcmp(taut_surface_name(taut_model_surface(model, i)), name) == 0) {
+            return taut_model_surface(model, i);
+        }
+    }
+    return NULL;
+}
+
+const taut_curve *curve_named(const taut_model *model, const char *name)
+{
+    for (int i = 0; i < taut_model_curve_count(model); i++) {
+        if (strcmp(taut_curve_name(taut_model_curve(model, i)), name) == 0) {
+            return taut_model_curve(model, i);
+        }
+    }
+    return NULL;
+}

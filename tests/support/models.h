@@ -1,4 +1,4 @@
-/* models.h -- random models, and whether two surfaces or curves are the same bit for bit. */
+/* models.h -- random models, surfaces and curves by name, and whether two are the same bit for bit. */
 #ifndef TAUT_TEST_MODELS_H
 #define TAUT_TEST_MODELS_H
 
@@ -19,5 +19,9 @@ double *numbers_in(int count, double lo, double hi); /* free() them */
 /* Names, bases, points and weights. */
 int same_surface(const taut_surface *a, const taut_surface *b);
 int same_curve(const taut_curve *a, const taut_curve *b);
+
+/* The one of this name, or NULL. */
+const taut_surface *surface_named(const taut_model *model, const char *name);
+const taut_curve *curve_named(const taut_model *model, const char *name);
 
 #endif /* TAUT_TEST_MODELS_H */

@@ -4,10 +4,10 @@
 #include "cloths.h"
 #include "core/vec3.h"
 #include "io/flat/spread.h"
+#include "models.h"
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 enum { PIECES = 4 };
 static const double half = 0.5, root = 0.86602540378443865; /* of three quarters */
@@ -21,26 +21,6 @@ static void range_of(int count, const double *points, const double way[3], doubl
         range[0] = fmin(range[0], taut_dot(points + 3 * k, way));
         range[1] = fmax(range[1], taut_dot(points + 3 * k, way));
     }
-}
-
-static const taut_surface *surface_named(const taut_model *model, const char *name)
-{
-    for (int i = 0; i < taut_model_surface_count(model); i++) {
-        if (strcmp(taut_surface_name(taut_model_surface(model, i)), name) == 0) {
-            return taut_model_surface(model, i);
-        }
-    }
-    return NULL;
-}
-
-static const taut_curve *curve_named(const taut_model *model, const char *name)
-{
-    for (int i = 0; i < taut_model_curve_count(model); i++) {
-        if (strcmp(taut_curve_name(taut_model_curve(model, i)), name) == 0) {
-            return taut_model_curve(model, i);
-        }
-    }
-    return NULL;
 }
 
 static int count_of(const taut_surface *s)
