@@ -107,13 +107,12 @@ static int is_place(const char *key)
  * to; four of extremes, which are sought on a grid, and of the mean of |H|. */
 static int digits_of(const char *key)
 {
-    static const char *const sought[] = {"max_", "mean_", "min"};
+    static const char *const sought[] = {"max_", "min_", "mean_"};
+    int is_sought = strcmp(key, "max") == 0 || strcmp(key, "min") == 0;
     for (size_t i = 0; i < sizeof sought / sizeof sought[0]; i++) {
-        if (strncmp(key, sought[i], strlen(sought[i])) == 0 || strcmp(key, "max") == 0) {
-            return 4;
-        }
+        is_sought |= strncmp(key, sought[i], strlen(sought[i])) == 0;
     }
-    return strcmp(key, "bounding_box") == 0 ? 15 : 11;
+    return is_sought ? 4 : strcmp(key, "bounding_box") == 0 ? 15 : 11;
 }
 
 /* One line a member; objects indent theirs. */
