@@ -1,5 +1,4 @@
-/* disc.cpp -- planes between circles or ellipses, which are surfaces with
- * natural boundaries all the same. */
+/* disc.cpp -- planes between circles or ellipses, which are surfaces with natural boundaries all the same. */
 #include "occt.hpp"
 
 #include <BRep_Tool.hxx>
@@ -21,16 +20,14 @@
 #include <cmath>
 #include <vector>
 
-/* A circle or an ellipse once around: two half diameters, conjugate, the first
- * to where an edge begins; or none. */
+/* A circle or an ellipse once around: two half diameters, conjugate, the first to where an edge begins; or none. */
 struct ring {
     bool is_found;
     gp_Pnt centre;
     gp_Vec ways[2];
 };
 
-/* Of a circle or an ellipse, whose derivative is the conjugate half diameter.
- */
+/* Of a circle or an ellipse, whose derivative is the conjugate half diameter. */
 static ring ring_of_conic(const Handle(Geom_Conic) & conic, double at)
 {
     gp_Pnt start;
@@ -86,8 +83,7 @@ struct quarter {
     gp_Pnt points[3];
 };
 
-/* The quarters of an edge, a spline of them and of no other weights; false if
- * it is none. */
+/* The quarters of an edge, a spline of them and of no other weights; false if it is none. */
 static bool add_quarters(const TopoDS_Edge &edge, std::vector<quarter> &list)
 {
     double first = 0, last = 0;
@@ -116,9 +112,8 @@ static bool add_quarters(const TopoDS_Edge &edge, std::vector<quarter> &list)
     return true;
 }
 
-/* An ellipse whose four quarters, between half diameters that are conjugate,
- * are splines: where the tangents of a quarter meet is as far from the centre
- * as both half diameters together. */
+/* An ellipse whose four quarters, between half diameters that are conjugate, are splines: where the tangents of a quarter
+ * meet is as far from the centre as both half diameters together. */
 static ring spline_around(const TopoDS_Shape &wire)
 {
     const ring none = {false, {}, {}};
@@ -154,8 +149,7 @@ static ring spline_around(const TopoDS_Shape &wire)
     return found == 15 ? out : none;
 }
 
-/* Nine points of an ellipse from half diameters of these lengths: ahead, then
- * aside. */
+/* Nine points of an ellipse from half diameters of these lengths: ahead, then aside. */
 static void set_ring(const gp_Pnt &centre, const gp_Vec ways[2], const double radii[2], int row,
                      TColgp_Array2OfPnt &points)
 {
@@ -168,8 +162,7 @@ static void set_ring(const gp_Pnt &centre, const gp_Vec ways[2], const double ra
     }
 }
 
-/* The disc of half diameters `wide` without that of `narrow`: straight from the
- * inside out, then around. */
+/* The disc of half diameters `wide` without that of `narrow`: straight from the inside out, then around. */
 static Handle(Geom_BSplineSurface) new_disc(const gp_Pnt &centre, const gp_Vec ways[2],
                                             const double narrow[2], const double wide[2])
 {
@@ -218,8 +211,7 @@ Handle(Geom_BSplineSurface) occt_disc(const TopoDS_Face &face, const Handle(Geom
     const ring &outer = a.ways[0].Magnitude() >= b.ways[0].Magnitude() ? a : b;
     const ring &inner = &outer == &a ? b : a;
     const double wide[2] = {outer.ways[0].Magnitude(), outer.ways[1].Magnitude()};
-    /* from where its edge begins, as the neighbour does there; of circles any
-   * half diameters are conjugate */
+    /* from where its edge begins, as the neighbour does there; of circles any half diameters are conjugate */
     const bool is_round = std::fabs(wide[0] - wide[1]) <= 1e-12 * wide[0] &&
                           std::fabs(outer.ways[0].Dot(outer.ways[1])) <= 1e-12 * wide[0] * wide[1];
     const gp_Vec ahead = outer.ways[0] / wide[0];
