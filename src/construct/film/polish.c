@@ -483,9 +483,6 @@ taut_status taut_film_respond(taut_area_functional *functional, const taut_film_
     work w = {.functional = functional, .space = space, .mask = &space->mask, .net = net};
     taut_area_hessian *hessian = NULL;
 
-    if (!taut_area_hessian_pays(functional, w.mask)) {
-        return TAUT_NO_SOLUTION;
-    }
     taut_arena *arena = taut_arena_new();
     taut_status status = prepare(&w, arena, &hessian);
     if (status == TAUT_OK) {
@@ -510,10 +507,6 @@ taut_status taut_film_polish(taut_area_functional *functional, const taut_film_s
     work w = {.functional = functional, .space = space, .mask = &space->mask, .net = net};
 
     *found = (taut_film_polished){.first = 0};
-    if (!taut_area_hessian_pays(functional, w.mask)) {
-        found->area = taut_area_functional_value(functional, net).area;
-        return TAUT_OK;
-    }
     taut_arena *arena = taut_arena_new();
     taut_status status = take_arrays(&w, arena);
     const int is_new = memory->directions == NULL;
@@ -771,9 +764,6 @@ taut_status taut_film_seek(taut_area_functional *functional, const taut_film_spa
     taut_area_hessian *hessian = NULL;
 
     *at = (taut_film_rest_point){.residual = INFINITY, .any = INFINITY, .negative = -1};
-    if (!taut_area_hessian_pays(functional, w.mask)) {
-        return TAUT_OK;
-    }
     taut_arena *arena = taut_arena_new();
     taut_status status = prepare(&w, arena, &hessian);
     double *first = taut_arena_copy(arena, net, w.count, 3 * sizeof(double));
@@ -799,9 +789,6 @@ taut_status taut_film_inertia(taut_area_functional *functional, const taut_film_
     taut_area_hessian *hessian = NULL;
 
     *at = (taut_film_rest_point){.negative = -1};
-    if (!taut_area_hessian_pays(functional, w.mask)) {
-        return TAUT_OK;
-    }
     taut_arena *arena = taut_arena_new();
     taut_status status = prepare(&w, arena, &hessian);
     if (status == TAUT_OK) {

@@ -30,15 +30,15 @@ typedef struct taut_film_polished {
 
 /* Improves net double[nu][nv][3] in place, until a residual of `least` or rounding, by the factors in memory for as long as they
  * serve. *is_definite: without what cables store the second derivative has been seen to be positive definite along the moves; else as
- * it was. Nets whose factors do not pay stay as they are. TAUT_NO_MEMORY; TAUT_INTERRUPTED by the functional's pulse, here and
- * below. */
+ * it was. Of at most TAUT_FILM_POINTS_MAX points factors pay, here and below. TAUT_NO_MEMORY; TAUT_INTERRUPTED by the functional's
+ * pulse. */
 taut_status taut_film_polish(taut_area_functional *functional, const taut_film_space *space,
                              double *net, double least, taut_film_memory *memory,
                              taut_film_polished *found, int *is_definite);
 
 /* How lengths answer to forces: response[k][l] = dL_k . B^-1 dL_l over those moves, B the second
  * derivative of all, for the cables that give way (others 0). TAUT_NO_SOLUTION: B is not positive
- * definite, or its factors do not pay; TAUT_NO_MEMORY. */
+ * definite; TAUT_NO_MEMORY. */
 taut_status taut_film_respond(taut_area_functional *functional, const taut_film_space *space,
                               double *net, double response[4][4]);
 

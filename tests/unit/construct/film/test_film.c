@@ -136,6 +136,68 @@ static void test_derivative(void)
     taut_certificate_free(here);
 }
 
+/* The tension, what cables have for a law, or an edge that slides, as one of four sails. */
+static taut_certificate *proof_at(int kind, double tension)
+{
+    sail s = sail_new(4, 12, sail_saddle, 2);
+    taut_certificate *proof = NULL;
+
+    s.problem.without_least = 1;
+    s.problem.tension = tension;
+    for (int e = 0; e < 4; e++) {
+        s.problem.edges[e].force = 2 + 0.3 * e;
+    }
+    if (kind == 1) {
+        s.problem.edges[0].law = TAUT_FILM_SAG;
+        s.problem.edges[0].sag = 0.11;
+    } else if (kind == 2) {
+        s.problem.edges[1].law = TAUT_FILM_ELASTIC;
+        s.problem.edges[1].unstressed = 2.27;
+        s.problem.edges[1].stiffness = 40;
+    } else if (kind == 3) {
+        s.problem.edges[2] = (taut_film_edge){.kind = TAUT_FILM_FIXED};
+    }
+    taut_model_free(sail_make(&s, &proof));
+    sail_free(&s);
+    return proof;
+}
+
+/* dE/ds = A by central differences, whatever the law of the cables; the third derivative of E is below 6 there. */
+static void test_tension_derivative(void)
+{
+    const double h = 1e-3;
+
+    for (int kind = 0; kind < 4; kind++) {
+        taut_certificate *here = proof_at(kind, 1.1), *less = proof_at(kind, 1.1 - h),
+                         *more = proof_at(kind, 1.1 + h);
+        const double slope = (figure_of(more, "energy") - figure_of(less, "energy")) / (2 * h);
+        CHECK_NEAR(slope, figure_of(here, "area"), h * h, "dE/ds, sail %d", kind);
+        taut_certificate_free(here);
+        taut_certificate_free(less);
+        taut_certificate_free(more);
+    }
+}
+
+/* A net of so many points that the search goes without factors comes to rest as others do. */
+static void test_fine(void)
+{
+    const double chords[4] = {2, 2, 2, 2}, forces[4] = {10, 10, 10, 10};
+    const double expected = flat_energy(4, chords, forces);
+    sail s = sail_new(4, 46, sail_square, 10);
+    taut_certificate *proof = NULL;
+
+    s.problem.without_least = 1;
+    taut_model *model = sail_make(&s, &proof);
+    CHECK_NEAR(figure_of(proof, "energy"), expected, 1e-14 * expected, "energy");
+    CHECK(claim_of(proof, "stationary")->residual < 1e-11, "%g",
+          claim_of(proof, "stationary")->residual);
+    const double left = detail_of(model, "residual");
+    CHECK(left > 0 && left < 1e-12, "%g", left);
+    taut_certificate_free(proof);
+    taut_model_free(model);
+    sail_free(&s);
+}
+
 /* A film scales with its forces, and is mirrored with its corners; its symmetry is its data's. */
 static void test_maps(void)
 {
@@ -254,6 +316,8 @@ int main(void)
     test_helicoid();
     test_tetrahedron();
     test_derivative();
+    test_tension_derivative();
+    test_fine();
     test_maps();
     test_strong();
     test_forces();
