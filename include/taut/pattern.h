@@ -272,7 +272,8 @@ typedef struct taut_pattern_problem {
 
 /* Makes the model: the surface, a flat surface P1, P2, ... (z = 0) a piece, curves S1, S2, ... of the seams on the surface, and of
  * each piece P1.right, P1.end, P1.left, P1.start and the outline P1.cut; details as docs/pattern.md has them. TAUT_BAD_INPUT,
- * TAUT_NO_SOLUTION and TAUT_NOT_CONVERGED with the reasons above. */
+ * TAUT_NO_SOLUTION and TAUT_NOT_CONVERGED with the reasons above. A tolerance below 1e-6 is one of the lengths of flat pieces, over the
+ * size. */
 TAUT_API taut_status taut_pattern_make(const taut_pattern_problem *problem,
                                        const taut_make_options *options, taut_model **model,
                                        taut_error *error);

@@ -192,6 +192,7 @@ static taut_status parallel(const edge *e, double enough, taut_arena *arena,
             return TAUT_NO_MEMORY;
         }
         for (int k = 0; k <= spans; k++) {
+            at[k].x = (double)k / spans;
             parallel_at(e, k < spans ? e->lo + range * k / spans : e->hi, at[k].y, &turn);
             for (int d = 0; d < 2; d++) {
                 at[k].y[1][d] *= range;

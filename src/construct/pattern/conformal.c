@@ -32,7 +32,7 @@ static int unknown(const sums *w, int i, int k)
 static void add_place(sums *w, int a, int q, int b, int r, const double g[3], double gauss)
 {
     const taut_flat_line *s = &w->lines[0], *t = &w->lines[1];
-    const double area = sqrt(g[0] * g[2] - g[1] * g[1]), weight = s->weight[q] * t->weight[r];
+    const double area = sqrt(g[0] * g[2] - g[1] * g[1]), weight = s->weight[a][q] * t->weight[b][r];
     const double inverse[3] = {g[2] / area, -g[1] / area, g[0] / area};
     double slope[LOCAL * LOCAL][2];
 
@@ -101,8 +101,8 @@ taut_status taut_pattern_find_scale(taut_pattern_piece *piece, taut_pulse *pulse
     taut_status status = TAUT_NO_MEMORY;
 
     piece->log_scale = NULL;
-    if (scratch != NULL && taut_flat_line_fill(scratch, piece->spans[0], &w.lines[0]) &&
-        taut_flat_line_fill(scratch, piece->spans[1], &w.lines[1])) {
+    if (scratch != NULL && taut_flat_line_fill(scratch, piece->spans[0], 0, &w.lines[0]) &&
+        taut_flat_line_fill(scratch, piece->spans[1], 0, &w.lines[1])) {
         const int n = w.lines[0].count * w.lines[1].count;
         w.right = taut_arena_take(arena, (size_t)n, sizeof *w.right);
         status = w.right != NULL ? taut_band_init(n, DEGREE * w.lines[1].count + DEGREE, &w.matrix)
@@ -125,10 +125,10 @@ taut_status taut_pattern_find_scale(taut_pattern_piece *piece, taut_pulse *pulse
 static double log_scale_at(const taut_pattern_piece *piece, double s, double t)
 {
     const int *spans = piece->spans, count = spans[1] + DEGREE;
-    const int a = taut_flat_span(spans[0], s), b = taut_flat_span(spans[1], t);
+    const int a = taut_flat_span(spans[0], 0, s), b = taut_flat_span(spans[1], 0, t);
     double value[2][LOCAL], sum = 0;
-    taut_flat_basis(spans[0], DEGREE, a, s, value[0], NULL);
-    taut_flat_basis(spans[1], DEGREE, b, t, value[1], NULL);
+    taut_flat_basis(spans[0], 0, DEGREE, a, s, value[0], NULL);
+    taut_flat_basis(spans[1], 0, DEGREE, b, t, value[1], NULL);
     for (int x = 0; x < LOCAL * LOCAL; x++) {
         sum += value[0][x / LOCAL] * value[1][x % LOCAL] *
                piece->log_scale[(a + x / LOCAL) * count + b + x % LOCAL];

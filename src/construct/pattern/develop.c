@@ -191,7 +191,7 @@ static void fill(const walker *w, const int spans[2], double *places)
 
     for (int i = 0; i < count[0] && !taut_pulse_beat(w->pulse, count[1] * NODES * work_of_place);
          i++) {
-        const double next = taut_flat_greville(spans[0], i);
+        const double next = taut_flat_greville(spans[0], 0, i);
         double g[3];
         walk(w, 0, 0, s, next, &axis);
         s = next;
@@ -209,7 +209,7 @@ static void fill(const walker *w, const int spans[2], double *places)
             double t = 0.5;
             for (int k = 0; k < count[1]; k++) {
                 const int j = way == 0 ? k : count[1] - 1 - k;
-                const double to = taut_flat_greville(spans[1], j);
+                const double to = taut_flat_greville(spans[1], 0, j);
                 if (way == 0 ? to >= 0.5 : to < 0.5) {
                     walk(w, 1, s, t, to, &p);
                     t = to;
@@ -260,6 +260,7 @@ taut_status taut_pattern_develop(taut_pattern_piece *piece, const taut_flat_opti
     for (int level = 0; level <= LEVELS; level++) {
         taut_arena *scratch = taut_arena_new();
         taut_flat_options own = *options;
+        own.graded = 0;
         taut_flat flat;
         own.spans[0] = LEAST << (level < LEVELS ? level : LEVELS - 1);
         own.spans[1] = own.spans[0] / (level < LEVELS ? 2 : 1);

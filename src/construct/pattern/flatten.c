@@ -9,6 +9,7 @@
 #include "core/vec3.h"
 #include "geometry/keep.h"
 #include "numeric/quadrature.h"
+#include "pattern/flat/line.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -346,6 +347,7 @@ static taut_flat_options options_of(const pass *p, const taut_pattern_piece *pie
     taut_flat_options own = p->options;
     own.pulse = worker == 0 ? p->pulse : NULL;
     memcpy(own.spans, piece->spans, sizeof own.spans);
+    own.graded = piece->is_graded;
     own.is_point[0] = piece->bounds[TAUT_FLAT_START].is_point;
     own.is_point[1] = piece->bounds[TAUT_FLAT_END].is_point;
     return own;
@@ -436,7 +438,8 @@ static int hold(const pass *p, int index, int edge, int spans, double *stretch, 
     const double fixed = edge == TAUT_FLAT_END || edge == TAUT_FLAT_LEFT;
     taut_gauss_rule(TAUT_FLAT_GAUSS, nodes, weights);
     for (int k = 0; k < spans * TAUT_FLAT_GAUSS; k++) {
-        const double x = (k / TAUT_FLAT_GAUSS + 0.5 + 0.5 * nodes[k % TAUT_FLAT_GAUSS]) / spans;
+        const double x = taut_flat_place(spans, piece->is_graded, k / TAUT_FLAT_GAUSS,
+                                         nodes[k % TAUT_FLAT_GAUSS]);
         double g[3], speed[2], own[2];
         if (!taut_pattern_held_speed(p->layout, p->cut, index, edge, x, speed)) {
             return 0;
@@ -687,6 +690,7 @@ taut_status taut_pattern_flatten(taut_pattern_layout *layout, const taut_pattern
         if (layout->pieces[k].spans[0] == 0) {
             layout->pieces[k].spans[0] = ALONG;
             layout->pieces[k].spans[1] = ACROSS;
+            layout->pieces[k].is_graded = cut->tolerance > 0 && !cut->is_conformal;
         }
         p.arenas[k] = taut_arena_new();
         if (p.arenas[k] == NULL || !taut_arena_keep(layout->arena, p.arenas[k], release)) {

@@ -17,6 +17,7 @@ typedef struct taut_pattern_cut {
     int has_law; /* nonzero, or the squares of all strains are made least */
     taut_pattern_compensation compensation;
     double thread;
+    double tolerance; /* of lengths, over the size; 0: that of the first splines */
     taut_pattern_held held;
     int is_straight;  /* start and end of pieces are */
     int is_conformal; /* angles are kept, and seams have the surface's length */

@@ -26,7 +26,6 @@ static taut_status keep(size_t knot_count, const double *knots, size_t count, co
 taut_status taut_pattern_quintics(int spans, const taut_pattern_station *at, taut_arena *arena,
                                   const taut_curve **curve)
 {
-    const double h = 1.0 / spans;
     const size_t count = 3 * (size_t)spans + 3;
     double *points = taut_arena_take(arena, count, 3 * sizeof(double));
     double *knots = taut_arena_take(arena, count + P + 1, sizeof(double));
@@ -36,7 +35,8 @@ taut_status taut_pattern_quintics(int spans, const taut_pattern_station *at, tau
     }
     /* by blossoms: before and after a station the points next to it are those of its own Taylor polynomial */
     for (int k = 0; k <= spans; k++) {
-        const double a = k > 0 ? h : 0, b = k < spans ? h : 0; /* the steps before and after */
+        const double a = k > 0 ? at[k].x - at[k - 1].x : 0,
+                     b = k < spans ? at[k + 1].x - at[k].x : 0; /* the steps before and after */
         double(*p)[3] = (double(*)[3])(points + 9 * (size_t)k);
         for (int d = 0; d < 2; d++) {
             const double y = at[k].y[0][d], v = at[k].y[1][d], w = at[k].y[2][d];
@@ -49,7 +49,7 @@ taut_status taut_pattern_quintics(int spans, const taut_pattern_station *at, tau
     for (int k = 0; k <= spans; k++) {
         const int times = k == 0 || k == spans ? P + 1 : 3;
         for (int m = 0; m < times; m++) {
-            knots[n++] = k == spans ? 1 : k * h;
+            knots[n++] = at[k].x;
         }
     }
     return keep(n, knots, count, points, arena, curve);

@@ -5,12 +5,12 @@
 #include "core/arena.h"
 #include "taut/curve.h"
 
-/* A place of a curve, with its first two derivatives. */
+/* A parameter of a curve, its place there, and its first two derivatives. */
 typedef struct taut_pattern_station {
-    double y[3][2];
+    double x, y[3][2];
 } taut_pattern_station;
 
-/* The quintics between stations at equal steps of [0, 1], as one spline of triple knots: [3 spans + 3] points. TAUT_NO_MEMORY. */
+/* The quintics between stations from 0 to 1, as one spline of triple knots: [3 spans + 3] points. TAUT_NO_MEMORY. */
 taut_status taut_pattern_quintics(int spans, const taut_pattern_station *at, taut_arena *arena,
                                   const taut_curve **curve);
 /* Over [0, 1]. TAUT_NO_MEMORY. */

@@ -4,6 +4,7 @@
 #include "core/elementary/elementary.h"
 #include "geometry/keep.h"
 #include "numeric/quadrature.h"
+#include "pattern/flat/line.h"
 
 #include <math.h>
 #include <string.h>
@@ -51,9 +52,10 @@ static void slopes_at(const edge_source *e, double s, double slope[2][2])
 /* The largest share by which the speed between stations is off. */
 static double unevenness(const edge_source *e, const taut_curve *curve, int spans)
 {
+    const int graded = e->layout->pieces[e->piece].is_graded;
     double most = 0;
     for (int k = 0; k < 2 * spans; k++) {
-        const double s = (k / 2 + (k % 2 == 0 ? 0.21 : 0.79)) / spans;
+        const double s = taut_flat_place(spans, graded, k / 2, k % 2 == 0 ? -0.58 : 0.58);
         double y[2][3], speed[2] = {0, 0};
         taut_curve_eval(curve, s, 1, y[0]);
         taut_pattern_held_speed(e->layout, e->cut, e->piece, e->edge, s, speed);
@@ -67,6 +69,7 @@ static taut_status exact_edge(const edge_source *e, taut_arena *arena, const tau
                               double moved[2], taut_pattern_outline *outline)
 {
     double nodes[NODES], weights[NODES], before = INFINITY;
+    const int graded = e->layout->pieces[e->piece].is_graded;
     taut_gauss_rule(NODES, nodes, weights);
     const int own = taut_basis_span_count(taut_curve_t(e->spline));
     for (int spans = own > FIRST ? own : FIRST; spans <= MOST; spans *= 2) {
@@ -77,15 +80,17 @@ static taut_status exact_edge(const edge_source *e, taut_arena *arena, const tau
         }
         taut_curve_eval(e->spline, 0, 0, y[0]);
         for (int k = 0; k <= spans; k++) {
-            const double s = (double)k / spans;
+            const double s = taut_flat_break(spans, graded, k);
             slopes_at(e, s, slope);
+            at[k].x = s;
             memcpy(at[k].y[0], y[0], sizeof at[k].y[0]);
             memcpy(at[k].y[1], slope, sizeof slope);
+            const double half = k < spans ? taut_flat_half(spans, graded, k) : 0;
             for (int q = 0; k < spans && q < NODES; q++) {
-                slopes_at(e, s + (1 + nodes[q]) / (2 * spans), slope);
-                y[0][0] += weights[q] / (2 * spans) * slope[0][0];
-                y[0][1] += weights[q] / (2 * spans) * slope[0][1];
-                length += weights[q] / (2 * spans) * taut_hypot(slope[0][0], slope[0][1]);
+                slopes_at(e, s + half * (1 + nodes[q]), slope);
+                y[0][0] += weights[q] * half * slope[0][0];
+                y[0][1] += weights[q] * half * slope[0][1];
+                length += weights[q] * half * taut_hypot(slope[0][0], slope[0][1]);
             }
         }
         taut_curve_eval(e->spline, 1, 0, y[0]);

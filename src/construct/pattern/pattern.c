@@ -38,6 +38,8 @@ enum { REFINEMENTS = 3, DRIFT_PLACES = 64, CLAIMED_PLACES = 1024 /* of the certi
 static const double drift_claimed = 1e-6, closure_claimed = 1e-9;
 /* Seams are claimed to be as equal over their own length, with what is left at the ends of both sides. */
 static const double closure_most = 3e-10, longer_most = 4e-10;
+/* Lengths settle to a tolerance that is smaller. */
+static const double tolerance_default = 1e-6;
 /* Steps with its seams held after which a piece gets no finest splines, whose steps take a second each. */
 enum { TOO_MANY = 24 };
 /* Edges that are so many times as far off as is claimed, and hardly nearer than on half the spans, come no nearer. */
@@ -387,12 +389,14 @@ static void take_cut(request *r)
 {
     const taut_pattern_material *m = &r->problem->cloth.material;
     const int is_conformal = r->problem->flatten == TAUT_PATTERN_CONFORMAL;
+    const double asked = r->options->tolerance;
     r->cut = (taut_pattern_cut){.seam_length =
                                     is_conformal ? TAUT_PATTERN_TRUE : r->problem->seam_length,
                                 .is_conformal = is_conformal,
                                 .has_law = m->g > 0,
                                 .compensation = compensation_of(r->problem),
                                 .thread = r->problem->cloth.thread,
+                                .tolerance = asked > 0 && asked < tolerance_default ? asked : 0,
                                 .held = r->problem->held,
                                 .is_straight = r->problem->ends == TAUT_PATTERN_ENDS_STRAIGHT,
                                 .decompensate_count = r->problem->decompensate_count,
@@ -566,9 +570,41 @@ static double size_of(const taut_pattern_layout *layout)
     return half;
 }
 
+/* Of a flat piece: its edges, its axis, and its width in the middle. */
+static void lengths_of(const taut_flat *flat, double lengths[TAUT_FLAT_EDGES + 2])
+{
+    static const double ends[2][4] = {{0, 0.5, 1, 0.5}, {0.5, 0, 0.5, 1}};
+    for (int e = 0; e < TAUT_FLAT_EDGES; e++) {
+        lengths[e] = taut_flat_edge_length(flat, NULL, (taut_flat_edge)e, NULL);
+    }
+    for (int k = 0; k < 2; k++) {
+        double from[3][2], to[3][2];
+        taut_flat_at(flat, ends[k][0], ends[k][1], from);
+        taut_flat_at(flat, ends[k][2], ends[k][3], to);
+        lengths[TAUT_FLAT_EDGES + k] = taut_hypot(to[0][0] - from[0][0], to[0][1] - from[0][1]);
+    }
+}
+
+/* By how much lengths of a piece differ from those on half the spans, where they are to settle: at first all of them. */
+static void settle(taut_pattern_piece *piece)
+{
+    double lengths[TAUT_FLAT_EDGES + 2];
+    if (!piece->is_graded || (piece->is_developable && piece->flat.steps == 0) ||
+        piece->measured == piece->flat.spans[0]) {
+        return;
+    }
+    lengths_of(&piece->flat, lengths);
+    piece->measured = piece->flat.spans[0];
+    piece->unsettled = 0;
+    for (int k = 0; k < TAUT_FLAT_EDGES + 2; k++) {
+        piece->unsettled = fmax(piece->unsettled, fabs(lengths[k] - piece->lengths[k]));
+    }
+    memcpy(piece->lengths, lengths, sizeof lengths);
+}
+
 /* Finer splines where the edges of these are not what is sewn, or, at first, end elsewhere; whether there are any. The last ones only
  * where claims would not hold. Not between straight ends, whose corners finer ones do not settle. */
-static int refine(made_pieces *made, int round)
+static int refine(const request *r, made_pieces *made, int round)
 {
     const double size = size_of(&made->layout);
     const double most = (round < REFINEMENTS - 1 ? drift_most : drift_claimed / 2) * size;
@@ -579,7 +615,8 @@ static int refine(made_pieces *made, int round)
         if (round == REFINEMENTS - 1 && piece->flat.steps > TOO_MANY) {
             continue; /* the cloth gives way on each of them elsewhere */
         }
-        if (drift_of(piece, outline, DRIFT_PLACES) > most ||
+        if ((round < REFINEMENTS - 1 && piece->unsettled > r->cut.tolerance * size) ||
+            drift_of(piece, outline, DRIFT_PLACES) > most ||
             (round == 0 && outline->closure > closure_most * size) ||
             (outline->longer > longer_most &&
              (round == 0 || (round == 1 && outline->longer < HOPED * longer_most)))) {
@@ -615,6 +652,7 @@ static taut_status check_settling(made_pieces *made, int round, taut_error *erro
             return fail_drift(piece, made->outlines[k].closure / size, drift, error);
         }
         piece->drift = drift;
+        settle(piece);
     }
     return TAUT_OK;
 }
@@ -632,6 +670,24 @@ static taut_status check_drift(const made_pieces *made, taut_error *error)
         }
         if (made->outlines[k].closure / size > closure_claimed || drift > drift_claimed) {
             return fail_drift(piece, made->outlines[k].closure / size, drift, error);
+        }
+    }
+    return TAUT_OK;
+}
+
+/* The finest splines have the lengths that are asked for. */
+static taut_status check_lengths(const request *r, const made_pieces *made, taut_error *error)
+{
+    const double size = size_of(&made->layout);
+    for (int k = 0; k < made->layout.piece_count; k++) {
+        const taut_pattern_piece *piece = &made->layout.pieces[k];
+        if (piece->unsettled > r->cut.tolerance * size) {
+            return taut_fail(
+                error, TAUT_NOT_CONVERGED, "not-converged", "/seams", piece->unsettled / size,
+                r->cut.tolerance,
+                "lengths of piece %s differ by %.2g of the size between the two finest "
+                "splines, expected %.2g at most: take a larger tolerance",
+                piece->name, piece->unsettled / size, r->cut.tolerance);
         }
     }
     return TAUT_OK;
@@ -724,10 +780,13 @@ static taut_status make_parts(const request *r, const taut_pattern_ground *own, 
             status = check_settling(made, round, error);
         }
         is_rough = status == TAUT_OK && round < (r->cut.is_straight ? 0 : REFINEMENTS) &&
-                   refine(made, round);
+                   refine(r, made, round);
     }
     if (status == TAUT_OK) {
         status = check_folds(made, error);
+    }
+    if (status == TAUT_OK && !r->cut.is_straight) {
+        status = check_lengths(r, made, error);
     }
     return status == TAUT_OK ? check_drift(made, error) : status;
 }

@@ -51,8 +51,12 @@ typedef struct taut_pattern_piece {
     int fade_count;
     const taut_pattern_fade *fades;
     int spans[2];   /* of its flat piece */
+    int is_graded;  /* nonzero: narrower next to corners */
     int is_hard[2]; /* in pass 1 and 2: on some spans it took many steps */
-    double drift;   /* of the lines to sew off the edges of the coarser flat piece, over the size */
+    /* where lengths are to settle: of edges and in the middle, of the flat piece of so many spans; how far from those of half as many */
+    double lengths[TAUT_FLAT_EDGES + 2], unsettled;
+    int measured;
+    double drift; /* of the lines to sew off the edges of the coarser flat piece, over the size */
     const double *
         log_scale; /* coefficients of a spline on these (conformal.h); NULL: what is laid flat is the piece's own metric */
     double curvature; /* iint K dA */

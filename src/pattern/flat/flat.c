@@ -115,7 +115,7 @@ static double energy_of(work *w, const double *y)
                                    (const double(*)[2])w->j[m], g + 3 * m, 0, &f)) {
                 return INFINITY;
             }
-            sum += f.w * s->weight[k % GAUSS] * t->weight[m % GAUSS];
+            sum += f.w * s->weight[k / GAUSS][k % GAUSS] * t->weight[m / GAUSS][m % GAUSS];
         }
     }
     return sum;
@@ -192,7 +192,7 @@ static void add_edge(work *w, int edge)
     for (int a = 0; a < l->spans; a++) {
         for (int q = 0; q < GAUSS; q++) {
             double way[2], pull = 0;
-            const double speed = edge_speed(w, w->y, edge, a, q, way), weight = l->weight[q];
+            const double speed = edge_speed(w, w->y, edge, a, q, way), weight = l->weight[a][q];
             for (int b = 0; b < DEGREE; b++) {
                 const int row = w->edges[edge] + a + b;
                 const double part = l->test[a][q][b] * weight;
@@ -222,8 +222,8 @@ static void add_edge(work *w, int edge)
 /* Of the middle of an end: the functions of t at 1/2. */
 static int middle(const work *w, double value[LOCAL])
 {
-    const int span = taut_flat_span(w->lines[1].spans, 0.5);
-    taut_flat_basis(w->lines[1].spans, DEGREE, span, 0.5, value, NULL);
+    const int span = taut_flat_span(w->lines[1].spans, w->lines[1].graded, 0.5);
+    taut_flat_basis(w->lines[1].spans, w->lines[1].graded, DEGREE, span, 0.5, value, NULL);
     return span;
 }
 
@@ -612,24 +612,24 @@ static void solve_dense(int n, double *a, int columns, double *b)
     }
 }
 
-double taut_flat_greville(int spans, int i)
+double taut_flat_greville(int spans, int graded, int i)
 {
     double sum = 0;
     for (int k = 1; k <= DEGREE; k++) {
-        sum += taut_flat_knot(spans, i + k);
+        sum += taut_flat_knot(spans, graded, i + k);
     }
     return sum / DEGREE;
 }
 
 /* The matrix of a direction's functions at the Greville points. */
-static void collocation(int spans, double *a)
+static void collocation(int spans, int graded, double *a)
 {
     const int n = spans + DEGREE;
     memset(a, 0, sizeof *a * (size_t)n * (size_t)n);
     for (int i = 0; i < n; i++) {
-        const double x = taut_flat_greville(spans, i);
-        const int span = taut_flat_span(spans, x);
-        taut_flat_basis(spans, DEGREE, span, x, a + i * n + span, NULL);
+        const double x = taut_flat_greville(spans, graded, i);
+        const int span = taut_flat_span(spans, graded, x);
+        taut_flat_basis(spans, graded, DEGREE, span, x, a + i * n + span, NULL);
     }
 }
 
@@ -717,7 +717,7 @@ static void turn_start(work *w)
 }
 
 /* From places at the Greville points, y [count][count][2], to the net through them. */
-static taut_status pass_through(taut_arena *arena, const int spans[2], double *y)
+static taut_status pass_through(taut_arena *arena, const int spans[2], int graded, double *y)
 {
     const int ns = spans[0] + DEGREE, nt = spans[1] + DEGREE, most = ns > nt ? ns : nt;
     const size_t count = (size_t)ns * (size_t)nt;
@@ -727,14 +727,14 @@ static taut_status pass_through(taut_arena *arena, const int spans[2], double *y
     if (taut_arena_status(arena) != TAUT_OK) {
         return TAUT_NO_MEMORY;
     }
-    collocation(spans[0], a);
+    collocation(spans[0], graded, a);
     solve_dense(ns, a, 2 * nt, y);
     for (int i = 0; i < ns; i++) {
         for (int j = 0; j < nt; j++) {
             memcpy(swapped + (j * ns + i) * 2, y + (i * nt + j) * 2, 2 * sizeof *y);
         }
     }
-    collocation(spans[1], a);
+    collocation(spans[1], graded, a);
     solve_dense(nt, a, 2 * ns, swapped);
     for (int i = 0; i < ns; i++) {
         for (int j = 0; j < nt; j++) {
@@ -748,7 +748,7 @@ static taut_status pass_through(taut_arena *arena, const int spans[2], double *y
 static taut_status interpolate(work *w)
 {
     const int spans[2] = {w->lines[0].spans, w->lines[1].spans};
-    const taut_status status = pass_through(w->arena, spans, w->y);
+    const taut_status status = pass_through(w->arena, spans, w->options->graded, w->y);
     if (status == TAUT_OK) {
         turn_start(w);
     }
@@ -762,7 +762,7 @@ static taut_status unroll(work *w)
     double place[2] = {0, 0}, angle = 0, before = 0;
 
     for (int i = 0; i < ns; i++) {
-        const double s = taut_flat_greville(w->lines[0].spans, i);
+        const double s = taut_flat_greville(w->lines[0].spans, w->lines[0].graded, i);
         double g[3];
         for (int k = 0; i > 0 && k < STOPS; k++) {
             walk_axis(w, before + (s - before) * k / STOPS, before + (s - before) * (k + 1) / STOPS,
@@ -773,7 +773,8 @@ static taut_status unroll(work *w)
         /* at a point rounding may leave less than nothing */
         const double turn = angle + taut_atan2(sqrt(fmax(g[0] * g[2] - g[1] * g[1], 0)), g[1]);
         for (int j = 0; j < nt; j++) {
-            const double reach = cross_length(w, s, taut_flat_greville(w->lines[1].spans, j));
+            const double reach =
+                cross_length(w, s, taut_flat_greville(w->lines[1].spans, w->lines[1].graded, j));
             w->y[unknown(w, i, j, 0)] = place[0] + reach * taut_cos(turn);
             w->y[unknown(w, i, j, 1)] = place[1] + reach * taut_sin(turn);
         }
@@ -898,7 +899,7 @@ static taut_status prepare(work *w)
     int rows = 2;
 
     for (int d = 0; d < 2; d++) {
-        if (!taut_flat_line_fill(w->arena, spans[d], &w->lines[d])) {
+        if (!taut_flat_line_fill(w->arena, spans[d], o->graded, &w->lines[d])) {
             return TAUT_NO_MEMORY;
         }
     }
@@ -967,7 +968,8 @@ static double sample(work *w)
         for (int m = 0; m < t->spans * GAUSS; m++, g += 3) {
             w->strip->metric(w->strip->context, s->at[k / GAUSS][k % GAUSS],
                              t->at[m / GAUSS][m % GAUSS], g);
-            area += sqrt(g[0] * g[2] - g[1] * g[1]) * s->weight[k % GAUSS] * t->weight[m % GAUSS];
+            area += sqrt(g[0] * g[2] - g[1] * g[1]) * s->weight[k / GAUSS][k % GAUSS] *
+                    t->weight[m / GAUSS][m % GAUSS];
             if (w->shrink != NULL) {
                 w->strip->shrink(
                     w->strip->context, s->at[k / GAUSS][k % GAUSS], t->at[m / GAUSS][m % GAUSS],
@@ -992,8 +994,8 @@ static double flat_area(work *w)
         taut_flat_sums_slopes(&w->sums, w->y, k / GAUSS, k % GAUSS, w->j);
         for (int m = 0; m < t->spans * GAUSS; m++) {
             const double(*j)[2] = (const double(*)[2])w->j[m];
-            sum += (j[0][0] * j[1][1] - j[0][1] * j[1][0]) * s->weight[k % GAUSS] *
-                   t->weight[m % GAUSS];
+            sum += (j[0][0] * j[1][1] - j[0][1] * j[1][0]) * s->weight[k / GAUSS][k % GAUSS] *
+                   t->weight[m / GAUSS][m % GAUSS];
         }
     }
     return sum;
@@ -1018,6 +1020,7 @@ static taut_status finish(work *w, double area, taut_flat *flat)
 {
     place_origin(w);
     *flat = (taut_flat){.spans = {w->lines[0].spans, w->lines[1].spans},
+                        .graded = w->options->graded,
                         .count = {w->lines[0].count, w->lines[1].count},
                         .points = w->y,
                         .law = w->law,
@@ -1033,7 +1036,7 @@ static taut_status finish(work *w, double area, taut_flat *flat)
     for (int d = 0; d < 2; d++) {
         flat->knots[d] = taut_arena_take(w->arena, (size_t)flat->count[d] + LOCAL, sizeof(double));
         for (int k = 0; flat->knots[d] != NULL && k < flat->count[d] + LOCAL; k++) {
-            flat->knots[d][k] = taut_flat_knot(flat->spans[d], k);
+            flat->knots[d][k] = taut_flat_knot(flat->spans[d], flat->graded, k);
         }
     }
     return taut_arena_status(w->arena) == TAUT_OK ? TAUT_OK : TAUT_NO_MEMORY;
@@ -1094,11 +1097,12 @@ taut_status taut_flat_halve(taut_arena *arena, const taut_flat *from, taut_flat 
         taut_arena_take(arena, (size_t)to->count[0] * (size_t)to->count[1], 2 * sizeof(double));
     for (int k = 0; to->points != NULL && k < to->count[0] * to->count[1]; k++) {
         double y[3][2];
-        taut_flat_at(from, taut_flat_greville(to->spans[0], k / to->count[1]),
-                     taut_flat_greville(to->spans[1], k % to->count[1]), y);
+        taut_flat_at(from, taut_flat_greville(to->spans[0], to->graded, k / to->count[1]),
+                     taut_flat_greville(to->spans[1], to->graded, k % to->count[1]), y);
         memcpy(to->points + 2 * k, y[0], sizeof y[0]);
     }
-    return to->points != NULL ? pass_through(arena, to->spans, to->points) : TAUT_NO_MEMORY;
+    return to->points != NULL ? pass_through(arena, to->spans, to->graded, to->points)
+                              : TAUT_NO_MEMORY;
 }
 
 taut_status taut_flat_copy(taut_arena *arena, const taut_flat *from, taut_flat *to)
@@ -1115,9 +1119,10 @@ taut_status taut_flat_copy(taut_arena *arena, const taut_flat *from, taut_flat *
 void taut_flat_at(const taut_flat *flat, double s, double t, double y[3][2])
 {
     double value[2][LOCAL], slope[2][LOCAL];
-    const int a = taut_flat_span(flat->spans[0], s), b = taut_flat_span(flat->spans[1], t);
-    taut_flat_basis(flat->spans[0], DEGREE, a, s, value[0], slope[0]);
-    taut_flat_basis(flat->spans[1], DEGREE, b, t, value[1], slope[1]);
+    const int a = taut_flat_span(flat->spans[0], flat->graded, s),
+              b = taut_flat_span(flat->spans[1], flat->graded, t);
+    taut_flat_basis(flat->spans[0], flat->graded, DEGREE, a, s, value[0], slope[0]);
+    taut_flat_basis(flat->spans[1], flat->graded, DEGREE, b, t, value[1], slope[1]);
     memset(y, 0, sizeof(double[3][2]));
     for (int i = 0; i < LOCAL; i++) {
         for (int j = 0; j < LOCAL; j++) {
@@ -1158,12 +1163,12 @@ double taut_flat_edge_length(const taut_flat *flat, const taut_flat_strip *strip
     double node[GAUSS], weight[GAUSS], sum = 0;
     taut_gauss_rule(GAUSS, node, weight);
     for (int k = 0; k < spans * GAUSS; k++) {
-        const double x = (k / GAUSS + 0.5 + 0.5 * node[k % GAUSS]) / spans;
+        const double x = taut_flat_place(spans, flat->graded, k / GAUSS, node[k % GAUSS]);
         double y[3][2], at[2];
         edge_place(e, x, at);
         taut_flat_at(flat, at[0], at[1], y);
         const double speed = taut_hypot(y[1 + d][0], y[1 + d][1]);
-        sum += speed * weight[k % GAUSS] * 0.5 / spans;
+        sum += speed * weight[k % GAUSS] * taut_flat_half(spans, flat->graded, k / GAUSS);
         if (stretch != NULL) {
             stretch[k] = speed / speed_in_space(strip, e, x);
         }
@@ -1180,10 +1185,11 @@ void taut_flat_measure(const taut_flat_strip *strip, taut_flat *flat)
     flat->area = flat->energy = 0;
     for (int k = 0; k < count[0] * count[1]; k++) {
         const int m = k / count[1], n = k % count[1];
-        const double s = (m / GAUSS + 0.5 + 0.5 * node[m % GAUSS]) / flat->spans[0],
-                     t = (n / GAUSS + 0.5 + 0.5 * node[n % GAUSS]) / flat->spans[1];
+        const double s = taut_flat_place(flat->spans[0], flat->graded, m / GAUSS, node[m % GAUSS]),
+                     t = taut_flat_place(flat->spans[1], flat->graded, n / GAUSS, node[n % GAUSS]);
         const double part =
-            weight[m % GAUSS] * weight[n % GAUSS] * 0.25 / (flat->spans[0] * flat->spans[1]);
+            weight[m % GAUSS] * taut_flat_half(flat->spans[0], flat->graded, m / GAUSS) *
+            weight[n % GAUSS] * taut_flat_half(flat->spans[1], flat->graded, n / GAUSS);
         double y[3][2], g[3], shrink[2] = {all[0], all[1]};
         taut_flat_form f = {.w = 0};
         taut_flat_at(flat, s, t, y);

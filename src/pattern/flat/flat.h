@@ -39,6 +39,7 @@ typedef struct taut_flat_law {
 
 typedef struct taut_flat_options {
     int spans[2]; /* along s and t; 0: 16 and 4 */
+    int graded;   /* nonzero: they are narrower next to corners */
     const taut_flat_law
         *law;          /* NULL: D11 = D22 = 1, D12 = 0, D33 = 1/2: least squares of all strains */
     double warp, weft; /* compensation */
@@ -60,7 +61,7 @@ typedef struct taut_flat_strip {
 } taut_flat_strip;
 
 typedef struct taut_flat {
-    int spans[2], count[2];
+    int spans[2], graded, count[2];
     double *knots[2]; /* [count + 6] */
     double *points;   /* [count[0]][count[1]][2] */
     taut_flat_law law;
@@ -80,7 +81,7 @@ taut_status taut_flatten(taut_arena *arena, const taut_flat_strip *strip,
                          const taut_flat_options *options, const taut_flat *from, taut_flat *flat);
 
 /* The places where coefficient i of a direction of so many spans is at home: the mean of its inner knots. */
-double taut_flat_greville(int spans, int i);
+double taut_flat_greville(int spans, int graded, int i);
 /* The same of a piece without Gauss curvature: `places`, double[count[0]][count[1]][2], are those of the Greville places, laid flat
  * without strain anywhere; turned, moved and made smaller as options say, none held. Its steps are 0. */
 taut_status taut_flat_of_places(taut_arena *arena, const taut_flat_strip *strip,

@@ -145,7 +145,7 @@ static void sum_span(taut_flat_sums *sums, int b, double weight, const taut_flat
         if (!is_there[r]) {
             continue;
         }
-        by_slopes(&forms[r], weight * t->weight[r], first, second);
+        by_slopes(&forms[r], weight * t->weight[b][r], first, second);
         for (int x = 0; x < 4; x++) {
             for (int y = x; y < 4; y++) {
                 kernel->add_scaled(CELL, second[x][y], folded_at(sums, b, r, x % 2, y % 2),
@@ -178,7 +178,7 @@ void taut_flat_sums_add(taut_flat_sums *sums, int a, int q, const taut_flat_form
     memset(sums->moment, 0, 16 * pairs * sizeof(double));
     memset(sums->pull, 0, count * sizeof(double[4]));
     for (int b = 0; b < t->spans; b++) {
-        sum_span(sums, b, s->weight[q], forms + b * GAUSS, is_there + b * GAUSS);
+        sum_span(sums, b, s->weight[a][q], forms + b * GAUSS, is_there + b * GAUSS);
     }
     for (int x = 0; x < 4; x++) { /* the form is symmetric */
         for (int y = 0; y < x; y++) {

@@ -254,6 +254,13 @@ static void test_printed(void)
             CHECK_NEAR(range[0], p->low, 3e-4, "%s: least strain", p->name);
             CHECK_NEAR(range[1], p->high, 3e-4, "%s: largest strain", p->name);
         }
+        const taut_flat_options graded = {.spans = {32, 8}, .graded = 1};
+        if (flatten(arena, &strip, &graded, &flat)) { /* narrower spans next to corners */
+            const double right = taut_flat_edge_length(&flat, &strip, TAUT_FLAT_RIGHT, NULL);
+            CHECK_NEAR(right, p->seam, 5e-8, "%s: cut seam, graded", p->name);
+            CHECK_NEAR(distance(&flat, 0.5, 0, 0.5, 1), p->width, 2e-9, "%s: graded", p->name);
+            CHECK_NEAR(flat.energy, p->energy, 1e-8 * p->energy, "%s: energy, graded", p->name);
+        }
         if (flatten(arena, &strip, &held_true, &flat)) {
             double g[3], y[3][2], e[2];
             p->metric(&width, p->waist, 0.5, g);
