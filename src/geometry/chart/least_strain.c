@@ -15,11 +15,7 @@
  *     K            over cells of the piece, halved until its range is narrow; of all cells within r in space, which is less than in the piece
  *     r            from below by distances in space: of chords of the axis and of the border, less what the curves leave them by
  *     l, eps       of g_ss and k_g over parts of the axis
- *     N            does not lie over itself where iint max(K, 0) dA + eps l < pi: let two normals of gamma, or rays of the half discs at its
- *                  ends, meet in a distance of at most r, of all such pairs the one with the least way between them along gamma and its
- *                  ends. They enclose a disc of the piece; by Gauss and Bonnet its angles are less than pi where they meet, and it is on the
- *                  side of the normals between. There neighbours of both meet too, nearer to gamma, as no normal has a focal point
- *                  within r: a pair with less between them.
+ *     N            does not lie over itself where iint max(K, 0) dA + eps l < pi (there)
  *
  * Rounding is some 1e-13 of what is compared, and taken off at the end with `rounding`.
  */
