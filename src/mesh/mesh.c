@@ -155,8 +155,8 @@ static taut_status sample_surfaces(const taut_mesh *mesh, mesh_plan *plan,
             (taut_direction){taut_surface_v(surface), bending->v, 0, NULL};
     }
     plan->weld = weld * size_of(plan->bendings, mesh->group_count);
-    return taut_seams_find(plan->surfaces, mesh->group_count, plan->weld, scratch, &plan->seams,
-                           &plan->seam_count, &plan->collapsed);
+    return taut_seams_find(plan->surfaces, mesh->group_count, plan->weld, plan->weld, scratch,
+                           &plan->seams, &plan->seam_count, &plan->collapsed);
 }
 
 /* The largest diagonal of the boxes around the rows of the net along one direction. */

@@ -77,14 +77,15 @@ static int find_partner(const edge_key *keys, int i, const double *points, doubl
                         taut_seam *seam)
 {
     const double *a = points + (size_t)keys[i].edge * SAMPLES * 3;
-    for (int j = i - 1; j >= 0 && i - j <= LOOKED_AT_MOST; j--) {
+    for (int j = i - 1;
+         j >= 0 && i - j <= LOOKED_AT_MOST && keys[i].shadow - keys[j].shadow <= tolerance; j--) {
         const double *b = points + (size_t)keys[j].edge * SAMPLES * 3;
-        if (!(keys[i].shadow - keys[j].shadow <= tolerance)) {
-            return 0;
-        }
-        for (int reversed = 0; reversed < 2; reversed++) {
-            if (are_same(a, b, reversed, tolerance)) {
-                *seam = (taut_seam){keys[i].edge, keys[j].edge, reversed};
+        /* the nearer way first: what is short may be the same both ways */
+        const int back =
+            taut_length_between(a + 3, b + 3) > taut_length_between(a + 3, b + 3 * (SAMPLES - 2));
+        for (int k = 0; k < 2; k++) {
+            if (are_same(a, b, back ^ k, tolerance)) {
+                *seam = (taut_seam){keys[i].edge, keys[j].edge, back ^ k};
                 return 1;
             }
         }
@@ -93,7 +94,7 @@ static int find_partner(const edge_key *keys, int i, const double *points, doubl
 }
 
 taut_status taut_seams_find(const taut_surface *const *surfaces, int count, double tolerance,
-                            taut_arena *arena, taut_seam **seams, int *seam_count,
+                            double point, taut_arena *arena, taut_seam **seams, int *seam_count,
                             unsigned char **collapsed)
 {
     const size_t edges = 4 * (size_t)count;
@@ -116,7 +117,7 @@ taut_status taut_seams_find(const taut_surface *const *surfaces, int count, doub
     for (int e = 0; e < 4 * count; e++) {
         const double *edge = points + (size_t)e * SAMPLES * 3;
         const double *middle = edge + SAMPLES / 2 * 3;
-        (*collapsed)[e] = (unsigned char)is_point(edge, tolerance);
+        (*collapsed)[e] = (unsigned char)is_point(edge, point);
         if (!(*collapsed)[e]) {
             keys[listed].edge = e;
             keys[listed++].shadow = taut_dot(line, middle);

@@ -17,11 +17,11 @@ typedef struct taut_seam {
 } taut_seam;
 
 /* The seams among surfaces[count], each edge with at most one earlier one (in an order of its own),
- * and collapsed[4 count]: nonzero where an edge is a single point; both judged on samples, within
- * `tolerance`, a length. All from the arena. TAUT_NO_MEMORY.
+ * and collapsed[4 count]: nonzero where an edge is a single point, which has no seam; both judged on
+ * samples, within `tolerance` and `point`, lengths. All from the arena. TAUT_NO_MEMORY.
  * Cost: a sort of the edges, and a comparison for pairs with the same middle. */
 taut_status taut_seams_find(const taut_surface *const *surfaces, int count, double tolerance,
-                            taut_arena *arena, taut_seam **seams, int *seam_count,
+                            double point, taut_arena *arena, taut_seam **seams, int *seam_count,
                             unsigned char **collapsed);
 
 /* The direction (0: u, 1: v) that an edge runs along. */

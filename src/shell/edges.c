@@ -18,7 +18,7 @@
 #include <float.h>
 #include <math.h>
 
-enum { FOLD_SAMPLES = 8 };
+enum { FOLD_SAMPLES = 8, CROWDED = -2 };
 static const double fold_angle = 1e-6; /* roundings of derivatives are far below */
 
 /* The control points of one edge. */
@@ -181,10 +181,10 @@ static taut_status prove_gap(const taut_surface *a, int edge_a, const taut_surfa
                        : TAUT_OK;
 }
 
-/* Proves the pairs; those that hold are linked where neither has another, else both are crowded. */
+/* Proves the pairs; those that hold are linked, and an edge in two of them is crowded from then on. */
 static taut_status link_pairs(const taut_surface *const *surfaces, const taut_seam *seams,
                               int seam_count, const double *limits, double moved,
-                              unsigned char *crowded, taut_shell_joints *joints)
+                              taut_shell_joints *joints)
 {
     for (int s = 0; s < seam_count; s++) {
         const int a = seams[s].b, b = seams[s].a; /* a < b: the first gives the curve */
@@ -203,8 +203,7 @@ static taut_status link_pairs(const taut_surface *const *surfaces, const taut_se
         }
         for (int end = 0; end < 2; end++) {
             const int edge = end == 0 ? a : b;
-            crowded[edge] = joints->partner[edge] >= 0;
-            joints->partner[edge] = end == 0 ? b : a;
+            joints->partner[edge] = joints->partner[edge] != -1 ? CROWDED : end == 0 ? b : a;
             joints->reversed[edge] = (unsigned char)(seams[s].reversed != 0);
             joints->gap[edge] = gap;
         }
@@ -213,15 +212,11 @@ static taut_status link_pairs(const taut_surface *const *surfaces, const taut_se
 }
 
 /* An edge that is crowded, or whose partner is, has none. */
-static void part_crowds(int edges, const unsigned char *crowded, int *partner)
+static void part_crowds(int edges, int *partner)
 {
     for (int e = 0; e < edges; e++) {
-        const int other = partner[e];
-        if (other >= 0 && (crowded[e] || crowded[other] || partner[other] != e)) {
+        if (partner[e] < 0 || partner[partner[e]] != e) {
             partner[e] = -1;
-            if (partner[other] == e) {
-                partner[other] = -1;
-            }
         }
     }
 }
@@ -231,10 +226,10 @@ taut_status taut_shell_join_edges(const taut_surface *const *surfaces, int count
 {
     const size_t edges = 4 * (size_t)count;
     double *limits = taut_arena_take(arena, (size_t)count, sizeof *limits);
-    unsigned char *crowded = taut_arena_take(arena, edges, 1), *collapsed = NULL;
+    unsigned char *collapsed = NULL;
     taut_seam *seams = NULL;
     int seam_count = 0;
-    double widest = 2 * moved, largest = 0;
+    double widest = 2 * moved;
 
     joints->pole = taut_arena_take(arena, edges, 1);
     joints->loop = taut_arena_take(arena, edges, 1);
@@ -247,8 +242,6 @@ taut_status taut_shell_join_edges(const taut_surface *const *surfaces, int count
     for (int f = 0; f < count; f++) {
         limits[f] = limit_of(surfaces[f]);
         widest = fmax(widest, limits[f]);
-        largest = fmax(
-            largest, taut_largest(taut_point_count(surfaces[f]), taut_surface_points(surfaces[f])));
     }
     for (size_t e = 0; e < edges; e++) {
         const row points = row_of(surfaces[e / 4], (int)(e % 4));
@@ -256,14 +249,14 @@ taut_status taut_shell_join_edges(const taut_surface *const *surfaces, int count
         joints->pole[e] = (unsigned char)is_point(&points, limits[e / 4]);
         joints->loop[e] = (unsigned char)is_loop(&points, limits[e / 4]);
     }
-    if (!(largest < 1e150)) {
-        return TAUT_OK; /* squares of lengths would be none: each face stands alone */
+    if (!(widest < 1e134)) {
+        return TAUT_OK; /* from coordinates of 1e148 on squares of lengths would be none: each face stands alone */
     }
     taut_status status =
-        taut_seams_find(surfaces, count, widest, arena, &seams, &seam_count, &collapsed);
+        taut_seams_find(surfaces, count, widest, 0, arena, &seams, &seam_count, &collapsed);
     if (status == TAUT_OK) {
-        status = link_pairs(surfaces, seams, seam_count, limits, moved, crowded, joints);
+        status = link_pairs(surfaces, seams, seam_count, limits, moved, joints);
     }
-    part_crowds((int)edges, crowded, joints->partner);
+    part_crowds((int)edges, joints->partner);
     return status;
 }

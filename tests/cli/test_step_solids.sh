@@ -22,15 +22,18 @@ handle_volume=$(awk 'BEGIN { pi = atan2(0, -1); printf "%.17g", pi * 64 * (280 +
 "$TAUT" example pipe-elliptic | sed 's/"construct": "pipe",/& "caps": true,/' | "$TAUT" make - --quiet -o oval.json -o oval.step
 [ "$(grep -c '=PLANE(' oval.step)" = 2 ] || complain "oval.step has $(grep -c '=PLANE(' oval.step) planes"
 # a leg that readers would take for a point is refused: the solid fell apart in three; a longer one is a face
-leg() { # leg LENGTH: between two elbows, whose ends are 6.61895085493 apart
-    awk -v more="$1" 'BEGIN { y = 6.61895085493 + more
-        printf "{ \"taut\": 1, \"construct\": \"pipe\", \"radius\": 1, \"caps\": true, \"bend_radius\": 3, \"run\": [[0, 0, 0], [10, 0, 0], [10, %.14g, 0], [20, %.14g, 0]] }\n", y, y }'
+leg() { # leg LENGTH [REACH]: between two elbows, whose ends are 6.61895085493 apart
+    awk -v more="$1" -v reach="${2:-10}" 'BEGIN { y = 6.61895085493 + more
+        printf "{ \"taut\": 1, \"construct\": \"pipe\", \"radius\": 1, \"caps\": true, \"bend_radius\": 3, \"run\": [[0, 0, 0], [%g, 0, 0], [%g, %.14g, 0], [%g, %.14g, 0]] }\n", reach, reach, y, 2 * reach, y }'
 }
 leg 3e-8 > sliver.json
 run 4 make sliver.json --quiet -o sliver.step
 contains err.txt 'is a sliver: an edge of it is 3[.0-9]*e-08 mm long'
 leg 1.2e-7 > slim.json
 run 0 make slim.json --quiet -o slim.step
+# and one far shorter than what edges of the long pipes beside its elbows may be apart
+leg 1e-6 10000 > brief.json
+run 0 make brief.json --quiet -o brief.step
 "$TAUT" example pipe-run-closed > ring-problem.json
 run 0 make ring-problem.json --quiet -o ring.json -o ring.step
 "$TAUT" example harmonic-extension > extension-problem.json
@@ -64,8 +67,10 @@ if "$PROBE"; then
     "$PROBE" capped.step ring.step open.step extension.step > probe.txt || complain "not read: $(cat probe.txt)"
     contains probe.txt '^capped.step read 1 valid 1 closed 1 solids 1 shells 1 faces 8 .* free 0 colours 8 '
     contains probe.txt '^ring.step read 1 valid 1 closed 1 solids 1 shells 1 faces 25 .* free 0 colours 25 '
-    "$PROBE" slim.step > slim.txt || complain "not read: $(cat slim.txt)"
-    contains slim.txt '^slim.step read 1 valid 1 closed 1 solids 1 shells 1 faces 13 .* free 0 '
+    for name in slim brief; do
+        "$PROBE" $name.step > $name.txt || complain "not read: $(cat $name.txt)"
+        contains $name.txt "^$name.step read 1 valid 1 closed 1 solids 1 shells 1 faces 13 .* free 0 "
+    done
     "$PROBE" oval.step > oval.txt || complain "not read: $(cat oval.txt)"
     contains oval.txt '^oval.step read 1 valid 1 closed 1 solids 1 shells 1 faces 14 .* free 0 '
     run 0 convert oval.step --surface cap1 -o cap.json

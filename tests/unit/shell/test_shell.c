@@ -303,6 +303,31 @@ static void test_thin(void)
     }
 }
 
+/* A bar of three stretches, the last shorter than what long nets may be apart: sewn, edges as long as that stretch too. */
+static void test_short(void)
+{
+    static const double ends[4] = {0, 1e4, 1e4 + 1, 1e4 + 1 + 1e-6};
+    static const double around[5][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}};
+    double x[4][5][3];
+    body b = {.count = 0};
+    for (int i = 0; i < 4; i++) {
+        for (int j = 0; j < 5; j++) {
+            x[i][j][0] = ends[i];
+            memcpy(x[i][j] + 1, around[j], sizeof around[j]);
+        }
+        for (int j = 0; i > 0 && j < 4; j++) {
+            add_face(&b, turned(patch(x[i - 1][j], x[i - 1][j + 1], x[i][j], x[i][j + 1]),
+                                random_int(0, 7)));
+        }
+    }
+    add_face(&b, patch(x[0][0], x[0][1], x[0][3], x[0][2]));
+    add_face(&b, patch(x[3][0], x[3][1], x[3][3], x[3][2]));
+    find_shells(&b, 0);
+    check_counts(&b, 1, 28, 16, "a bar");
+    check_first(&b, 1, 1, "a bar");
+    drop(&b);
+}
+
 /* Edges of other degrees and knots are the same curve; of other speed they are not. */
 static void test_other_bases(void)
 {
@@ -392,6 +417,7 @@ int main(void)
     test_twisted();
     test_not_joined();
     test_thin();
+    test_short();
     test_tubes();
     test_other_bases();
     return check_failures != 0;
