@@ -100,7 +100,7 @@ write_page() { # write_page STEP VERDICT SECONDS WHAT: its row in place of the o
 # What runs at night
 
 `tools/nightly.sh` writes this page: the last run of each step. What the steps are is said at its head. `nets` passes
-where each net holds, is refused, or is one of those that `KNOWN` in `tools/nets_night.py` lists as false or failed.
+where each net holds, is refused, or is one of those that `STALLED` in `tools/nets_night.py` lists.
 
 | step | day | commit | seconds | verdict | it says |
 |---|---|---|---|---|---|

@@ -6,7 +6,7 @@
 
 #include <string.h>
 
-enum { DEPTH = 8 /* halvings of a piece */, PLACES = 3 };
+enum { DEPTH = 8 /* halvings of a piece */, PLACES = 3, LOOKS = 8 };
 /* Of geodesics k_g times the size is to be so much less than the residual, as it is summed up. */
 static const double geodesic_share = 5;
 /* Pieces shorter than this, over the size, are as good as doubles let them be: the rounding of points turns tangents
@@ -17,10 +17,15 @@ static const double short_enough = 5e-9, short_geodesic = 1e-4;
 static const double uneven = 1e-9;
 /* Of points, over the size. */
 static const double rounding = 1e-15;
+/* A piece as short that turns is looked at again: what its quintic may be off the net. And how near to where the net ends, over
+ * the size, nobody asks. */
+static const double does_turn = 0.02, most_off = 1e-6, at_end = 1e-3;
 /* Below this angle with a border (sine), a curve that starts on it runs along it. */
 static const double along_border = 1e-9;
 /* Pieces shorter than this, over the size, become part of their neighbour; and those in another cell. */
 static const double shortest = 2e-9, short_beside = 1e-7;
+/* Over the size: ends of two ways to go that are one. */
+static const double one_end = 1e-12;
 /* A corner that need not be told. */
 static const double no_corner = 9.5e-7;
 /* Over the window's side: a corner of a curve that is its end. */
@@ -200,6 +205,19 @@ static int half_way(taut_linefield_kind kind, const taut_piece *piece, taut_walk
     return isfinite(middle->s);
 }
 
+/* Does a step over the other half come to where the piece ends? Near K = 0 the method of steps fails. */
+static int comes_to(taut_linefield_kind kind, const taut_piece *piece,
+                    const taut_walk_state *middle, double h)
+{
+    double x[TAUT_CARRIER_VECTORS][3];
+    taut_walk_state end;
+    if (!taut_walk_step(kind, middle, piece->h - h, &end)) {
+        return 0;
+    }
+    taut_carrier_at(end.on, end.span, end.y, 0, x);
+    return taut_length_between(x[0], piece->to.x) <= one_end * end.on->size;
+}
+
 /* The piece, or its halves, each by a full step from where it begins. */
 static taut_status refine(taut_linefield_kind kind, const taut_piece *piece,
                           const taut_lath_options *options, int depth, pieces *out)
@@ -208,8 +226,8 @@ static taut_status refine(taut_linefield_kind kind, const taut_piece *piece,
     taut_walk_state middle = {.s = 0};
     double h = 0;
 
-    if (depth == 0 || piece->near_parabolic || is_good(kind, piece, options) ||
-        !half_way(kind, piece, &middle, &h)) {
+    if (depth == 0 || is_good(kind, piece, options) || !half_way(kind, piece, &middle, &h) ||
+        (piece->near_parabolic && !comes_to(kind, piece, &middle, h))) {
         return push(out, piece);
     }
     low.h = h;
@@ -486,6 +504,46 @@ static void drop_short(const taut_carrier *carrier, taut_lath *lath)
     lath->count = count;
 }
 
+static int is_soft(taut_walk_end end)
+{
+    return end == TAUT_END_FLAT || end == TAUT_END_UMBILIC || end == TAUT_END_PARABOLIC ||
+           end == TAUT_END_SINGULAR;
+}
+
+/* How far the quintic of a segment is off the net. */
+static double segment_off(taut_linefield_kind kind, const taut_segment *segment)
+{
+    const taut_piece piece = {.start = segment->start, .from = segment->from, .to = segment->to};
+    double largest = 0;
+    for (int k = 0; k < LOOKS; k++) {
+        double distance = 0, residual = 0, speed = 1;
+        judge(kind, &piece, (k + 0.5) / LOOKS, &distance, &residual, &speed);
+        largest = fmax(largest, residual);
+    }
+    return largest;
+}
+
+/* A curve that passes by an umbilic, or by where K = 0, and turns within less than doubles resolve, ends there: it could not be
+ * followed on. */
+static void end_before_turn(const taut_carrier *carrier, taut_linefield_kind kind, taut_lath *lath)
+{
+    const double room = at_end * carrier->size;
+    const double first = is_soft(lath->ended[0]) ? room : -1;
+    const double last = is_soft(lath->ended[1]) ? lath->length - room : lath->length;
+    for (int k = 0; k < lath->count; k++) {
+        const taut_segment *segment = &lath->segments[k];
+        const double h = segment->to.s - segment->from.s;
+        if (h < short_enough * carrier->size && segment->from.s >= first && segment->to.s <= last &&
+            taut_length_between(segment->from.tangent, segment->to.tangent) > does_turn &&
+            segment_off(kind, segment) > most_off) {
+            lath->ended[1] = TAUT_END_STALLED;
+            lath->end_on[1] = segment->start.on;
+            memcpy(lath->ends[1], segment->from.at, sizeof lath->ends[1]);
+            return;
+        }
+    }
+}
+
 taut_status taut_lath_trace(const taut_carrier *carrier, taut_linefield_kind kind,
                             const double at[2], const double along[3], int both,
                             const taut_lath_options *options, taut_arena *arena, taut_lath *lath,
@@ -531,6 +589,9 @@ taut_status taut_lath_trace(const taut_carrier *carrier, taut_linefield_kind kin
     lath->at_seed.s = lath->seed_s;
     status = take_kinks(lath, carrier, &walks[0], behind.count, &walks[1], arena);
     drop_short(carrier, lath);
+    if (kind.net == TAUT_TRACE_PRINCIPAL || kind.net == TAUT_TRACE_ASYMPTOTIC) {
+        end_before_turn(carrier, kind, lath);
+    }
     return status;
 }
 

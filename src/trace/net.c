@@ -16,6 +16,7 @@ enum { BORDER_PIECES = 64 /* a span */, LOOK = 101 };
 static const double least_sine = 1e-6, same_seed = 1e-9, same_end = 1e-6;
 static const double same_curve =
     1e-8; /* of the length: ends, middles and lengths of two curves that are one */
+static const double same_part = 1e-9;  /* of a part: multiples of it that end a curve */
 static const double on_border = 1e-15; /* of the window: rounding */
 static const double no_way = 1e-6; /* of the window: a curve that comes no farther from its seed */
 static const double no_lath =
@@ -123,13 +124,19 @@ static void way_of(const taut_net *net, const planned *list, int count, int fami
     }
 }
 
-static void leave_out(taut_net *net, int family, const double at[2], taut_linefield_fault fault,
-                      int is_along)
+static void leave_out_on(taut_net *net, const taut_carrier *on, int family, const double at[2],
+                         taut_linefield_fault fault, int is_along)
 {
     if (net->left_count < TAUT_TRACE_LATHS_MAX) {
         net->left_out[net->left_count++] =
-            (taut_left_out){net->carrier, family, {at[0], at[1]}, fault, is_along, 0};
+            (taut_left_out){on, family, {at[0], at[1]}, fault, is_along, 0};
     }
+}
+
+static void leave_out(taut_net *net, int family, const double at[2], taut_linefield_fault fault,
+                      int is_along)
+{
+    leave_out_on(net, net->carrier, family, at, fault, is_along);
 }
 
 static taut_status too_many(double count, taut_error *error)
@@ -399,7 +406,7 @@ static taut_status take_lath(taut_net *net, planned *p, taut_error *error)
     if (net->count >= TAUT_TRACE_LATHS_MAX) {
         return too_many(net->count, error);
     }
-    if (make_room(net) != TAUT_OK) {
+    if (make_room(net) != TAUT_OK || taut_marks_add(&net->marks, lath) != TAUT_OK) {
         return taut_fail_memory(error);
     }
     net->laths[net->count] = *lath;
@@ -534,6 +541,20 @@ static taut_status seed_edge(taut_net *net, const taut_trace_seed *seed, int fam
     return seed_line(net, seed, family, index, from, to, error);
 }
 
+/* A place of a lath at whose measure it ends because the net does, as at an umbilic, is left out: a curve from there would begin
+ * beside it. */
+static int leave_round_end(taut_net *net, const taut_lath *lath, int family, double target,
+                           double whole, double part)
+{
+    const int end = target > whole / 2;
+    const int is_round = lath->ended[end] == TAUT_END_FLAT || lath->ended[end] == TAUT_END_UMBILIC;
+    const int is_there = is_round && fabs(target - (end ? whole : 0)) <= same_part * part;
+    if (is_there) {
+        leave_out_on(net, lath->end_on[end], family, lath->ends[end], TAUT_LINEFIELD_ROUND, 0);
+    }
+    return is_there;
+}
+
 static taut_status seed_lath(taut_net *net, const taut_trace_seed *seed, int index,
                              taut_error *error)
 {
@@ -556,8 +577,11 @@ static taut_status seed_lath(taut_net *net, const taut_trace_seed *seed, int ind
     planned *list = new_list(net, seed->count + 2);
     int count = 0;
     for (int k = first; list != NULL && k <= last; k++) {
+        const taut_lath *lath = &net->laths[found];
+        const double target = whole * k / (seed->count + 1);
         taut_station at;
-        if (taut_lath_at(kind, &net->laths[found], seed->by, whole * k / (seed->count + 1), &at)) {
+        if (!leave_round_end(net, lath, other, target, whole, whole / (seed->count + 1)) &&
+            taut_lath_at(kind, lath, seed->by, target, &at)) {
             list[count++] = place_on(&at, other);
         }
     }
@@ -580,15 +604,6 @@ static void border_at(const taut_carrier *carrier, double t, double at[2], doubl
     at[0] = fmin(fmax(u[side], carrier->lo[0]), carrier->hi[0]);
     at[1] = fmin(fmax(v[side], carrier->lo[1]), carrier->hi[1]);
     memcpy(way, ways[side], 2 * sizeof(double));
-}
-
-/* t of a place on the border. */
-static double border_of(const taut_carrier *carrier, const double at[2], int edge)
-{
-    const double u = (at[0] - carrier->lo[0]) / (carrier->hi[0] - carrier->lo[0]);
-    const double v = (at[1] - carrier->lo[1]) / (carrier->hi[1] - carrier->lo[1]);
-    const double t[4] = {4 - v, 1 + v, u, 3 - u}; /* u0, u1, v0, v1 */
-    return t[edge] >= 4 ? 0 : t[edge];
 }
 
 /* A walk along the border. */
@@ -636,83 +651,10 @@ static double border_measure(border_walk *w, double from, double to)
     return sum * (to - from) / 2;
 }
 
-/* t, or t + 4, if it lies in (from, to] and behind the last one. */
-static void take_last(double t, double from, double to, double *last)
-{
-    for (int turn = 0; turn < 2; turn++) {
-        if (t + 4 * turn > from && t + 4 * turn <= to) {
-            *last = fmax(*last, t + 4 * turn);
-        }
-    }
-}
-
-/* The same of where a lath passes the seam of a carrier that closes, on both sides of it. */
-static void take_turn(const taut_carrier *carrier, const taut_station *a, const taut_station *b,
-                      double from, double to, double *last)
-{
-    for (int edge = 0; edge < 4; edge++) {
-        const int d = edge / 2;
-        const double border = edge % 2 == 0 ? carrier->lo[d] : carrier->hi[d];
-        const double other = edge % 2 == 0 ? carrier->hi[d] : carrier->lo[d];
-        if (carrier->wraps[d] && a->at[d] == border && b->at[d] == other) {
-            take_last(border_of(carrier, a->at, edge), from, to, last);
-            take_last(border_of(carrier, b->at, edge ^ 1), from, to, last);
-        }
-    }
-}
-
-/* The same of a lath that closes there. */
-static void take_closing(const taut_carrier *carrier, const taut_lath *lath, double from, double to,
-                         double *last)
-{
-    const taut_station *at = &lath->segments[0].from;
-    for (int d = 0; d < 2 && at->on == carrier; d++) {
-        if (carrier->wraps[d] && (at->at[d] == carrier->lo[d] || at->at[d] == carrier->hi[d])) {
-            take_last(border_of(carrier, at->at, 2 * d), from, to, last);
-            take_last(border_of(carrier, at->at, 2 * d + 1), from, to, last);
-        }
-    }
-}
-
-/* The same of where a lath passes the border of a carrier, from there or to there. */
-static void take_passing(const taut_carrier *carrier, const taut_station *a, const taut_station *b,
-                         double from, double to, double *last)
-{
-    const taut_station *here = a->on == carrier ? a : b;
-    if (a->on == carrier && b->on == carrier) {
-        take_turn(carrier, a, b, from, to, last);
-    }
-    for (int edge = 0; a->on != b->on && here->on == carrier && edge < 4; edge++) {
-        const double border = edge % 2 == 0 ? carrier->lo[edge / 2] : carrier->hi[edge / 2];
-        if (here->at[edge / 2] == border) {
-            take_last(border_of(carrier, here->at, edge), from, to, last);
-        }
-    }
-}
-
-/* The last end of a lath of the family in (from, to], or place where it goes on to another surface, as t; -1 where there
- * is none. */
+/* The last place in (from, to] where the border has a lath of the family, as t; -1 where there is none. */
 static double last_end(const taut_net *net, int family, double from, double to)
 {
-    double last = -1;
-    for (int k = 0; k < net->count; k++) {
-        const taut_lath *lath = &net->laths[k];
-        for (int end = 0; lath->family == family && end < 2; end++) {
-            const int is_here = lath->end_on[end] == net->carrier;
-            for (int e = 0; is_here && e < 2 && lath->edges[end][e] >= 0; e++) {
-                take_last(border_of(net->carrier, lath->ends[end], lath->edges[end][e]), from, to,
-                          &last);
-            }
-        }
-        for (int i = 1; lath->family == family && i < lath->count; i++) {
-            take_passing(net->carrier, &lath->segments[i - 1].to, &lath->segments[i].from, from, to,
-                         &last);
-        }
-        if (lath->family == family && lath->ended[1] == TAUT_END_CLOSED && lath->count > 0) {
-            take_closing(net->carrier, lath, from, to, &last);
-        }
-    }
-    return last;
+    return taut_marks_last(&net->marks, net->carrier, family, from, to);
 }
 
 /* Where in [low, high] the measure from low reaches the rest. */
@@ -730,29 +672,6 @@ static double reach(border_walk *w, double low, double high, double rest)
         }
     }
     return high;
-}
-
-/* The first end of a lath of the family, or place where it goes on to another surface, t, or -1: where the walk
- * begins. */
-static double first_end(const taut_net *net, int family)
-{
-    for (int k = 0; k < net->count; k++) {
-        const taut_lath *lath = &net->laths[k];
-        for (int end = 0; lath->family == family && end < 2; end++) {
-            if (lath->edges[end][0] >= 0 && lath->end_on[end] == net->carrier) {
-                return border_of(net->carrier, lath->ends[end], lath->edges[end][0]);
-            }
-        }
-        for (int i = 1; lath->family == family && i < lath->count; i++) {
-            double found = -1;
-            take_passing(net->carrier, &lath->segments[i - 1].to, &lath->segments[i].from, -1, 4,
-                         &found);
-            if (found >= 0) {
-                return found;
-            }
-        }
-    }
-    return -1;
 }
 
 static double wrapped(double t)
@@ -828,7 +747,7 @@ static taut_status seed_border(taut_net *net, int family, taut_trace_by by, doub
                                taut_error *error)
 {
     border_walk w = {.net = net, .family = family, .by = by, .tangent = {0, 0, 0}};
-    const double start = first_end(net, family);
+    const double start = taut_marks_first(&net->marks, net->carrier, family);
     const int spans = taut_basis_span_count(net->carrier->basis[0]) +
                       taut_basis_span_count(net->carrier->basis[1]);
     const int pieces = 4 * BORDER_PIECES * (spans < 16 ? 1 : spans / 16);
@@ -904,8 +823,8 @@ static taut_status seed_lattice(taut_net *net, int family, const taut_lath *othe
     }
     const double middle = by == TAUT_TRACE_CONFORMAL ? at.measure : at.s;
     const double whole = by == TAUT_TRACE_CONFORMAL ? other->measure : other->length;
-    const double lowest = ceil(-middle / part - 1e-9),
-                 highest = floor((whole - middle) / part + 1e-9);
+    const double lowest = ceil(-middle / part - same_part),
+                 highest = floor((whole - middle) / part + same_part);
     if (!(highest - lowest < TAUT_TRACE_LATHS_MAX)) {
         return too_many(highest - lowest, error);
     }
@@ -914,7 +833,8 @@ static taut_status seed_lattice(taut_net *net, int family, const taut_lath *othe
         const double target = fmin(fmax(middle + k * part, 0), whole);
         if (k == 0) {
             list[count++] = place_of(net->carrier, family, other->seed);
-        } else if (taut_lath_at(kind, other, by, target, &at)) {
+        } else if (!leave_round_end(net, other, family, target, whole, part) &&
+                   taut_lath_at(kind, other, by, target, &at)) {
             list[count] = place_on(&at, family);
             hold_on_border(net, &list[count]);
             list[count++].may_touch = 1;
@@ -1257,6 +1177,7 @@ taut_status taut_net_trace(taut_net *net, const taut_monitor *monitor, taut_erro
     if (net->left_out == NULL) {
         return taut_fail_memory(error);
     }
+    net->marks.arena = net->arena;
     net->options.follow.monitor = monitor;
     for (int k = 0; status == TAUT_OK && k < count; k++) {
         const taut_trace_seed *seed =

@@ -9,6 +9,7 @@
 #define TAUT_TRACE_NET_H
 
 #include "core/pulse.h"
+#include "trace/mark.h"
 #include "trace/node.h"
 
 /* A seed that has no curve. */
@@ -33,6 +34,7 @@ typedef struct taut_net {
     taut_arena *arena;
     taut_lath *laths;
     int count, room, of_family[2];
+    taut_marks marks; /* of laths from seeds */
     taut_nodes nodes;
     taut_left_out *left_out;
     int left_count;

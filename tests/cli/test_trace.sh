@@ -259,4 +259,10 @@ END
 run 0 make short.json --quiet -o touching-made.json
 absent none.json
 
+# A curve to a cusp, the last pieces of which are long and bent: they are cut as the others are.
+"$TAUT" make "$SOURCE/examples/asymptotic-3.json" --quiet -o cusped.json # its own claim `regular` is false
+echo '{ "taut": 1, "trace": "asymptotic", "of": "cusped.json", "seeds": [{ "at": [1, 0.2858395741179469], "family": "+" }] }' > to-cusp.json
+run 0 make to-cusp.json --quiet -o to-cusp-made.json
+contains to-cusp-made.json '"ended": \["parabolic", "edge u1"\]'
+
 finish

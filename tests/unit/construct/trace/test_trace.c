@@ -684,6 +684,62 @@ static void test_refusals(void)
     }
 }
 
+/* z = (x y - 0.857 x^3 y^3) / 2: umbilics on both diagonals, at 0.6039. */
+#define ROUNDED                                                                                    \
+    "{ \"taut\": 1, \"surfaces\": [{ \"u\": { \"type\": \"bezier\", \"degree\": 3, \"range\": "    \
+    "[-1, "                                                                                        \
+    "1] }, \"v\": { \"type\": \"bezier\", \"degree\": 3, \"range\": [-1, 1] }, \"points\": "       \
+    "[[[-1, -1, 0.071499999999999994], [-1, -0.3333333333333333, "                                 \
+    "0.59516666666666695], [-1, 0.3333333333333333, -0.59516666666666695], [-1, 1, "               \
+    "-0.071499999999999994]], [[-0.3333333333333333, -1, 0.59516666666666695], "                   \
+    "[-0.3333333333333333, -0.3333333333333333, -0.37294444444444402], "                           \
+    "[-0.3333333333333333, 0.3333333333333333, 0.37294444444444402], "                             \
+    "[-0.3333333333333333, 1, -0.59516666666666695]], [[0.3333333333333333, -1, "                  \
+    "-0.59516666666666695], [0.3333333333333333, -0.3333333333333333, "                            \
+    "0.37294444444444402], [0.3333333333333333, 0.3333333333333333, "                              \
+    "-0.37294444444444402], [0.3333333333333333, 1, 0.59516666666666695]], [[1, -1, "              \
+    "-0.071499999999999994], [1, -0.3333333333333333, -0.59516666666666695], [1, "                 \
+    "0.3333333333333333, 0.59516666666666695], [1, 1, 0.071499999999999994]]] }] }"
+
+/* The middle curves end at umbilics, which are whole parts of them away: no curve is seeded there, by a lattice or by a
+ * lath. One that passes an umbilic too near turns within less than doubles resolve. */
+static void test_umbilic_ends(void)
+{
+    static const char *const seeds[2] = {"\"seeds\": [{ \"cells\": 4 }]",
+                                         "\"seeds\": [{ \"at\": [0, 0], \"family\": \"min\" }, "
+                                         "{ \"lath\": \"B1\", \"count\": 3, \"ends\": true }]"};
+    for (int k = 0; k < 2; k++) {
+        made_net made = net_make("principal", ROUNDED, seeds[k]);
+        const taut_record *left = taut_record_get(taut_model_details(made.model), "left_out");
+        CHECK(net_count(&made, "left_out") == (k == 0 ? 4 : 2), "%d: %d left out", k,
+              net_count(&made, "left_out"));
+        for (size_t i = 0; i < taut_record_count(left); i++) {
+            const taut_record *at = taut_record_get(taut_record_at(left, i), "at");
+            for (size_t d = 0; d < 2; d++) {
+                CHECK_NEAR(fabs(taut_record_number(taut_record_at(at, d))), 0.603918842142038, 1e-8,
+                           "%d: left out", k);
+            }
+        }
+        CHECK(taut_certificate_holds(made.proof) == TAUT_TRUE, "%d: %s", k, made.error.message);
+        net_free(&made);
+    }
+    /* 5e-9 and 1e-8 from an umbilic, and four times as far, which is followed */
+    static const double beside[3] = {0.60391883702, 0.603918831, 0.6039188};
+    for (int k = 0; k < 3; k++) {
+        char seed[100];
+        snprintf(seed, sizeof seed, "\"seeds\": [{ \"at\": [-%.11f, %.11f], \"family\": \"max\" }]",
+                 beside[k], beside[k]);
+        made_net made = net_make("principal", ROUNDED, seed);
+        if (k < 2) {
+            CHECK(made.status == TAUT_NOT_CONVERGED && strcmp(made.error.reason, "stalled") == 0,
+                  "%d: %d %s", k, made.status, made.error.message);
+        } else {
+            CHECK(taut_certificate_holds(made.proof) == TAUT_TRUE, "%d: %s", k, made.error.message);
+        }
+        net_free(&made);
+    }
+}
+
 int main(void)
 {
     test_curves();
@@ -702,6 +758,7 @@ int main(void)
     test_beside_knots();
     test_on_knots();
     test_drift();
+    test_umbilic_ends();
     test_refusals();
     return check_failures != 0;
 }
