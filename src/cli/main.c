@@ -20,7 +20,7 @@ enum { COMMAND_COUNT = (int)(sizeof commands / sizeof commands[0]) };
 
 static int print_help(void)
 {
-    printf("taut draws surfaces tight across their boundaries, and proves what they are.\n\n");
+    printf("taut builds minimal, harmonic and blend surfaces from their boundaries, with certificates.\n\n");
     for (int i = 0; i < COMMAND_COUNT; i++) {
         printf("  taut %-10s %s\n", commands[i]->name, commands[i]->summary);
     }

@@ -176,7 +176,7 @@ static const cli_option options_of_make[] = {
     CLI_FIGURE,
     CLI_EXACT,
     {"--lines", CLI_FLAG, offsetof(cli_options, lines), 0, 0, 0, NULL,
-     "a problem a line, a model or an error a line; goes on where it was stopped"},
+     "one problem per line, one model or error per line; goes on where it was stopped"},
     {"--watch", CLI_FLAG, offsetof(cli_options, watch), 0, 0, 0, NULL,
      "make again whenever the file is saved, until Ctrl-C"},
     {"--json", CLI_FLAG, offsetof(cli_options, json), 0, 0, 0, NULL,
