@@ -20,7 +20,8 @@ enum { COMMAND_COUNT = (int)(sizeof commands / sizeof commands[0]) };
 
 static int print_help(void)
 {
-    printf("taut builds minimal, harmonic and blend surfaces from their boundaries, with certificates.\n\n");
+    printf("taut builds minimal, harmonic and blend surfaces from their boundaries, with "
+           "certificates.\n\n");
     for (int i = 0; i < COMMAND_COUNT; i++) {
         printf("  taut %-10s %s\n", commands[i]->name, commands[i]->summary);
     }
