@@ -1,7 +1,8 @@
 #!/bin/bash
 # gallery.sh TAUT [PAGES] -- one figure (docs/gallery/<example>.png) and one page (PAGES/<example>.html, default
-# out/gallery) of every worked example, and docs/gallery/README.md that shows them by construction. The figures are
-# committed; the pages, of 0.8 MB each, are not: they are made where they are wanted. New examples appear by themselves.
+# out/gallery) of every worked example, docs/gallery/README.md that shows them by construction, and the pictures of the
+# lessons (docs/tutorial). The figures are committed; the pages, of 0.8 MB each, are not: they are made where they are
+# wanted. New examples appear by themselves.
 set -eu
 taut=$(realpath "$1")
 cd "$(dirname "$0")/.."
@@ -17,13 +18,15 @@ words() { # words EXAMPLE
     case $1 in
     asymptotic*) echo --no-net --isolines 9 ;;
     harmonic-extension | harmonic-neighbour) echo --no-net --isolines 7 --view 300,15 ;;
-    bonnet*-frames*) echo --side-by-side --no-net ;;
     dirichlet-mast) echo --no-net --isolines 11 --view 120,35 ;;
     film-ridge) echo --no-net --view 300,55 ;;
     film-bubbles | film-gyroid | film-neovius | film-schwarz-* | film-tent) echo --no-net ;;
     film* | *-mast | *-through | biharmonic-c?) echo --no-net --isolines 11 ;;
+    pattern-cone) echo --no-net --view 120,40 ;;
     pattern*) echo --no-net --view 285,50 ;;
-    bonnet* | pipe* | trace*) echo --no-net ;;
+    pipe-caps) echo --no-net --view 300,-25 ;;
+    bonnet*) echo --no-net --isolines 9 ;;
+    pipe* | trace*) echo --no-net ;;
     esac
 }
 
@@ -64,6 +67,27 @@ if command -v pdftoppm > "$work/where"; then # the first sheet of paper, behind 
     "$taut" example pattern-sail > "$work/problem.json"
     "$taut" make "$work/problem.json" --quiet -o "$work/sheets.pdf" --tiles a4
     pdftoppm -f 3 -l 3 -r 50 -png -singlefile "$work/sheets.pdf" "$gallery/pattern-sheet"
+fi
+
+# The pictures of the lessons, of their own documents.
+lessons=${LESSONS:-docs/tutorial}
+cp docs/tutorial/*.json docs/tutorial/*.step "$work"
+"$taut" make "$work/sail.json" --quiet -o "$work/form.json"
+lesson() { # lesson COMMAND DOCUMENT PICTURE WORDS
+    "$taut" "$1" "$work/$2" --quiet -o "$lessons/$3" "${@:4}"
+}
+lesson make tent.json tent.png --width 600
+lesson make film.json film.png --colour gap --no-net --width 600
+lesson panels roof.json roof.png --kind conical --divide 8,6 --no-net --view 315,60 --width 600
+lesson make pipes.json pipes.png --no-net --width 600
+lesson make cloth.json sail.png --no-net --width 1200
+lesson trace gridshell.json gridshell.png --net asymptotic --cells 7 --width 900
+if command -v rsvg-convert > "$work/where"; then # the left ends of the strips at the foot of the sheet, in lines that are seen
+    "$taut" trace "$work/gridshell.json" --net asymptotic --cells 7 --strip standing --width 0.04 --thickness 0.0006 \
+        --material steel-s235 --sheet 1.7x0.6 --quiet -o "$work/laths.json"
+    "$taut" convert "$work/laths.json" -o "$work/laths.svg"
+    sed 's/width="1700mm" height="600mm" viewBox="0 0 1700 600"/viewBox="0 238 600 362"/; s/stroke-width="[0-9.]*"/stroke-width="0.5"/' \
+        "$work/laths.svg" | rsvg-convert -w 1200 -b white -o "$lessons/gridshell-sheets.png"
 fi
 
 {

@@ -117,13 +117,15 @@ static void draw_heading(const taut_legend *l, const scale *s, taut_colour colou
         snprintf(text, sizeof text, "%s%s%s", plain ? "1/" : "/", unit, square);
     }
     if (!plain) {
-        /* 10 with the exponent small and raised: no font need have raised digits */
+        /* times 10 with the exponent small and raised: no font need have raised digits */
         char raised[16];
         taut_label_fixed(s->exponent, 0, raised, sizeof raised);
-        write_text(l, x + 23, y, text_size, TAUT_ANCHOR_END, "10");
-        write_text(l, x + 24, y - 9, 0.7 * text_size, TAUT_ANCHOR_START, raised);
+        write_text(l, x + 38, y, text_size, TAUT_ANCHOR_END,
+                   "\xc3\x97"
+                   "10");
+        write_text(l, x + 39, y - 9, 0.7 * text_size, TAUT_ANCHOR_START, raised);
     }
-    write_text(l, plain ? x : x + 54, y, text_size, TAUT_ANCHOR_START, text);
+    write_text(l, plain ? x : x + 69, y, text_size, TAUT_ANCHOR_START, text);
 }
 
 void taut_legend_scale(const taut_legend *legend, taut_colour colour,

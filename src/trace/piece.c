@@ -15,7 +15,8 @@
 #include <stdio.h>
 #include <string.h>
 
-/* The height of letters over the width, and their breadth over the height. */
+/* The height of letters over the width, and their breadth over the height; those of DXF, whose height is that of capitals, are as broad
+ * as high, and half a height beside a slot keeps them clear of it. */
 static const double letter = 0.2, breadth = 0.6;
 
 /* A node on the axis of a pattern. */
@@ -169,7 +170,7 @@ static void mark_crossing(const band *b, const crossing *x, double to, double he
         beside(&x->at, -wide, side * (half - x->slot->depth), slot->corners[1]);
         beside(&x->at, wide, side * (half - x->slot->depth), slot->corners[2]);
         beside(&x->at, wide, side * half, slot->corners[3]);
-        aside = wide + height / 4;
+        aside = wide + height / 2;
         up = side * half / 2;
     }
     const double way = x->at.cut + aside + letters > to ? -1 : 1; /* on the piece */

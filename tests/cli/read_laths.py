@@ -52,6 +52,12 @@ for piece, (closed, points) in zip(pieces, lines["CUT"]):
 for name, length in long.items():
     require(near(length, laths[name]["cut_length"], length), f"{name} is {length} long, and cut {laths[name]['cut_length']}")
 slots = [(piece, slot) for piece in pieces for slot in piece["slots"]]
+for piece, slot in slots:  # no letter, 0.7 as broad as high, nearer to a slot than a fifth of its height
+    for text in piece["texts"]:
+        c, s, high = math.cos(text["angle"]), math.sin(text["angle"]), text["height"]
+        spots = [[(p[0] - text["at"][0]) * w[0] + (p[1] - text["at"][1]) * w[1] for p in slot["outline"]] for w in ((c, s), (-s, c))]
+        apart = [max(min(spot), -max(spot), 0) - half for spot, half in zip(spots, (0.35 * high * len(text["text"]), 0.5 * high))]
+        require(max(apart) >= 0.2 * high, f"{text['text']} is on the slot {slot['node']} of {piece['name']}: {max(apart) / high:.3f}")
 require(len(slots) == len(lines.get("SLOT", [])), "slots")
 before = Counter()
 for piece, (closed, points) in zip(pieces, lines["CUT"]):
