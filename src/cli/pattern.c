@@ -277,7 +277,9 @@ static const cli_option options_of_pattern[] = {
     CLI_OUTPUT,
     {"--report", CLI_TEXT, offsetof(cli_options, report), 0, 0, 0, "FILE",
      "write the report as JSON"},
-    CLI_TOLERANCE,
+    {"--tolerance", CLI_NUMBER, offsetof(cli_options, tolerance), 0, 1e-14, 1, "T",
+     "largest distance from the surface over its size (default 1e-6; 1e-3 for meshes); below that "
+     "lengths of flat pieces too"},
     CLI_DIVIDE,
     CLI_THREADS,
     CLI_FIGURE_BUT_WIDTH,
