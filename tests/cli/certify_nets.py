@@ -1,10 +1,11 @@
 """certify_nets.py -- models of nets and patterns, each changed where no claim looked once: what is cut is no number, another shape,
 or of another line; curves that are left out, twice or not asked for; lengths and places that are not the curves'. The model as
-it was made holds; the changed one does not, by the claim named."""
+it was made holds; the changed one does not, by the claim named. `certify_nets.py lattices`: nets that were hard to make."""
 
 import copy
 import json
 import re
+import sys
 
 from program import complain, example, finish, load, run, save
 
@@ -396,14 +397,18 @@ def cloth():
 def lattices():
     """Of surfaces that ask for much: where the net ends on the border and begins again, along a border that rounding leaves, and
     where rounding makes of k_g what it likes."""
-    for name, surface, net in [("pipe-auto", "blend", "asymptotic"), ("pipe-run-closed", "pipe1", "principal"),
-                               ("plateau-skew", None, "asymptotic")]:
+    for name, surface, net, cells in [("pipe-auto", "blend", "asymptotic", "6"), ("pipe-run-closed", "pipe1", "principal", "6"),
+                                      ("plateau-skew", None, "asymptotic", "6"), ("plateau-skew", None, "principal", "4")]:
         save("surface.problem.json", example(name))
         run("make", "surface.problem.json", "-o", "surface.json", "--quiet")
-        code, _, said = run("trace", "surface.json", *(["--surface", surface] if surface else []), "--net", net, "--cells", "6",
+        code, _, said = run("trace", "surface.json", *(["--surface", surface] if surface else []), "--net", net, "--cells", cells,
                             "-o", "lattice.json", "--quiet")
         if code != 0:
             complain(f"{name} {net}: exit {code} {said}")
+    # the last one is close to umbilics: its turn is off by 1.8e-8, which rounding of the surface explains
+    off = [c["residual"] for c in load("lattice.json")["certificate"]["claims"] if c["claim"] == "figures"][0]
+    if off > 1e-9:
+        complain(f"plateau-skew principal: figures are off by {off}")
 
 
 def rings():
@@ -417,15 +422,7 @@ def rings():
     judge("a panel left out", model, CLOSED, "figures")
 
 
-curves()
-details()
-reasons()
-outlines()
-flat_pieces()
-corners()
-cloth()
-told()
-torque()
-lattices()
-rings()
+PARTS = {"models": [curves, details, reasons, outlines, flat_pieces, corners, cloth, told, torque], "lattices": [lattices, rings]}
+for part in PARTS[sys.argv[1]]:
+    part()
 finish()

@@ -713,11 +713,15 @@ static void test_umbilic_ends(void)
         const taut_record *left = taut_record_get(taut_model_details(made.model), "left_out");
         CHECK(net_count(&made, "left_out") == (k == 0 ? 4 : 2), "%d: %d left out", k,
               net_count(&made, "left_out"));
-        for (size_t i = 0; i < taut_record_count(left); i++) {
+        for (size_t i = 0; i < taut_record_count(left);
+             i++) { /* of max on min's curve, then of min */
             const taut_record *at = taut_record_get(taut_record_at(left, i), "at");
-            for (size_t d = 0; d < 2; d++) {
-                CHECK_NEAR(fabs(taut_record_number(taut_record_at(at, d))), 0.603918842142038, 1e-8,
-                           "%d: left out", k);
+            const char *name = k == 1 ? "B1" : i < 2 ? "B2" : "A2";
+            for (int d = 0; d < 2; d++) {
+                const double end = net_end(&made, name, i % 2 == 0 ? "from" : "to", d);
+                CHECK_NEAR(taut_record_number(taut_record_at(at, (size_t)d)), end, 1e-15, "%d: %s",
+                           k, name);
+                CHECK_NEAR(fabs(end), 0.603918842142038, 1e-8, "%d: %s", k, name);
             }
         }
         CHECK(taut_certificate_holds(made.proof) == TAUT_TRUE, "%d: %s", k, made.error.message);

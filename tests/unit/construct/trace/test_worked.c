@@ -329,6 +329,16 @@ static void test_torus(void)
         CHECK_NEAR(fabs(b[2]), 0.6, 1e-11, "%s", name);
     }
     net_free(&made);
+
+    /* circles both ways, which close at the seed: they cross there, once */
+    const taut_trace_seed inside = {.at = {0.3, 0.2}};
+    const taut_trace_problem circles = {
+        .model = of, .net = TAUT_TRACE_ISOPARAMETRIC, .seed_count = 1, .seeds = &inside};
+    made = (made_net){.status = TAUT_OK};
+    made.status = taut_trace_make(&circles, NULL, &made.model, &made.error);
+    CHECK(net_count(&made, "laths") == 2 && net_count(&made, "nodes") == 1, "%d circles, %d nodes",
+          net_count(&made, "laths"), net_count(&made, "nodes"));
+    net_free(&made);
     taut_model_free(of);
 }
 
