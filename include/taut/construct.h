@@ -51,8 +51,9 @@ typedef struct taut_make_options {
 /* Makes the model: surfaces, curves and `details`, no certificate yet. options may be NULL.
  * Ended early (a time limit, TAUT_ENOUGH), `plateau` gives the surface as far as it came, with
  * `details.stopped` ("time" or "request"), and leaves it to the certificate to say what does not hold
- * of it; other constructions, and `plateau` before its first surface, are TAUT_NOT_CONVERGED, reason
- * "time".
+ * of it; `film`, once it is at rest, gives that without what comes after, finer spaces and the witness
+ * of `least`. Other constructions, and these before they have a surface, are TAUT_NOT_CONVERGED,
+ * reason "time".
  * TAUT_BAD_ARGUMENT: NULL, or an option out of its range; TAUT_BAD_INPUT: data that is,
  * error->where the member; TAUT_NO_SOLUTION: well formed, but what it asks for does not exist;
  * TAUT_NOT_CONVERGED; TAUT_NO_MEMORY; TAUT_INTERRUPTED. *model is the caller's on success,

@@ -6,6 +6,8 @@
 #include <math.h>
 #include <stddef.h>
 
+#ifndef TAUT_UNWATCHED
+
 static int report(void *context, double done, const char *what)
 {
     taut_pace *pace = context;
@@ -36,14 +38,13 @@ taut_make_options taut_pace_options(taut_pace *pace, const taut_make_options *op
     return own;
 }
 
-int taut_pace_is_enough(const taut_pace *pace)
+int taut_pace_ends(const taut_pace *pace, taut_status status, taut_record *details)
 {
-    return pace->is_enough;
-}
-
-const char *taut_pace_reason(const taut_pace *pace)
-{
-    return pace->is_over ? "time" : "request";
+    if (status != TAUT_INTERRUPTED || !pace->is_enough) {
+        return 0;
+    }
+    taut_record_add_text(details, "stopped", pace->is_over ? "time" : "request");
+    return 1;
 }
 
 taut_status taut_pace_end(const taut_pace *pace, taut_status status, taut_error *error)
@@ -59,3 +60,5 @@ taut_status taut_pace_end(const taut_pace *pace, taut_status status, taut_error 
                      "the %.6g seconds allowed were over before there was anything to show",
                      pace->limit);
 }
+
+#endif

@@ -21,7 +21,9 @@
 #include "construct/film/solve.h"
 #include "construct/film/threads.h"
 #include "construct/film/witness.h"
+#include "construct/plateau/witness.h"
 #include "core/fail.h"
+#include "core/pace.h"
 #include "core/vec3.h"
 #include "problem/film_complex.h"
 
@@ -515,6 +517,7 @@ static taut_status add_net(const taut_film_space *space, const taut_film_solutio
 typedef struct request {
     const taut_film_problem *problem;
     const taut_make_options *options;
+    const taut_pace *pace;
 } request;
 
 /* The witness speaks of the surface as the model has it. */
@@ -535,19 +538,15 @@ static taut_status add_details(const request *r, const taut_film_space *space,
         status =
             taut_film_refine(r->problem, surface, solution->energy, r->options, details, error);
     }
-    if (status != TAUT_OK) {
-        taut_record_free(details);
-        return status;
-    }
-    status = taut_film_witness_add(r->problem, surface, radii, &r->options->monitor, details);
     if (status == TAUT_OK) {
+        status = taut_film_witness_add(r->problem, surface, radii, &r->options->monitor, details);
+        status = status == TAUT_OK ? TAUT_OK : taut_plateau_witness_fail(status, error);
+    }
+    if (status == TAUT_OK || taut_pace_ends(r->pace, status, details)) {
         return taut_construct_set_details(model, details, error);
     }
     taut_record_free(details);
-    return status == TAUT_INTERRUPTED
-               ? taut_fail(error, TAUT_INTERRUPTED, "interrupted", NULL, taut_none, taut_none,
-                           "stopped before there was a witness")
-               : taut_fail_memory(error);
+    return status;
 }
 
 static taut_status build(void *context, taut_arena *arena, taut_model *model, taut_error *error)
@@ -578,7 +577,7 @@ taut_status taut_film_make(const taut_film_problem *problem, const taut_make_opt
                            taut_model **model, taut_error *error)
 {
     static const taut_make_options none;
-    request r = {.problem = problem, .options = options != NULL ? options : &none};
+    taut_pace pace;
     if (problem != NULL && taut_film_is_complex(problem)) {
         return taut_film_complex_make(problem, options, model, error);
     }
@@ -591,7 +590,9 @@ taut_status taut_film_make(const taut_film_problem *problem, const taut_make_opt
         return taut_fail(error, TAUT_BAD_ARGUMENT, "argument", NULL, taut_none, taut_none,
                          "taut_film_make needs a place for the model");
     }
-    return taut_construct_build(build, &r, model, error);
+    const taut_make_options own = taut_pace_options(&pace, options != NULL ? options : &none);
+    request r = {.problem = problem, .options = &own, .pace = &pace};
+    return taut_pace_end(&pace, taut_construct_build(build, &r, model, error), error);
 }
 
 static taut_status make(const void *data, const taut_make_options *options, taut_model **model,
@@ -671,4 +672,4 @@ static taut_status draft(const void *data, const taut_model *before, int steps, 
     return status == TAUT_OK ? taut_construct_build(build_draft, &r, model, error) : status;
 }
 
-const taut_construct_ops taut_construct_film = {.make = make, .draft = draft};
+const taut_construct_ops taut_construct_film = {.make = make, .draft = draft, .ends_early = 1};

@@ -350,14 +350,6 @@ static taut_status make_parts(const taut_plateau_problem *given, const taut_make
     return refine_parts(problem, options, p, error);
 }
 
-/* What there is where the work was to end: the surface of the last space that was done, or the first
- * as far as it came. No witness is looked for. */
-static void describe_end(const taut_pace *pace, parts *p)
-{
-    taut_record_add_text(p->solution.details, "stopped", taut_pace_reason(pace));
-    describe(p);
-}
-
 taut_status taut_plateau_make(const taut_plateau_problem *problem, const taut_make_options *options,
                               taut_model **model, taut_error *error)
 {
@@ -376,8 +368,9 @@ taut_status taut_plateau_make(const taut_plateau_problem *problem, const taut_ma
     }
     const taut_make_options own = taut_pace_options(&pace, options != NULL ? options : &none);
     status = make_parts(problem, &own, &p, error);
-    if (status == TAUT_INTERRUPTED && taut_pace_is_enough(&pace) && p.solution.surface != NULL) {
-        describe_end(&pace, &p);
+    /* what there is then: the surface of the last space that was done, or the first as far as it came, without a witness */
+    if (p.solution.surface != NULL && taut_pace_ends(&pace, status, p.solution.details)) {
+        describe(&p);
         status = TAUT_OK;
     }
     status = taut_pace_end(&pace, status, error);

@@ -19,6 +19,7 @@
 #include "construct/film/threads.h"
 #include "construct/plateau/witness.h"
 #include "core/fail.h"
+#include "core/pace.h"
 #include "core/vec3.h"
 #include "problem/film_cells.h"
 #include "problem/film_ropes.h"
@@ -444,6 +445,7 @@ static taut_record *details_of(const taut_film_layout *l, const taut_film_rest *
 typedef struct request {
     const taut_film_problem *problem;
     const taut_make_options *options;
+    const taut_pace *pace;
 } request;
 
 static taut_status build(void *context, taut_arena *arena, taut_model *model, taut_error *error)
@@ -489,11 +491,11 @@ static taut_status build(void *context, taut_arena *arena, taut_model *model, ta
     if (status == TAUT_OK && details != NULL && r->problem->refine > 0) {
         status = taut_film_complex_refine(&layout, &rest, r->options, details, error);
     }
-    if (status != TAUT_OK) {
-        taut_record_free(details);
-        return status;
+    if (status == TAUT_OK || taut_pace_ends(r->pace, status, details)) {
+        return taut_construct_set_details(model, details, error);
     }
-    return taut_construct_set_details(model, details, error);
+    taut_record_free(details);
+    return status;
 }
 
 taut_status taut_film_complex_make(const taut_film_problem *problem,
@@ -502,8 +504,9 @@ taut_status taut_film_complex_make(const taut_film_problem *problem,
 {
     static const taut_make_options none;
     taut_film_lone room;
-    request r = {.problem = taut_film_complex_of(problem, &room),
-                 .options = options != NULL ? options : &none};
+    taut_pace pace;
+    const taut_make_options own = taut_pace_options(&pace, options != NULL ? options : &none);
+    request r = {.problem = taut_film_complex_of(problem, &room), .options = &own, .pace = &pace};
     const taut_error before = error != NULL ? *error : (taut_error){.status = TAUT_OK};
     taut_status status = check_problem(r.problem, error);
 
@@ -512,7 +515,7 @@ taut_status taut_film_complex_make(const taut_film_problem *problem,
                          "taut_film_make needs a place for the model");
     }
     if (status == TAUT_OK) {
-        status = taut_construct_build(build, &r, model, error);
+        status = taut_pace_end(&pace, taut_construct_build(build, &r, model, error), error);
     }
     if (status != TAUT_OK) {
         taut_film_complex_where(r.problem, error);
