@@ -670,7 +670,7 @@ static taut_status add_least(const request *r, const finding *found, const taut_
     taut_film_least least;
     const taut_status status = find_least(r, found, sheet, &least);
     taut_claim claim = {.claim = "least",
-                        .kind = TAUT_BOUND,
+                        .kind = taut_film_sheet_has_threads(r->problem) ? TAUT_CHECK : TAUT_BOUND,
                         .residual = taut_none,
                         .limit = least.limit,
                         .holds = TAUT_UNDECIDED,

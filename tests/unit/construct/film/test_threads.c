@@ -14,6 +14,7 @@ static void check_claims(const taut_certificate *proof, const char *what)
 {
     static const char *const claims[] = {"held", "stationary", "stable", "least"};
     film_holds(proof, sizeof claims / sizeof *claims, claims, what);
+    CHECK(claim_of(proof, "least")->kind == TAUT_CHECK, "%s: rounding is not enclosed", what);
 }
 
 /* Forces 2 and 1 per width around and along, by the parameters of the turn: r = r0 cosh(sqrt 2 (v - 1/2)). */
