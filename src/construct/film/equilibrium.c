@@ -434,7 +434,7 @@ static taut_status seek_moves(taut_film_work *w, taut_film_polished *all, taut_e
 
     w->is_definite = 0;
     const taut_status status =
-        taut_film_seek(w->functional, w->space, w->net, SEEKS, SEEKS_ALL, &at);
+        taut_film_seek(w->functional, w->space, w->net, NULL, SEEKS, SEEKS_ALL, &at);
     *all = (taut_film_polished){.first = at.first, .residual = at.residual, .any = at.any};
     all->area = taut_area_functional_value(w->functional, w->net).area;
     return status == TAUT_OK ? TAUT_OK : taut_fail_status(error, status);
@@ -764,7 +764,7 @@ taut_status taut_film_rest_any(taut_film_work *w, int steps, taut_film_rest_poin
     for (int rule = 0; rule < RULES && has_forces_only(w); rule++) {
         taut_status status = taut_film_take_rule(w, rule, 1);
         if (status == TAUT_OK) {
-            status = taut_film_seek(w->functional, w->space, w->net, steps, GAUGES, at);
+            status = taut_film_seek(w->functional, w->space, w->net, NULL, steps, GAUGES, at);
         }
         if (status != TAUT_OK) {
             return taut_fail_status(error, status);
@@ -795,5 +795,5 @@ taut_status taut_film_judge(taut_film_work *w, taut_film_rest_point *at)
     for (int k = 0; k < w->functional->cable_count; k++) {
         rigid[k] = w->space->cables[w->edges[k]].length > 0;
     }
-    return taut_film_inertia(w->functional, w->space, w->net, rigid, at);
+    return taut_film_seek(w->functional, w->space, w->net, rigid, 0, 0, at);
 }

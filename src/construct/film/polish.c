@@ -703,8 +703,7 @@ static double find_lowest(work *w, taut_area_hessian *hessian)
 static void judge(work *w, taut_area_hessian *hessian, const unsigned char *rigid,
                   taut_film_rest_point *at)
 {
-    find_directions(w);
-    at->residual = look(w);
+    at->residual = look_at(w, 0);
     at->any = w->any;
     at->waves = -1;
     taut_area_hessian_assemble(hessian, w->functional);
@@ -758,32 +757,8 @@ static void seek(work *w, taut_area_hessian *hessian, int steps, int all)
 }
 
 taut_status taut_film_seek(taut_area_functional *functional, const taut_film_space *space,
-                           double *net, int steps, int all, taut_film_rest_point *at)
-{
-    work w = {.functional = functional, .space = space, .mask = &space->mask, .net = net};
-    taut_area_hessian *hessian = NULL;
-
-    *at = (taut_film_rest_point){.residual = INFINITY, .any = INFINITY, .negative = -1};
-    taut_arena *arena = taut_arena_new();
-    taut_status status = prepare(&w, arena, &hessian);
-    double *first = taut_arena_copy(arena, net, w.count, 3 * sizeof(double));
-    status = first == NULL ? TAUT_NO_MEMORY : status;
-    if (status == TAUT_OK) {
-        at->first = look_at(&w, 0);
-        seek(&w, hessian, steps, all);
-        for (size_t i = 0; i < w.count; i++) {
-            at->moved = fmax(at->moved, taut_distance(first + 3 * i, net + 3 * i));
-        }
-        judge(&w, hessian, NULL, at);
-        status = stopped(&w);
-    }
-    taut_area_hessian_free(hessian);
-    taut_arena_free(arena);
-    return status;
-}
-
-taut_status taut_film_inertia(taut_area_functional *functional, const taut_film_space *space,
-                              double *net, const unsigned char rigid[4], taut_film_rest_point *at)
+                           double *net, const unsigned char rigid[4], int steps, int all,
+                           taut_film_rest_point *at)
 {
     work w = {.functional = functional, .space = space, .mask = &space->mask, .net = net};
     taut_area_hessian *hessian = NULL;
@@ -791,7 +766,16 @@ taut_status taut_film_inertia(taut_area_functional *functional, const taut_film_
     *at = (taut_film_rest_point){.negative = -1};
     taut_arena *arena = taut_arena_new();
     taut_status status = prepare(&w, arena, &hessian);
+    double *first = taut_arena_copy(arena, net, w.count, 3 * sizeof(double));
+    status = first == NULL ? TAUT_NO_MEMORY : status;
     if (status == TAUT_OK) {
+        at->first = look_at(&w, 0);
+        if (steps > 0) {
+            seek(&w, hessian, steps, all);
+        }
+        for (size_t i = 0; i < w.count; i++) {
+            at->moved = fmax(at->moved, taut_distance(first + 3 * i, net + 3 * i));
+        }
         judge(&w, hessian, rigid, at);
         status = stopped(&w);
     }

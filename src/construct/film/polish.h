@@ -54,10 +54,10 @@ typedef struct taut_film_rest_point {
 } taut_film_rest_point;
 
 /* Goes to it by Newton's steps of any signs, at most so many, each to a smaller residual; by `all` more over all coordinates
- * unless the method is `normal`. taut_film_inertia only looks. TAUT_NO_MEMORY. */
+ * unless the method is `normal`. With 0 steps it only looks. Cables with rigid[k] (NULL: none) keep their lengths where
+ * eigenvalues are counted. TAUT_NO_MEMORY. */
 taut_status taut_film_seek(taut_area_functional *functional, const taut_film_space *space,
-                           double *net, int steps, int all, taut_film_rest_point *at);
-taut_status taut_film_inertia(taut_area_functional *functional, const taut_film_space *space,
-                              double *net, const unsigned char rigid[4], taut_film_rest_point *at);
+                           double *net, const unsigned char rigid[4], int steps, int all,
+                           taut_film_rest_point *at);
 
 #endif /* TAUT_CONSTRUCT_FILM_POLISH_H */

@@ -1,9 +1,11 @@
 /* symmetry.c -- the mean of a film and its images.
  *
  *     the seven exchanges and reversals of u and v, of rings all moves around and reversals, each with an isometry of
- *         space: those that keep the start to rounding, and with it corners, held edges and knots, and kinds and laws of edges
+ *         space: those that keep the start to rounding, and with it corners, held edges and knots, the planes and lines that
+ *         points are kept on, and kinds and laws of edges
  *     net = the mean of the film and of what they make of it
- *     a few steps along the moves, of rings to any rest nearby, and the mean once more, of rings until it moves nothing
+ *     a few steps along the moves, of rings to any rest nearby, and the mean once more; where points are tied, or kept on
+ *         planes and lines, until it moves nothing
  *
  * Newton's steps end anywhere within their tolerance, and area hardly sees how points lie within the film: two halves
  * that ought to be mirror images differ by 1e-7 without this, and rings turn within themselves by 0.01.
@@ -18,6 +20,7 @@
 #include "core/vec3.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <string.h>
 
 /* A way: point (i, j) becomes (j, i), then i is reversed, and j; then what goes around is moved on. */
@@ -120,14 +123,13 @@ static int find_frame(symmetry *s)
 static int keeps_laws(const taut_film_space *space, int way)
 {
     const taut_film_problem *problem = space->problem;
+    const size_t numbers = offsetof(taut_film_edge, has_plane) - offsetof(taut_film_edge, force);
 
     for (int e = 0; e < 4; e++) {
         const int across = (e >= 2) ^ (way & EXCHANGE);
         const taut_film_edge *a = &problem->edges[e],
                              *b = &problem->edges[2 * across + (e % 2 ^ (way >> (1 + across) & 1))];
-        if (a->kind != b->kind || a->law != b->law || a->force != b->force ||
-            a->length != b->length || a->sag != b->sag || a->unstressed != b->unstressed ||
-            a->stiffness != b->stiffness) {
+        if (a->kind != b->kind || a->law != b->law || memcmp(&a->force, &b->force, numbers) != 0) {
             return 0;
         }
     }
@@ -137,21 +139,37 @@ static int keeps_laws(const taut_film_space *space, int way)
             taut_basis_degree(problem->u) == taut_basis_degree(problem->v));
 }
 
-static int keeps_points(const symmetry *s, int way, double frame[3][3])
+/* Where a point of the start is, and what is allowed of a move that no plane or line shares. */
+static void look_at(const symmetry *s, size_t at, double (*frame)[3], double x[3])
 {
-    const double *start = s->space->start;
+    for (int k = 0; k < 3; k++) {
+        x[k] = frame[0][k] + 0.7 * frame[1][k] + 0.4 * frame[2][k];
+    }
+    if (s->space->allowed != NULL) {
+        taut_mask_project(s->space->allowed + 6 * at, x);
+    }
+    taut_add_scaled(1, s->space->start + 3 * at, x);
+    taut_add_scaled(-1, s->centre, x);
+}
+
+static int keeps_points(symmetry *s, int way, double frame[3][3])
+{
     const double most = rounding * (1 + taut_largest_coordinate(s->space->scaling.centre));
 
-    for (size_t i = 0; i < 3 * s->space->count; i++) {
-        if (!(fabs(part_of(s, start, i / 3, s->frame[i % 3]) -
-                   part_of(s, start, image_of(s->space, way, i / 3), frame[i % 3])) <= most)) {
-            return 0;
+    for (size_t i = 0; i < s->space->count; i++) {
+        double here[3], there[3];
+        look_at(s, i, s->frame, here);
+        look_at(s, image_of(s->space, way, i), frame, there);
+        for (int k = 0; k < 3; k++) {
+            if (!(fabs(taut_dot(here, s->frame[k]) - taut_dot(there, frame[k])) <= most)) {
+                return 0;
+            }
         }
     }
     return 1;
 }
 
-static int is_symmetric(const symmetry *s, int way, double frame[3][3])
+static int is_symmetric(symmetry *s, int way, double frame[3][3])
 {
     return keeps_laws(s->space, way) &&
            ((lay_frame(s, way, 1, frame) && keeps_points(s, way, frame)) ||
@@ -159,7 +177,7 @@ static int is_symmetric(const symmetry *s, int way, double frame[3][3])
 }
 
 /* net becomes the mean: how far the farthest point moves; -1: it has no images. */
-static double take_mean(const symmetry *s, double *net)
+static double take_mean(symmetry *s, double *net)
 {
     const taut_film_space *space = s->space;
     const int ways = WAYS * (space->around != NULL ? space->around->period : 1);
@@ -195,13 +213,12 @@ taut_status taut_film_make_symmetric(taut_film_work *w, taut_arena *arena, taut_
 {
     const taut_film_space *space = w->space;
     const taut_film_problem *problem = space->problem;
-    const int is_ring = space->around != NULL;
+    const int moves = space->leader != NULL;
     symmetry s = {.space = space};
     taut_error inner = {.status = TAUT_OK};
     taut_film_rest_point at = {.negative = 0};
 
-    if ((!is_ring && space->leader != NULL) || problem->start != NULL ||
-        problem->prestress[0] > 0 || !find_frame(&s)) {
+    if (problem->start != NULL || problem->prestress[0] > 0 || !find_frame(&s)) {
         return TAUT_OK;
     }
     s.sum = taut_arena_take(arena, space->count, 3 * sizeof(double));
@@ -216,7 +233,7 @@ taut_status taut_film_make_symmetric(taut_film_work *w, taut_arena *arena, taut_
         return TAUT_OK;
     }
     double moved = first;
-    for (int k = 0; k < (is_ring ? ROUNDS : 1) && inner.status == TAUT_OK; k++) {
+    for (int k = 0; k < (moves ? ROUNDS : 1) && inner.status == TAUT_OK; k++) {
         inner.status = taut_film_polish_again(w, &inner);
         moved = take_mean(&s, w->net);
         if (moved <= settled && w->region.residual <= w->region.tolerance) {
@@ -231,7 +248,7 @@ taut_status taut_film_make_symmetric(taut_film_work *w, taut_arena *arena, taut_
     }
     w->is_definite = was.is_definite;
     if (inner.status != TAUT_OK || at.negative != 0 || w->region.residual > w->region.tolerance ||
-        (is_ring && moved > settled) || !(w->region.area <= (1 + energy_more) * energy)) {
+        (moves && moved > settled) || !(w->region.area <= (1 + energy_more) * energy)) {
         memcpy(w->net, before, 3 * space->count * sizeof(double));
         memcpy(w->cables, was.cables, sizeof w->cables);
         w->region = was.region;
