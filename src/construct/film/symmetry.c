@@ -148,8 +148,9 @@ static void look_at(const symmetry *s, size_t at, double (*frame)[3], double x[3
     if (s->space->allowed != NULL) {
         taut_mask_project(s->space->allowed + 6 * at, x);
     }
-    taut_add_scaled(1, s->space->start + 3 * at, x);
-    taut_add_scaled(-1, s->centre, x);
+    for (int k = 0; k < 3; k++) {
+        x[k] += s->space->start[3 * at + (size_t)k] - s->centre[k];
+    }
 }
 
 static int keeps_points(symmetry *s, int way, double frame[3][3])
