@@ -2,6 +2,7 @@
 #include "cli/cli.h"
 
 #include <stdio.h>
+#include <string.h>
 
 /* To a person; a program is told all. */
 enum { NOTES_TOLD = 3 };
@@ -53,6 +54,22 @@ static void tell_of(const char *path, const cli_options *options, const taut_mod
     }
 }
 
+/* A file that shows a model, a mesh or a picture, does not hold it. */
+static void add_remedy(const char *path, taut_error *error)
+{
+    taut_error unknown;
+    const char *ending = taut_formats_ending(taut_draw_formats(), path, &unknown);
+    const size_t length = strlen(error->message);
+
+    if (strncmp(error->message, "this is not JSON", 16) == 0 && ending != NULL &&
+        !cli_is_json(path)) {
+        snprintf(error->message + length, sizeof error->message - length,
+                 "; a %s file shows a model and does not hold it: give the .json that it was "
+                 "written from",
+                 ending);
+    }
+}
+
 static taut_status read_chosen(const char *path, const cli_options *options,
                                const taut_read_options *chosen, taut_model **model,
                                taut_error *error)
@@ -62,6 +79,8 @@ static taut_status read_chosen(const char *path, const cli_options *options,
     cli_monitor_done();
     if (status == TAUT_OK) {
         tell_of(path, options, *model);
+    } else {
+        add_remedy(path, error);
     }
     return status;
 }
@@ -94,6 +113,8 @@ taut_status cli_read_either(const char *path, const cli_options *options, taut_p
     cli_monitor_done();
     if (status == TAUT_OK) {
         tell_of(path, options, *model);
+    } else {
+        add_remedy(path, error);
     }
     return status;
 }

@@ -17,6 +17,9 @@ DOCUMENTS = {
                    ' "v": { "type": "bezier", "degree": 1 }, "points": [[null, null], [null, null]] }',
     "nothing.json": '{ "taut": 1, "construct": "dirichlet", "u": { "type": "bezier", "degree": 1 },'
                     ' "v": { "type": "bezier", "degree": 1 }, "points": [[null, null], [null, null]] }',
+    "shown.obj": "# a mesh\nv 0 0 0\n",
+    "shown.PNG": "PNG",
+    "noted.txt": "a note",
     "model.json": '{ "taut": 1, "curves": [ { "name": "c", "t": { "type": "bezier", "degree": 1 },'
                   ' "points": [[0, 0, 0], [1, 0, 0]] } ] }',
 }
@@ -104,6 +107,16 @@ def check_report(taut, folder):
     return None
 
 
+def check_shown(taut, folder):
+    """A mesh or a picture is no model: the message says what to give instead, and of other files it does not."""
+    for name, is_shown in (("shown.obj", True), ("shown.PNG", True), ("broken.json", False), ("noted.txt", False)):
+        for command in ("certify", "measure"):
+            done = subprocess.run([taut, command, name], cwd=folder, capture_output=True, text=True, timeout=60)
+            if done.returncode != 3 or ("give the .json" in done.stderr) != is_shown:
+                return "%s %s: exit %d, %s" % (command, name, done.returncode, done.stderr)
+    return None
+
+
 def main():
     taut, examples = sys.argv[1], sys.argv[2]
     wrong = []
@@ -114,7 +127,7 @@ def main():
         with open(os.path.join(examples, "dirichlet-tent.json"), "rb") as given:
             with open(os.path.join(folder, "dirichlet-tent.json"), "wb") as file:
                 file.write(given.read())
-        wrong = [check(taut, folder, row) for row in ROWS] + [check_report(taut, folder)]
+        wrong = [check(taut, folder, row) for row in ROWS] + [check_report(taut, folder), check_shown(taut, folder)]
     wrong = [said for said in wrong if said is not None]
     for said in wrong:
         print("FAIL:", said)
